@@ -5,9 +5,9 @@
 #define INTRINSIC_LOAD_H
 
 #include "constraints.h"
-#include "file_formats.h"
 #include "metric.h"
 #include "options.h"
+#include "support/file_formats.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
 #include "support/read_mesh.h"

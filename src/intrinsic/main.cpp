@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
-#include "file_formats.h"
 #include "option_groups.h"
 #include "options.h"
 #include "output_files.h"
 #include "support/command_line.h"
+#include "support/file_formats.h"
 #include "time_limit.h"
 
 #include <exception>
@@ -81,9 +81,8 @@ void add_transfer(CLI::App& app, Options& options, Command& chosen) {
       .add_option("--method", options.method,
                   "L2 (the nearest function, default) or pointwise (values at vertices)")
       ->check(CLI::IsMember({"L2", "pointwise"}));
-  command
-      .add_option("-o", options.output, "write values (.txt) or the common subdivision (.ply .vtp)")
-      ->check(program::file_of({program::Contents::values, program::Contents::valued_subdivision}));
+  program::add_output_option(command, "-o", options.output,
+                             {program::Contents::values, program::Contents::valued_subdivision});
   CLI::Option* const refine = command.add_flag(
       "--refine", options.refines, "refine the triangulation, as the command refine does");
   program::add_constraint_options(command, options);
@@ -168,7 +167,8 @@ void add_field(CLI::App& app, Options& options, Command& chosen) {
                      "text file of vectors that are kept, as for transport");
   command
       .add_option("--singularities", options.application.singularities,
-                  "write the singularities: points with their index (.vtp .obj .ply)")
+                  "write the singularities, points with their index, to " +
+                      program::extensions_of(program::Contents::points))
       ->check(program::file_of({program::Contents::points}));
   command
       .add_option("--align", options.application.alignment,

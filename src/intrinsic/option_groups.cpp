@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "option_groups.h"
-#include "file_formats.h"
 #include "geodesic/asked_curves.h"
+#include "support/file_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -91,8 +91,9 @@ std::string curve_output_misuse(const Options& o) {
 void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("IN", options.input,
-                  "mesh (.off .obj .ply .stl .ts), points (.xyz .pwn, or a mesh without faces) or "
-                  "intrinsic triangulation (.idt)")
+                  "mesh (" + extensions_of(Contents::mesh) +
+                      "), points (.xyz, .pwn, or a mesh without faces) or intrinsic triangulation "
+                      "(.idt)")
       ->required();
   command
       .add_option_function<std::string>(
@@ -252,11 +253,8 @@ void add_correspondence_options(CLI::App& command, Options& options) {
                   "how to store where edges run on the input: integer (coordinates, default), "
                   "signposts, crossings or none")
       ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
-  command
-      .add_option("-o", options.output,
-                  "write the common subdivision (.ply .obj .off .stl .vtp) or the intrinsic "
-                  "triangulation (.idt)")
-      ->check(file_of({Contents::subdivision, Contents::triangulation}));
+  add_output_option(command, "-o", options.output,
+                    {Contents::subdivision, Contents::triangulation});
   command.add_option("--view", options.view, "write a page that shows the triangulation")
       ->type_name("FILE");
 }
@@ -314,11 +312,13 @@ void add_curve_output_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"integer", "signposts", "crossings"}));
   command
       .add_option("-o", options.output,
-                  "write curves (.vtp .obj .ply) or the intrinsic triangulation (.idt)")
+                  "write " + listed_with_extensions({Contents::curves, Contents::triangulation}))
       ->check(file_of({Contents::curves, Contents::subdivision, Contents::triangulation}));
-  command.add_flag("--subdivision", options.geodesic.writes_subdivision,
-                   "-o writes the common subdivision, with the number of the curve at its vertices "
-                   "(.ply .obj .off .stl .vtp)");
+  command.add_flag(
+      "--subdivision", options.geodesic.writes_subdivision,
+      "-o writes the common subdivision, with the number of the curve at its vertices, "
+      "to " +
+          extensions_of(Contents::subdivision));
   command.add_option("--view", options.view, "write a page that shows the curves")
       ->type_name("FILE");
 }
@@ -335,10 +335,7 @@ void add_source_option(CLI::App& command, Options& options) {
 
 void add_application_options(CLI::App& command, Options& options, bool has_sources) {
   add_common_options(command, options);
-  command
-      .add_option("-o", options.output,
-                  "write values (.txt), or the surface with them (.ply .obj .off .stl .vtp)")
-      ->check(file_of({Contents::values, Contents::subdivision}));
+  add_output_option(command, "-o", options.output, {Contents::values, Contents::subdivision});
   command
       .add_option("--on", options.application.on,
                   "where results are: subdivision (on the common subdivision, default), input, or "

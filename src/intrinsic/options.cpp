@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "options.h"
-#include "file_formats.h"
+#include "support/file_formats.h"
 
 namespace program {
 

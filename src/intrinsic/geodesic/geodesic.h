@@ -5,7 +5,7 @@
 #define INTRINSIC_GEODESIC_GEODESIC_H
 
 #include "../delaunay.h"
-#include "../file_formats.h"
+#include "../support/file_formats.h"
 #include "Geodesic_curves.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sources.h"
+#include "../support/file_formats.h"
 #include "../support/read_mesh.h"
 
 #include <stress_families.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -21,18 +21,11 @@ const std::string stress_prefix = "stress:";
 
 bool is_stress_spec(const std::string& location) { return location.starts_with(stress_prefix); }
 
-bool is_mesh_file(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::set<std::string> known{".off", ".obj", ".ply", ".stl", ".ts"};
-  return known.contains(extension) && std::filesystem::is_regular_file(path);
-}
-
 std::vector<std::string> mesh_files(const std::string& directory) {
   std::vector<std::string> paths;
   for (const auto& entry : std::filesystem::directory_iterator(directory))
-    if (is_mesh_file(entry.path())) paths.push_back(entry.path().string());
+    if (is_file_of(Contents::mesh, entry.path().string()) && entry.is_regular_file())
+      paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
   if (paths.empty()) throw std::runtime_error(directory + ": there are no mesh files in it");
   return paths;

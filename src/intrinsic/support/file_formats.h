@@ -1,18 +1,19 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_FILE_FORMATS_H
-#define INTRINSIC_FILE_FORMATS_H
+#ifndef INTRINSIC_SUPPORT_FILE_FORMATS_H
+#define INTRINSIC_SUPPORT_FILE_FORMATS_H
 
-#include "support/command_line.h"
+#include "command_line.h"
 
 #include <string>
 #include <vector>
 
 namespace program {
 
-/// Contents of files that the program writes; one table has their names and extensions.
+/// Contents of files that the program reads or writes; one table has their names and extensions.
 enum class Contents {
+  mesh,
   triangulation,
   subdivision,
   curves,
@@ -26,10 +27,16 @@ enum class Contents {
 bool is_file_of(Contents contents, const std::string& path);
 /// returns the extensions of files with such contents: ".vtp, .obj or .ply".
 std::string extensions_of(Contents contents);
+/// returns several contents with their extensions: "values to .txt or curves to .obj or .vtp".
+std::string listed_with_extensions(const std::vector<Contents>& contents);
 /// returns a check that the extension of a file allows one of several contents; the error lists
 /// them with their extensions.
 CLI::Validator file_of(std::vector<Contents> offered);
+/// adds an option that names a file to be written with one of several contents; its help lists
+/// them with their extensions.
+CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                               const std::vector<Contents>& offered);
 
 } // namespace program
 
-#endif // INTRINSIC_FILE_FORMATS_H
+#endif // INTRINSIC_SUPPORT_FILE_FORMATS_H

@@ -26,14 +26,16 @@ struct Format {
   std::span<const std::string_view> extensions; // without the dot
 };
 
+constexpr std::array<std::string_view, 5> mesh{"off", "obj", "ply", "stl", "ts"};
 constexpr std::array<std::string_view, 1> triangulation{"idt"};
 constexpr std::array<std::string_view, 1> values{"txt"};
 constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
 
 // in the order of `Contents`
-constexpr std::array<Format, 7> formats{
-    {{"the intrinsic triangulation", triangulation},
+constexpr std::array<Format, 8> formats{
+    {{"meshes", mesh},
+     {"the intrinsic triangulation", triangulation},
      {"the common subdivision", IT::common_subdivision_extensions},
      {"curves", IT::polyline_extensions},
      {"points", IT::polyline_extensions},
@@ -66,17 +68,27 @@ std::string extensions_of(Contents contents) {
   return listed(words);
 }
 
+std::string listed_with_extensions(const std::vector<Contents>& contents) {
+  std::vector<std::string> words;
+  for (const Contents c : contents)
+    words.push_back(std::string(format(c).words) + " to " + extensions_of(c));
+  return listed(words);
+}
+
 CLI::Validator file_of(std::vector<Contents> offered) {
   return CLI::Validator(
       [offered = std::move(offered)](std::string& path) {
-        std::vector<std::string> words;
-        for (const Contents contents : offered) {
+        for (const Contents contents : offered)
           if (is_file_of(contents, path)) return std::string();
-          words.push_back(std::string(format(contents).words) + " to " + extensions_of(contents));
-        }
-        return path + ": the format is not offered; write " + listed(words);
+        return path + ": the format is not offered; write " + listed_with_extensions(offered);
       },
       "FILE");
+}
+
+CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                               const std::vector<Contents>& offered) {
+  return command.add_option(name, path, "write " + listed_with_extensions(offered))
+      ->check(file_of(offered));
 }
 
 } // namespace program
