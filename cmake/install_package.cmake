@@ -18,8 +18,6 @@ install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   FILE_SET sources
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
-  FILE_SET included_texts
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   FILE_SET openmesh_headers
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT ${package_component}
   INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

@@ -10,7 +10,19 @@ All sources of the package `Intrinsic_triangulations`, for programs that do not 
 exactly one of their sources includes this file.
 */
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_XYZ.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.cpp>

@@ -1,12 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What reads and prepares inputs, and writes files; what refinement keeps of them.
+// What reads and prepares inputs; what refinement keeps of them.
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_IN_INPUT 1
 
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>

@@ -22,24 +22,16 @@ inline constexpr std::array<std::string_view, 5> common_subdivision_extensions{"
                                                                                "stl", "vtp"};
 
 /*!
-\brief labels the faces and vertices of a common subdivision with the polygons of the input, for a file: the user's
-faces instead of the triangles that they were made of.
+\brief labels the faces and vertices of a common subdivision with the polygons of the input, for a
+file: the user's faces instead of the triangles that they were made of.
 
-What computes with a common subdivision needs the triangles: use a copy.
+Label a copy: computations with a common subdivision need the triangles.
 \param s the subdivision
 \param polygon_of_triangle the polygon of each triangle, as in `Triangle_soup` and `Input_names`; empty: all
   faces are triangles, and nothing changes
 \complexity linear
 */
-inline void label_with_polygons(Common_subdivision& s,
-                                std::span<const std::uint32_t> polygon_of_triangle) {
-  if (polygon_of_triangle.empty()) return;
-  const auto rename = [&](std::uint32_t& f) {
-    if (f != Common_subdivision::none) f = polygon_of_triangle[f];
-  };
-  for (std::uint32_t& f : s.input_face) rename(f);
-  for (Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
-}
+void label_with_polygons(Common_subdivision& s, std::span<const std::uint32_t> polygon_of_triangle);
 
 namespace internal {
 
@@ -114,9 +106,5 @@ void write_common_subdivision(const std::filesystem::path& path, const Common_su
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H

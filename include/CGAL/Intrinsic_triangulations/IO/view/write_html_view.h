@@ -11,9 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <iosfwd>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -71,15 +69,7 @@ struct Three_js {
   package libjs-three
 \return the texts of both; empty ones if they are not there
 */
-inline Three_js
-find_three_js(const std::filesystem::path& directory = "/usr/share/javascript/three") {
-  const auto text = [&](const std::filesystem::path& folder, const std::filesystem::path& name) {
-    std::ifstream file(directory / name, std::ios::binary);
-    if (!file) file = std::ifstream(directory / folder / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  return {text("build", "three.min.js"), text("examples/js/controls", "TrackballControls.js")};
-}
+Three_js find_three_js(const std::filesystem::path& directory = "/usr/share/javascript/three");
 
 /*!
 \brief writes a page that shows an intrinsic triangulation on the surface: one file that needs no
@@ -104,9 +94,5 @@ void write_html_view(std::ostream& out, const Common_subdivision& s,
                      std::span<const std::array<double, 3>> points, const Html_view& view);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_H

@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
-
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
@@ -20,6 +18,8 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
 
 // Scans the vertices and faces of a PLY file, text or binary of either byte order.
 class PLY_scanner {
@@ -244,6 +244,10 @@ private:
   std::endian order_ = std::endian::little;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_PLY_H
+void scan_PLY(std::istream& in, std::uintmax_t file_size, Soup_builder& out) {
+  PLY_scanner(in, file_size, out).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

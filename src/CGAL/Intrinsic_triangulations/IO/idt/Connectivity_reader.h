@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_CONNECTIVITY_READER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_CONNECTIVITY_READER_H
 
-#include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 
 #include <cstdint>

@@ -1,16 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_IMPL_H
-
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/columns.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
@@ -32,9 +29,22 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-inline constexpr std::string_view PLY_comments =
+void label_with_polygons(Common_subdivision& s,
+                         std::span<const std::uint32_t> polygon_of_triangle) {
+  if (polygon_of_triangle.empty()) return;
+  const auto rename = [&](std::uint32_t& f) {
+    if (f != Common_subdivision::none) f = polygon_of_triangle[f];
+  };
+  for (std::uint32_t& f : s.input_face) rename(f);
+  for (Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
+}
+
+namespace internal {
+namespace {
+
+constexpr std::string_view PLY_comments =
     "comment common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
     "comment numbers count from 0; -1: none\n"
     "comment vertex kind 0: vertex of the input; 1: inserted into the intrinsic triangulation;\n"
@@ -46,21 +56,21 @@ inline constexpr std::string_view PLY_comments =
     "comment sheet: of a cover, 0 on the front of the user's face, 1 on its back\n"
     "comment edge: lies on input_edge, on intrinsic_edge or on both\n";
 
-inline constexpr std::string_view VTP_comment =
+constexpr std::string_view VTP_comment =
     "<!-- Common subdivision of a mesh (the input) and an intrinsic triangulation of it.\n"
     "Numbers count from 0; -1: none. kind 0: vertex of the input; 1: inserted into the\n"
     "intrinsic triangulation; 2: crossing of input_edge and intrinsic_edge.\n"
     "Lines are the intrinsic edges. sheet: of a cover, 0 on the front of the user's face,\n"
     "1 on its back. -->\n";
 
-inline Column positions_column(const Subdivision_output& o) {
+Column positions_column(const Subdivision_output& o) {
   return tuples("Points", {"x", "y", "z"}, o.points.size(),
                 [&o](std::size_t v) { return o.points[v]; });
 }
 
 // Appends the fields of a place. The `first` elements have none: not a number, or no vector.
-inline void add_fields(std::vector<Column>& columns, const Subdivision_output& o,
-                       Subdivision_field::Place place, std::size_t first = 0) {
+void add_fields(std::vector<Column>& columns, const Subdivision_output& o,
+                Subdivision_field::Place place, std::size_t first = 0) {
   for (const Subdivision_field& field : o.fields) {
     if (field.place != place) continue;
     const std::size_t n = field.components;
@@ -76,7 +86,7 @@ inline void add_fields(std::vector<Column>& columns, const Subdivision_output& o
 }
 
 // A face has at most six sides: it is in a face of the input and in an intrinsic one.
-inline Column corners_of_faces(const Common_subdivision& s) {
+Column corners_of_faces(const Common_subdivision& s) {
   return {"",
           {"vertex_indices"},
           {"list uchar int", "", 0},
@@ -91,7 +101,7 @@ inline Column corners_of_faces(const Common_subdivision& s) {
 
 // Each edge of a subdivision once: the corner where it starts, and its other end.
 using Subdivision_edges = std::vector<std::array<std::uint32_t, 2>>;
-inline Subdivision_edges edges_of_subdivision(const Common_subdivision& s) {
+Subdivision_edges edges_of_subdivision(const Common_subdivision& s) {
   Subdivision_edges edges;
   for_each_subdivision_edge(
       s, [&](std::uint32_t, std::uint32_t end, const Common_subdivision::Side& side) {
@@ -99,7 +109,7 @@ inline Subdivision_edges edges_of_subdivision(const Common_subdivision& s) {
       });
   return edges;
 }
-inline Column ends_and_labels(const Subdivision_edges& edges, const Common_subdivision& s) {
+Column ends_and_labels(const Subdivision_edges& edges, const Common_subdivision& s) {
   return tuples("edge", {"vertex1", "vertex2", "input_edge", "intrinsic_edge"}, edges.size(),
                 [&](std::size_t e) {
                   const auto& [corner, end] = edges[e];
@@ -111,7 +121,7 @@ inline Column ends_and_labels(const Subdivision_edges& edges, const Common_subdi
 }
 
 // Elements vertex, face and edge with all labels. Comments in the header say what properties mean.
-inline void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary) {
+void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary) {
   const Common_subdivision& s = o.s;
   const std::size_t n = s.number_of_faces();
   const std::vector<Rgb_color> colors = intrinsic_face_colors(s);
@@ -136,7 +146,7 @@ inline void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& 
 }
 
 // Labels are point and cell data, intrinsic edges are lines. Cells are numbered through: lines before polygons.
-inline void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool has_lines) {
+void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool has_lines) {
   constexpr std::uint32_t none = Common_subdivision::none;
   const Common_subdivision& s = o.s;
   const Edge_polylines lines = has_lines ? intrinsic_edge_polylines(s) : Edge_polylines();
@@ -173,16 +183,14 @@ inline void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& 
 }
 
 // A line with the numbers of vertices as OBJ has them, from 1.
-inline void write_OBJ_vertices(Output_buffer& out, char kind,
-                               std::span<const std::uint32_t> vertices) {
+void write_OBJ_vertices(Output_buffer& out, char kind, std::span<const std::uint32_t> vertices) {
   out.words(kind);
   for (const std::uint32_t v : vertices) out.words(std::uint64_t{v} + 1);
   out.line();
 }
 
 // A corner of a face: its vertex, and its place in the plane, which has the same number.
-inline void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> vertices,
-                           bool has_texture) {
+void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> vertices, bool has_texture) {
   if (!has_texture) return write_OBJ_vertices(out, 'f', vertices);
   out.words('f');
   for (const std::uint32_t v : vertices)
@@ -191,14 +199,14 @@ inline void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> ve
 }
 
 // Fields of these names are places in the plane.
-inline const Subdivision_field* find_field(const Subdivision_output& o, std::string_view name) {
+const Subdivision_field* find_field(const Subdivision_output& o, std::string_view name) {
   const auto i = std::ranges::find_if(
       o.fields, [name](const Subdivision_field& f) { return f.name == name && f.is_function(); });
   return i == o.fields.end() ? nullptr : &*i;
 }
 
 // Numbers of intrinsic faces, faces of the input and intrinsic edges are in comments before the elements.
-inline void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines) {
+void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines) {
   const Common_subdivision& s = o.s;
   out.text("# common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
            "# numbers in comments count from 0; input_faces: one for each face that follows\n");
@@ -224,7 +232,7 @@ inline void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with
 }
 
 // Polygons in the colours of `intrinsic_face_colors()`.
-inline void write_OFF(Output_buffer& out, const Subdivision_output& o) {
+void write_OFF(Output_buffer& out, const Subdivision_output& o) {
   out.text("OFF\n", o.points.size(), ' ', o.s.number_of_faces(), " 0\n");
   for (const std::array<double, 3>& p : o.points) out.line(p[0], p[1], p[2]);
   const std::vector<Rgb_color> colors = intrinsic_face_colors(o.s);
@@ -239,13 +247,13 @@ inline void write_OFF(Output_buffer& out, const Subdivision_output& o) {
 using STL_point = std::array<double, 3>;
 
 // The unit normal of a triangle; 0 if its corners are collinear.
-inline STL_point STL_normal(const STL_point& a, const STL_point& b, const STL_point& c) {
+STL_point STL_normal(const STL_point& a, const STL_point& b, const STL_point& c) {
   const STL_point n = cross_product(difference(b, a), difference(c, a));
   const double length = norm(n);
   return length > 0 ? STL_point{n[0] / length, n[1] / length, n[2] / length} : STL_point{0, 0, 0};
 }
 
-inline void check_STL_range(std::span<const STL_point> points) {
+void check_STL_range(std::span<const STL_point> points) {
   for (const STL_point& p : points)
     for (const double x : p)
       if (std::abs(x) > static_cast<double>(std::numeric_limits<float>::max()))
@@ -254,7 +262,7 @@ inline void check_STL_range(std::span<const STL_point> points) {
 }
 
 // Binary: each convex polygon as a fan of triangles, coordinates rounded to single precision.
-inline void write_STL(Output_buffer& out, const Subdivision_output& o) {
+void write_STL(Output_buffer& out, const Subdivision_output& o) {
   check_STL_range(o.points);
   // exactly 80 bytes, which must not start with "solid" as text does
   std::string title = "binary STL: common subdivision of a mesh and an intrinsic triangulation";
@@ -273,10 +281,10 @@ inline void write_STL(Output_buffer& out, const Subdivision_output& o) {
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_subdivision(std::ostream& out,
-                                                            std::string_view extension,
-                                                            const Subdivision_output& o,
-                                                            const Subdivision_format& format) {
+} // namespace
+
+void write_subdivision(std::ostream& out, std::string_view extension, const Subdivision_output& o,
+                       const Subdivision_format& format) {
   const std::string name = plain_extension(extension);
   check_output(o);
   Output_buffer buffer(out);
@@ -299,14 +307,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_subdivision(std::ostream& out,
     throw std::runtime_error("the common subdivision cannot be written completely");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_subdivision(const std::filesystem::path& path,
-                                                            const Subdivision_output& o,
-                                                            const Subdivision_format& format) {
+void write_subdivision(const std::filesystem::path& path, const Subdivision_output& o,
+                       const Subdivision_format& format) {
   write_file(path, [&](std::ostream& out) {
     write_subdivision(out, path.extension().string(), o, format);
   });
 }
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_IMPL_H
+} // namespace CGAL::Intrinsic_triangulations

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_INPUT_READER_H
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/Connectivity_reader.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/intrinsic_triangulation_format.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/Text_reader.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>

@@ -1,15 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H
-
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
@@ -19,6 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <span>
@@ -30,16 +30,17 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+namespace {
 
 // The page with the program that draws and answers to the pointer; what stands between two @ is a
 // place to be filled. The file is HTML between the marks of a raw string.
 #ifndef DOXYGEN_RUNNING // which does not look for files here
-inline constexpr std::string_view html_view_page =
+constexpr std::string_view html_view_page =
 #include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
     ;
 #endif
 
-/// Writes the parts of a page.
+// Writes the parts of a page.
 class Html_view_writer {
   using Point = std::array<double, 3>;
 
@@ -309,11 +310,20 @@ private:
   std::vector<std::array<float, 3>> scaled_;
 };
 
+} // namespace
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-write_html_view(std::ostream& out, const Common_subdivision& s,
-                std::span<const std::array<double, 3>> points, const Html_view& view) {
+Three_js find_three_js(const std::filesystem::path& directory) {
+  const auto text = [&](const std::filesystem::path& folder, const std::filesystem::path& name) {
+    std::ifstream file(directory / name, std::ios::binary);
+    if (!file) file = std::ifstream(directory / folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  return {text("build", "three.min.js"), text("examples/js/controls", "TrackballControls.js")};
+}
+
+void write_html_view(std::ostream& out, const Common_subdivision& s,
+                     std::span<const std::array<double, 3>> points, const Html_view& view) {
   internal::check_output({s, points, view.fields});
   for (const Subdivision_field& field : view.fields)
     if (!field.is_function())
@@ -339,5 +349,3 @@ write_html_view(std::ostream& out, const Common_subdivision& s,
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_VIEW_WRITE_HTML_VIEW_IMPL_H

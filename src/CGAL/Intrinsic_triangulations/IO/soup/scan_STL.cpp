@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H
-
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
@@ -21,6 +19,8 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
 
 // Scans STL, text or binary, and merges the corners with equal coordinates.
 class STL_scanner {
@@ -170,6 +170,10 @@ private:
   std::size_t facets_ = 0;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_STL_H
+void scan_STL(std::istream& in, std::uintmax_t file_size, Soup_builder& out) {
+  STL_scanner(in, file_size, out).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OFF_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OFF_H
-
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
@@ -17,6 +15,8 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
 
 // Scans the Object File Format with all its prefixes (ST, C, N, 4, n), as text or binary.
 class OFF_scanner {
@@ -218,6 +218,10 @@ private:
        dimensional_ = false;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_IO_SOUP_SCAN_OFF_H
+void scan_OFF(std::istream& in, std::uintmax_t file_size, Soup_builder& out) {
+  OFF_scanner(in, file_size, out).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
