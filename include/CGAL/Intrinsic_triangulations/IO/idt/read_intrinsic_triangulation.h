@@ -32,7 +32,7 @@ struct Stored_triangulation {
   std::optional<Integer_coordinates> coordinates; // if the input has a surface
 };
 
-// Reads a file with the arithmetic of `Metric`. `lies_on_input`: the triangulation needs coordinates.
+// Reads a file with the arithmetic of `Metric`. `lies_on_input`: coordinates are needed.
 template <class Metric>
 Stored_triangulation<Metric> read_stored_triangulation(std::istream& in, const std::string& name,
                                                        bool lies_on_input);
@@ -52,8 +52,8 @@ The correspondence may be another one than that of the triangulation that was wr
 integer coordinates or explicit crossings, unless the file has doubles only.
 
 The function checks what safe use needs: counts, numbers, that the faces fit together, that values
-are not negative, that curves are the edges of the input. With exact traits it unfolds each face over
-the input in interval arithmetic; values that contradict the stored ones are an error.
+are not negative, that curves are the edges of the input. With exact traits it unfolds each face
+over the input in interval arithmetic; values that contradict the stored ones are an error.
 \tparam Triangulation an `Intrinsic_triangulation` with the arithmetic of the file, and any mesh
 \param in the stream
 \param name name of the file, for messages

@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Numbers elements of a triangulation anew: in their order, but without the gaps that removals leave.
+// Numbers elements anew: in their order, but without the gaps that removals leave.
 struct Compact_order {
   template <class Triangulation, class Range>
   Compact_order(const Triangulation& t, const Range& range) {

@@ -25,30 +25,32 @@ The format follows from the extension, in any letter case: OFF with all its pref
 `CGAL::IO::read_polygon_soup()`; OFF, PLY and STL as text or binary. Vertices and faces keep the
 numbers they have in the file; those of STL are the distinct corners in the order in which they
 first occur. A decimal coordinate becomes the nearest `double`; where a format stores single
-precision (binary OFF and STL, properties of type `float` in PLY), it becomes that number.
-Point sets, for `make_point_cloud()`, are files of these formats without faces, and lists of points (`.xyz`, `.pwn`): on each
-line three coordinates, of which what follows is ignored, as normals; comments start with `#`, and the number of points may come
-first.
-Faces of OFF may take several lines, statements of OBJ that are unknown are skipped, a byte order mark
-is, and lines end by LF, CR LF or CR.
+precision (binary OFF and STL, properties of type `float` in PLY), it becomes that number. Point
+sets, for `make_point_cloud()`, are files of these formats without faces, and lists of points
+(`.xyz`, `.pwn`): three coordinates on each line, after which the rest, such as a normal, is
+ignored; comments start with `#`, and the number of points may come first. Faces of OFF may take
+several lines. Unknown statements of OBJ and byte order marks are skipped, and lines end by LF, CR
+LF or CR.
 
-Of a face that lists a vertex twice, what has no area is left out, and counted: 0 1 1 2 and 0 1 2 3 2 are polygons with a
-vertex or a line too many; nothing is left of 0 1 1.
+If a face lists a vertex twice, its parts without area are left out and counted: 0 1 1 2 and
+0 1 2 3 2 are polygons with a vertex or a line too many; nothing is left of 0 1 1.
 
 Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay
 triangulation in the plane normal to their vector area, or with least area where their projection to
 that plane crosses itself. As edges are later matched by their end vertices, a diagonal between two
-vertices that another edge joins is avoided by another triangulation of the polygon, if there is one.
+vertices that another edge joins is avoided by another triangulation of the polygon, if there is
+one.
 
 \param filename the name of the file
-\param polygons what is made of polygons that are not planar: `Nonplanar_polygons::planar` triangulates the planar polygons that
-  take their place
+\param polygons what replaces polygons that are not planar: `Nonplanar_polygons::planar`
+  triangulates the planar polygons that take their place
 \param faces whether point sets are read
 \throws Invalid_input naming the file, its line where it has lines, the element and the remedy if
   the file does not exist or cannot be read, is empty, truncated or not of its format, has a
-  coordinate that is not finite, a face with fewer than three vertices, with area on two sides of a vertex that it repeats, or
-  with one out of range, a line of more than 64 MiB, or no faces where they are needed, or no points, or has a polygon with no triangulation
+  coordinate that is not finite, a face with fewer than three vertices, with area on two sides of a
+  vertex that it repeats, or with one out of range, a line of more than 64 MiB, no points, no faces
+  where they are needed, or a polygon with no triangulation
 \complexity linear for text and binary alike, \f$n\log n\f$ for STL and in the number of diagonals;
   memory follows the size of the file, never a count in it
 */

@@ -27,8 +27,8 @@ file: the user's faces instead of the triangles that they were made of.
 
 Label a copy: computations with a common subdivision need the triangles.
 \param s the subdivision
-\param polygon_of_triangle the polygon of each triangle, as in `Triangle_soup` and `Input_names`; empty: all
-  faces are triangles, and nothing changes
+\param polygon_of_triangle the polygon of each triangle, as in `Triangle_soup` and `Input_names`;
+  empty: all faces are triangles, and nothing changes
 \complexity linear
 */
 void label_with_polygons(Common_subdivision& s, std::span<const std::uint32_t> polygon_of_triangle);
@@ -58,9 +58,9 @@ Subdivision_format subdivision_format(const NP& np) {
 /*!
 \brief writes a common subdivision in the format of a file extension.
 
-All formats hold the polygons. PLY and VTP hold all labels and the fields; OBJ has labels of faces and
-edges in comments, OFF the colours of `intrinsic_face_colors()`, STL only fans of triangles in single
-precision; the others are without loss.
+All formats hold the polygons. PLY and VTP hold all labels and the fields; OBJ has labels of faces
+and edges in comments, OFF the colours of `intrinsic_face_colors()`, STL only fans of triangles in
+single precision; the others are without loss.
 \tparam NP a chain of named parameters
 \param out the stream, binary
 \param extension one of `common_subdivision_extensions`, in any letter case, with or without its dot
@@ -69,10 +69,10 @@ precision; the others are without loss.
 \param fields numbers or vectors to be written for each vertex or face, to PLY and VTP; where two
   have a number per vertex and the names `u` and `v`, OBJ has them as texture coordinates
 \param np optional named parameters:
-  - `use_binary_mode(b)`: whether PLY is binary, little endian; the other formats have one encoding here.
-    Default: true.
-  - `lines(b)`: whether VTP and OBJ contain the intrinsic edges as polylines; `CGAL::IO::read_OBJ()` refuses
-    such files. Default: true for VTP, false for OBJ.
+  - `use_binary_mode(b)`: whether PLY is binary, little endian; the other formats have one encoding
+    here. Default: true.
+  - `lines(b)`: whether VTP and OBJ contain the intrinsic edges as polylines; `CGAL::IO::read_OBJ()`
+    refuses such files. Default: true for VTP, false for OBJ.
 \throws Invalid_input if the extension is another one, if `points` or a field do not have one value
   for each vertex or face, or if a coordinate exceeds the range of STL
 \throws std::runtime_error if the stream fails
@@ -91,8 +91,8 @@ void write_common_subdivision(std::ostream& out, std::string_view extension,
 /*!
 \brief writes a common subdivision to a file, in the format of its extension.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`. Other parameters and
-complexity are those of the overload with a stream.
+Whatever fails, the file is complete or what it was before: see `Replacing_file`. Other parameters
+and complexity are those of the overload with a stream.
 \param path the file
 \throws Invalid_input see above
 \throws std::runtime_error naming the file if it cannot be written

@@ -24,7 +24,7 @@ inline std::uint32_t read_count(Text_reader& in, std::string_view keyword, std::
   return count;
 }
 
-// Reads the connectivity of one surface. Memory follows what has been read, never a count in the file.
+// Reads the connectivity of one surface. Memory follows what it has read, never a count.
 class Connectivity_reader {
 public:
   explicit Connectivity_reader(Text_reader& in) : in_(in) {}

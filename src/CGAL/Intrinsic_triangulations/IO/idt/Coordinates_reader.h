@@ -153,7 +153,7 @@ inline void check_curves(const Text_reader& in, const Numbered_mesh& t,
     in.fail("the curves on edge " + std::to_string(e) + " are not those of the input's edges");
 }
 
-// Checks that stored intervals may contain what unfolded input faces say. \pre curves are consistent
+// Checks that stored intervals meet those of unfolded input faces. \pre curves are consistent
 class Value_check {
   using FT = Interval_nt<false>;
 

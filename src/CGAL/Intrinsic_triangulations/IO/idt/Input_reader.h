@@ -161,7 +161,7 @@ private:
     names.faces = element_names(std::move(face_names_), "face");
     const std::uint32_t count = read_count(in_, "polygons", Gluing::none - 1);
     in_.lines(count, [&](std::uint32_t) {
-      // faces of the user of which nothing but lines was there have no triangle, but a number
+      // the user's faces without area have a number, but no triangle
       names.polygon_of_triangle.push_back(in_.index(Gluing::none, "polygon"));
     });
     if (count != 0 && count != connectivity_.mesh.number_of_faces() && has_surface())
@@ -223,7 +223,7 @@ private:
       in_.fail("every vertex of the input needs its row, or none");
   }
 
-  // Checks that no name is given twice, and that elements with names are in their order unless they were renumbered.
+  // Checks that no name occurs twice, and that elements with names are in order unless renumbered.
   Element_names element_names(std::vector<std::uint32_t> names, const std::string& kind) const {
     std::vector<char> seen(names.size(), 0);
     bool is_identity = true;

@@ -28,14 +28,14 @@ inline constexpr std::array<std::pair<Mollification, std::string_view>, 3> molli
      {Mollification::lengths, "lengths"},
      {Mollification::squared_lengths, "squared_lengths"}}};
 
-// The words that tell what an input is: none if nothing but names is known.
+// The words for kinds of input: none if the file has nothing but names.
 inline constexpr std::string_view points_name = "points", squared_lengths_name = "squared_lengths",
                                   no_input_name = "none", planar_polygons_name = "planar_polygons";
 
-// The words that tell what part of the input an inserted vertex is in.
+// The words for the part of the input that an inserted vertex is in.
 inline constexpr std::string_view in_face_name = "face", on_edge_name = "edge";
 
-// Reads what `write_intrinsic_triangulation()` writes, word by word, and names file and line where that is impossible.
+// Reads what `write_intrinsic_triangulation()` writes, word by word. Errors name file and line.
 class Text_reader {
 public:
   Text_reader(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}
@@ -124,7 +124,7 @@ public:
     x = Interval_nt<false>(inf, sup);
   }
 
-  // Asks that the line holds no more words.
+  // Refuses more words on the line.
   void finish_line() {
     if (const std::string_view w = word(); !w.empty())
       fail("\"" + shown(w) + "\" is more than belongs on this line");

@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 namespace {
 
-// Scans a triangulated surface of GOCAD by CGAL's reader, which has no bound on lines: they are looked at before.
+// Scans a triangulated surface of GOCAD by CGAL's reader. That has no bound on the length of lines,
+// so this loop checks them before.
 void scan_GOCAD(std::istream& in, Soup_builder& out) {
   Buffered_input lines(in);
   for (std::string_view line; lines.next_line(line);) continue;

@@ -15,8 +15,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Scans a list of points: three coordinates at the start of each line. What follows is skipped, as programs write normals and
-// colors there.
+// Scans a list of points: three coordinates at the start of each line. What follows is skipped, as
+// programs write normals and colors there.
 class XYZ_scanner {
 public:
   XYZ_scanner(std::istream& in, Soup_builder& out) : in_(in), out_(out) {}

@@ -145,7 +145,7 @@ void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool
                        Table{"edge", {ends_and_labels(edges, s)}}});
 }
 
-// Labels are point and cell data, intrinsic edges are lines. Cells are numbered through: lines before polygons.
+// Labels are point and cell data, intrinsic edges are lines. Cells: lines before polygons.
 void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool has_lines) {
   constexpr std::uint32_t none = Common_subdivision::none;
   const Common_subdivision& s = o.s;
@@ -205,7 +205,7 @@ const Subdivision_field* find_field(const Subdivision_output& o, std::string_vie
   return i == o.fields.end() ? nullptr : &*i;
 }
 
-// Numbers of intrinsic faces, faces of the input and intrinsic edges are in comments before the elements.
+// Comments before elements have the numbers of faces of both triangulations and of edges.
 void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines) {
   const Common_subdivision& s = o.s;
   out.text("# common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"

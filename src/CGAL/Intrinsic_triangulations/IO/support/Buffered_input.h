@@ -48,7 +48,7 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-// Tells whether a word is another one in any letter case; that is in lower case.
+// Whether a word is another one, given in lower case, in any letter case.
 inline bool is_word(std::string_view word, std::string_view lower) {
   return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
                     [](char c, char l) { return lower_case(c) == l; });
@@ -88,11 +88,11 @@ inline bool parse_integer(std::string_view word, std::int64_t& value) {
 }
 
 // Reads lines, words and bytes from a stream in large pieces; memory is bounded by the longest
-// line, which has a bound, never by a number in the file. A byte order mark is skipped; lines end as the first one
-// does, by LF or, as once on Macs, by CR. The CR of CR LF is a space.
+// line, which has a bound, never by a number in the file. A byte order mark is skipped; lines end
+// as the first one does, by LF or, as once on Macs, by CR. The CR of CR LF is a space.
 class Buffered_input {
 public:
-  // Says of a line that it has no end.
+  // Reports a line without an end.
   struct Line_too_long {
     std::size_t line;
     static constexpr const char* message =

@@ -22,9 +22,9 @@ concept Arithmetic = std::is_arithmetic_v<T>;
 // How the numbers of a table are written.
 enum class Number_format { text, binary, base64 };
 
-// Writes text and binary data in blocks, whatever the locale and the byte order of the machine. Numbers are
-// decimal, the shortest that read back as the same; those with a point hexadecimal if that is asked for, as
-// C's %a writes them.
+// Writes text and binary data in blocks, whatever the locale and the byte order of the machine.
+// Numbers are decimal, the shortest that read back as the same; on request, those with a point are
+// hexadecimal as C's %a writes them.
 class Output_buffer {
 public:
   explicit Output_buffer(std::ostream& out, bool is_hexadecimal = false)

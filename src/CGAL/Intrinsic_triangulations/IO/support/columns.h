@@ -20,7 +20,7 @@
 
 /*!
 \file
-What files of polygons and lines contain, as tables: PLY and VTK's XML format write the same columns.
+Files of polygons and lines contain tables: PLY and VTK's XML format write the same columns.
 */
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -102,8 +102,8 @@ Table VTK_cells(std::string name, std::size_t points, Point point, std::size_t c
           {numbers("connectivity", points, whole(point)), numbers("offsets", cells, whole(end))}};
 }
 
-// Writes VTK's XML format for polygon data. Arrays are inline in base64: the number of their bytes, as UInt64, and
-// then their numbers, encoded in one go.
+// Writes VTK's XML format for polygon data. Arrays are inline in base64: the number of their bytes,
+// as UInt64, and then their numbers, encoded in one go.
 // \param tables PointData, CellData, Points, Verts, Lines, Polys, of which some may be missing
 inline void write_VTP(Output_buffer& out, std::string_view comment, std::span<const Table> tables) {
   out.text("<?xml version=\"1.0\"?>\n", comment,

@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Centres points and scales them to the unit ball before they are rounded to single precision; half of each
-// coordinate is taken first, so that no difference overflows.
+// Centres points and scales them to the unit ball before rounding them to single precision; it
+// first halves each coordinate, so that no difference overflows.
 class Unit_ball_scaling {
   using Point = std::array<double, 3>;
 
@@ -57,18 +57,19 @@ private:
   double unit_ = 1, radius_ = 1;
 };
 
-// The edges of one triangulation as segments, each with the room that there is to draw it: the height
-// over the whole edge of the smaller of the faces beside it. In a bundle of slivers it is small.
+// The edges of one triangulation as segments, each with the room that there is to draw it: the
+// height over the whole edge of the smaller of the faces beside it. In a bundle of slivers it is
+// small.
 struct Drawn_edges {
   std::vector<std::uint32_t> ends; // two vertices of the subdivision per segment
   std::vector<std::uint32_t> edge; // the edge of each segment
   std::vector<float> room;         // one per segment
-  std::vector<std::uint8_t>
-      sheets; // of a cover: 1 for a segment beside fronts of faces, 2 beside backs, or 3
+  // on a cover: 1 for a segment beside fronts of faces, 2 beside backs, or 3
+  std::vector<std::uint8_t> sheets;
 };
 
-// The sheets beside each side of a face; empty if there is one sheet. What lies on an edge of the input lies beside the faces there,
-// all else inside of a face.
+// The sheets beside each side of a face; empty if there is one sheet. What lies on an edge of the
+// input lies beside the faces there, all else inside of a face.
 inline std::vector<std::uint8_t> sheets_beside(const Common_subdivision& s) {
   std::vector<std::uint8_t> result, beside_edge;
   if (s.sheet.empty()) return result;
@@ -85,7 +86,7 @@ inline std::vector<std::uint8_t> sheets_beside(const Common_subdivision& s) {
   return result;
 }
 
-// The area of each face of a triangulation, the sum of its pieces; `face_of` is the label of its faces.
+// The area of each face of a triangulation, the sum of its pieces; `face_of` labels its faces.
 inline std::vector<double> drawn_areas(const Common_subdivision& s,
                                        std::span<const std::array<float, 3>> points,
                                        const std::vector<std::uint32_t>& face_of) {
@@ -107,7 +108,7 @@ inline std::vector<double> drawn_areas(const Common_subdivision& s,
   return result;
 }
 
-// The edges of one of the two triangulations of a common subdivision: `edge_of` is the label of its edges.
+// The edges of one of the two triangulations of a common subdivision: `edge_of` labels its edges.
 inline Drawn_edges drawn_edges(const Common_subdivision& s,
                                std::span<const std::array<float, 3>> points,
                                std::uint32_t Common_subdivision::Side::*edge_of,
