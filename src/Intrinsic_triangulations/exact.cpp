@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Values of the input, and what knows where vertices are.
+// Values of the input.
 
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates_impl.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Interval_nt.h>

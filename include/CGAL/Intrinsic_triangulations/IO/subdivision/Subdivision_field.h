@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -97,15 +97,7 @@ public:
   std::size_t steps() const { return steps_; }
 
   /// returns the point of the triangles at a corner of one of them, if that point is a corner of a triangle, too: its corner.
-  std::optional<unsigned> shared_corner(std::uint32_t triangle, const Corner& c) const {
-    for (unsigned m = 0; m < 3; ++m) {
-      if (c.weights[m] != 1) continue;
-      const auto& points = triangles_[triangle].point;
-      const auto p = std::find(points.begin(), points.end(), triangles_[c.triangle].point[m]);
-      if (p != points.end()) return static_cast<unsigned>(p - points.begin());
-    }
-    return std::nullopt;
-  }
+  std::optional<unsigned> shared_corner(std::uint32_t triangle, const Corner& c) const;
 
   /// returns a side of the triangle of the first region beside the first side of the face.
   std::uint32_t beside_first_side() const { return region_at(fan_ == 0 ? 1 : 0, 0); }
@@ -152,36 +144,14 @@ public:
     return t > 0 && opposite == 2 ? t : triangles_[t].beyond[(opposite + 1) % 3];
   }
   /// returns the triangles that are entered from a triangle, two at most.
-  boost::container::static_vector<std::uint32_t, 2> children(std::uint32_t t) const {
-    boost::container::static_vector<std::uint32_t, 2> result;
-    const auto branch = static_cast<std::uint32_t>(along_) + 1;
-    for (const std::uint32_t child : {t + 1, branch})
-      if (child <= last() && triangles_[child].parent() == t) result.push_back(child);
-    return result;
-  }
+  boost::container::static_vector<std::uint32_t, 2> children(std::uint32_t t) const;
 
   /*!
   \brief names the curve over which a triangle is entered.
   \return whether the triangle is on the left of the curve as it leaves the face through the side that starts from the
   corner it cuts off, or as it starts from its corner
   */
-  bool name_curve(std::uint32_t child, Face_region& r) const {
-    const auto c = static_cast<Normal_coordinate>(child);
-    const unsigned end = (first_ + 1) % 3, third = (first_ + 2) % 3;
-    r = middle_region();
-    r.is_on_curve = true;
-    const Normal_coordinate cut_first = curves_.cutting[first_];
-    const bool at_first = c <= cut_first,
-               in_fan = !at_first && fan_ < 3 && c <= cut_first + curves_.emanating[fan_];
-    r.corner = at_first ? first_ : in_fan ? fan_ : c <= along_ ? end : third;
-    if (fan_ < 3)
-      r.right_of_fan = at_first ? 0 : in_fan ? c - 1 - cut_first : curves_.emanating[fan_];
-    if (!in_fan)
-      r.cutting[r.corner] = at_first      ? c - 1
-                            : c <= along_ ? along_ - c
-                                          : along_ + curves_.cutting[third] - c;
-    return at_first || in_fan;
-  }
+  bool name_curve(std::uint32_t child, Face_region& r) const;
 
 private:
   Face_region middle_region() const {

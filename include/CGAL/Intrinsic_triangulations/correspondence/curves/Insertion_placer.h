@@ -134,12 +134,7 @@ public:
   /// returns the corner of the face that is seen best from the place that was found last, for such a metric; nothing if
   /// intervals are too wide to tell its direction, and were not needed in more bits.
   /// \pre rounding is upwards, and the face has not changed
-  std::optional<Seen_corner> seen_corner(const Input& input) const {
-    const auto seen_in = [&](const auto& face) { return face.farthest_corner(input, place_); };
-    if (!face_.is_vague()) return seen_in(face_);
-    if (!short_.is_unfolded) return std::nullopt;
-    return internal::to_nearest([&] { return seen_in(short_.face); });
-  }
+  std::optional<Seen_corner> seen_corner(const Input& input) const;
 
 private:
   // distance of points of a side from it, in units of the height of the face
@@ -195,14 +190,7 @@ private:
   }
 
   // the point, or one nearby that has a distance from all sides
-  static std::array<double, 3> inside(std::array<double, 3> w, double distance) {
-    double before = 0, after = 0; // of the weights that are raised
-    for (double& x : w)
-      if (x < distance) before += x, after += distance;
-    for (double& x : w)
-      x = x < distance ? distance : after > 0 ? x * ((1 - after) / (1 - before)) : x;
-    return w;
-  }
+  static std::array<double, 3> inside(std::array<double, 3> w, double distance);
 
   // where a point is put on a curve if that is in the face, else beside the curve
   template <class Face, class Triangulation, class Coordinates>
@@ -246,19 +234,9 @@ private:
   }
 
   // whether the values are those of a point of the face
-  bool are_positive(bool along_side) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!(values_.squared_lengths[k].inf() > 0) ||
-          (!(values_.quadruple_areas[k].inf() > 0) && !(along_side && k == 0)))
-        return false;
-    return true;
-  }
+  bool are_positive(bool along_side) const;
   // whether that cannot be told
-  bool is_open(bool along_side) const {
-    for (const FT& area : values_.quadruple_areas)
-      if (area.sup() < 0) return false;
-    return !are_positive(along_side);
-  }
+  bool is_open(bool along_side) const;
 
   // balls with centers of a type
   template <class Center>

@@ -156,16 +156,9 @@ public:
   explicit operator bool() const { return are_kept_; }
 
   /// keeps crossings for ever, from a triangulation on whose edges cross nothing.
-  void keep_always(std::size_t number_of_edges) {
-    lists_ = Crossing_lists(number_of_edges);
-    size_ = 0;
-    are_kept_ = is_decided_ = true;
-  }
+  void keep_always(std::size_t number_of_edges);
   /// keeps crossings for ever, from those on.
-  void keep_always(const Edge_crossings& all) {
-    keep(all);
-    is_decided_ = true;
-  }
+  void keep_always(const Edge_crossings& all);
 
   /*!
   \brief decides whether to keep crossings.
@@ -200,12 +193,7 @@ public:
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.
-  void forget_beyond(std::size_t edges, Normal_coordinate more) {
-    if (is_decided_ || size_ + static_cast<std::size_t>(more) <= 2 * most_per_edge * edges) return;
-    lists_ = {};
-    size_ = 0;
-    are_kept_ = false;
-  }
+  void forget_beyond(std::size_t edges, Normal_coordinate more);
 
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
   std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
@@ -223,31 +211,13 @@ public:
   \param along the input halfedge along which ji runs; none if it runs across faces
   */
   void announce(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g,
-                Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along) {
-    // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the other on the path
-    // k, j, m. Seen from ki and im, all do but those arcs about i, counted from i along ij, that are arcs about i on
-    // the other side too, or end there at the opposite corner: they are last on ki and first on im. Between ki and im
-    // the curves from i cross: to jk, along ij, to mj.
-    announced_[0].clear();
-    const Appender append{lists_, announced_[0]};
-    append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));
-    append(move.jk ^ 1U, f.cutting[2], f.cutting[2] + f.emanating[0]);
-    if (along != Gluing::none) announced_[0].push_back(along);
-    append(move.mj ^ 1U, g.cutting[0], g.cutting[0] + g.emanating[1]);
-    append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
-  }
+                Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along);
   /// keeps what was announced, of a flip that makes an edge with `n` crossings.
-  void store(const Flip& move, Normal_coordinate n) { store(move.km, n, announced_[0]); }
+  void store(const Flip& move, Normal_coordinate n);
 
   /// finds the crossings of the edges from the corners of a face to a region of it.
   void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
-                const Face_region& region) {
-    const Corner_coordinates c = corner_coordinates(normals);
-    for (unsigned k = 0; k < 3; ++k) {
-      announced_[k].clear();
-      find_crossings_of_spoke(k, sides, normals, c, region, Appender{lists_, announced_[k]});
-    }
-  }
+                const Face_region& region);
   /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there, with `n` crossings.
   void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
     store(halfedge, n, announced_[k]);
@@ -264,12 +234,7 @@ public:
 private:
   static constexpr std::size_t patience = 32, most_per_edge = 128;
 
-  void keep(const Edge_crossings& all) {
-    lists_ = Crossing_lists(all.begin.size() - 1);
-    for (std::uint32_t e = 0; e + 1 < all.begin.size(); ++e) lists_.assign(e, all.entered_on(e));
-    size_ = all.size();
-    are_kept_ = true;
-  }
+  void keep(const Edge_crossings& all);
 
   // Appends input halfedges entered by a halfedge to a list.
   struct Appender {
@@ -290,16 +255,7 @@ private:
 
   // lists are stored along even halfedges
   void store(std::uint32_t h, [[maybe_unused]] Normal_coordinate n,
-             std::vector<std::uint32_t>& list) {
-    CGAL_assertion(list.size() == static_cast<std::size_t>(crossings(n))); // Eq. 13
-    if (h % 2 != 0) {
-      std::reverse(list.begin(), list.end());
-      for (std::uint32_t& x : list) x ^= 1U;
-    }
-    size_ += list.size();
-    size_ -= lists_[h / 2].size();
-    lists_.assign(h / 2, list);
-  }
+             std::vector<std::uint32_t>& list);
 
   bool are_kept_ = false, is_decided_ = false;
   std::size_t steps_ = 0; // since it was last decided

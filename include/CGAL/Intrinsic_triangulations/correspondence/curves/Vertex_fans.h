@@ -32,14 +32,7 @@ public:
   \brief numbers the halfedges around the vertices of `input`.
   \complexity linear
   */
-  explicit Vertex_fans(const Input& input) : slot_(input.number_of_halfedges(), Gluing::none) {
-    halfedge_.reserve(slot_.size());
-    fan_.resize(slot_.size());
-    for (std::uint32_t h = 0; h < slot_.size(); ++h)
-      if (input.is_border(h ^ 1U)) add_fan(input, h);
-    for (std::uint32_t h = 0; h < slot_.size(); ++h)
-      if (slot_[h] == Gluing::none) add_fan(input, h);
-  }
+  explicit Vertex_fans(const Input& input);
 
   /// returns the bound of the numbers of slots.
   std::uint32_t number_of_slots() const { return static_cast<std::uint32_t>(halfedge_.size()); }
@@ -72,19 +65,7 @@ public:
   \param halfedge the input halfedge of which the first slot is a part; the other one runs the other way
   \return the first slot; the other one is the next number
   */
-  std::uint32_t add_fan_on_edge(std::uint32_t halfedge) {
-    std::uint32_t slot = static_cast<std::uint32_t>(halfedge_.size());
-    if (free_.empty()) {
-      halfedge_.resize(slot + 2);
-      fan_.resize(slot + 2, {slot, 2});
-    } else {
-      slot = free_.back();
-      free_.pop_back();
-    }
-    halfedge_[slot] = halfedge;
-    halfedge_[slot + 1] = halfedge ^ 1U;
-    return slot;
-  }
+  std::uint32_t add_fan_on_edge(std::uint32_t halfedge);
 
   /// removes a fan that `add_fan_on_edge()` added, of which `slot` is one slot.
   void remove_fan(std::uint32_t slot) { free_.push_back(fan_[slot].begin); }
@@ -94,18 +75,7 @@ private:
     std::uint32_t begin, size;
   };
 
-  void add_fan(const Input& input, std::uint32_t first) {
-    const auto begin = static_cast<std::uint32_t>(halfedge_.size());
-    for (std::uint32_t h = first;;) {
-      slot_[h] = static_cast<std::uint32_t>(halfedge_.size());
-      halfedge_.push_back(h);
-      if (input.is_border(h)) break;
-      h = input.next(input.next(h)) ^ 1U;
-      if (h == first) break;
-    }
-    const auto end = static_cast<std::uint32_t>(halfedge_.size());
-    for (std::uint32_t s = begin; s < end; ++s) fan_[s] = {begin, end - begin};
-  }
+  void add_fan(const Input& input, std::uint32_t first);
 
   std::vector<std::uint32_t> slot_;     // per input halfedge
   std::vector<std::uint32_t> halfedge_; // per slot

@@ -14,9 +14,6 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -47,14 +47,7 @@ public:
     return part_[f] == part_[g] ? part_[f] : none;
   }
   // the part in which all triangles are
-  std::uint32_t part_of(const Input& input, const Unfolded_diamond::Triangles& triangles) {
-    const std::uint32_t first = triangles[0].side.face;
-    if (part_of_input_[first] == unknown) find_part(input, first);
-    const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
-      return part_of_input_[t.side.face] == part_of_input_[first];
-    });
-    return is_flat ? part_of_input_[first] : none;
-  }
+  std::uint32_t part_of(const Input& input, const Unfolded_diamond::Triangles& triangles);
   // how many diamonds have been unfolded for that
   std::size_t number_of_searches() const { return number_of_searches_; }
 
@@ -76,23 +69,7 @@ private:
     return face < part_.size() ? part_[face] : unknown;
   }
 
-  void find_part(const Input& input, std::uint32_t name) {
-    std::vector<std::uint32_t> stack{name};
-    part_of_input_[name] = name;
-    while (!stack.empty()) {
-      const std::uint32_t f = stack.back();
-      stack.pop_back();
-      std::uint32_t h = input.halfedge_of_face(f);
-      for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
-        const std::uint32_t g = input.face(h ^ 1U);
-        if (g == Gluing::none || part_of_input_[g] != unknown) continue;
-        const std::uint32_t slot = (input_side(input, h ^ 1U).slot + 2) % 3;
-        if (!are_coplanar(input.metric(), name, g, slot)) continue;
-        part_of_input_[g] = name;
-        stack.push_back(g);
-      }
-    }
-  }
+  void find_part(const Input& input, std::uint32_t name);
 
   std::vector<std::uint32_t> part_of_input_; // of each face of the input
   std::vector<std::uint32_t> part_;          // of each intrinsic face

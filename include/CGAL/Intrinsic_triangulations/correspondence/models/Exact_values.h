@@ -24,8 +24,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -73,9 +71,8 @@ public:
       memory_.ladder.for_each_enclosure(metric(), replayed(faces), bits, visit);
     } else {
       for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
-        visit(i, with_figure(faces.subspan(i, 1), [&](const auto& figure) {
-                return enclosure(figure, bits);
-              }));
+        visit(i, with_figure(faces.subspan(i, 1),
+                             [&](const auto& figure) { return enclosure(figure, bits); }));
     }
     return bits;
   }

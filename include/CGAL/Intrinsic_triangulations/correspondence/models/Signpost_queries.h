@@ -55,21 +55,8 @@ struct Corner_geodesic {
 };
 
 // The geodesics from the corners of a face to a point, the shortest first.
-inline std::array<Corner_geodesic, 3> corner_geodesics(const Geodesic_face& face,
-                                                       const std::array<double, 3>& weights) {
-  std::array<Corner_geodesic, 3> result;
-  for (unsigned k = 0; k < 3; ++k) {
-    const Plane_vector<double> back = face.to_corner(weights, k), v{0 - back[0], 0 - back[1]};
-    const Plane_vector<double> relative = face.relative_to(k, v);
-    const double length = std::hypot(v[0], v[1]);
-    result[k] = {k, length, std::atan2(std::max(0.0, relative[1]), relative[0]),
-                 length > 0 ? Plane_vector<double>{v[0] / length, v[1] / length}
-                            : Plane_vector<double>{1, 0}};
-  }
-  std::sort(result.begin(), result.end(),
-            [](const Corner_geodesic& a, const Corner_geodesic& b) { return a.length < b.length; });
-  return result;
-}
+std::array<Corner_geodesic, 3> corner_geodesics(const Geodesic_face& face,
+                                                const std::array<double, 3>& weights);
 
 // Traces from the corners in turn until one succeeds; `walk` starts from a corner.
 template <class Complex, class Start>

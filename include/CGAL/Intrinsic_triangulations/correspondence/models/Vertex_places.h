@@ -21,7 +21,6 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

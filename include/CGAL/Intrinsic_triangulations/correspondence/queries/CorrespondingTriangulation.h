@@ -12,7 +12,6 @@
 #include <CGAL/enum.h>
 
 #include <concepts>
-#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <utility>

@@ -24,7 +24,6 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <type_traits>
 #include <vector>
 

@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <vector>

@@ -48,13 +48,7 @@ using Face_location =
 namespace internal {
 
 // `vertices`: number of vertices of the mesh, removed ones included
-inline void check_is_mesh_of(const Input_definition& input, std::uint32_t vertices) {
-  if (vertices != input.number_of_vertices())
-    throw Invalid_input(
-        Element_kind::none, 0,
-        "the mesh is not the one that the triangulation was built from, or has removed "
-        "elements; collect its garbage before the triangulation is built");
-}
+void check_is_mesh_of(const Input_definition& input, std::uint32_t vertices);
 
 // A point of the input, from coordinates of the user's vertices by number.
 template <class Coordinates>

@@ -20,8 +20,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 /*!
@@ -34,12 +32,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // The frames at the vertices of an input.
-inline Vertex_frames<Input> input_frames(const Input& input) {
-  Vertex_frames<Input> frames(input, input.number_of_vertices(), input.number_of_halfedges());
-  for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v)
-    if (input.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none) frames.measure(v);
-  return frames;
-}
+Vertex_frames<Input> input_frames(const Input& input);
 
 // The halfedge of the input along which the real axis at each vertex of the user's mesh runs, by the number of the vertex
 // here: none at isolated ones.
@@ -54,19 +47,9 @@ std::vector<std::uint32_t> axes_of_mesh(const Input& input, const Mesh& mesh) {
           named.halfedge_on_input(opposite(halfedge(v, mesh), mesh));
   return axes;
 }
-inline std::vector<std::uint32_t> axes_of_input(const Input& input) {
-  std::vector<std::uint32_t> axes(input.number_of_vertices(), Gluing::none);
-  for (std::uint32_t v = 0; v < axes.size(); ++v)
-    if (input.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none)
-      axes[v] = input.outgoing_halfedge(v);
-  return axes;
-}
+std::vector<std::uint32_t> axes_of_input(const Input& input);
 
-inline void expect_size(const Tangent_field& field, std::size_t size) {
-  if (field.size() != size)
-    throw std::invalid_argument("the field must have a vector per vertex: " + std::to_string(size) +
-                                ", not " + std::to_string(field.size()));
-}
+void expect_size(const Tangent_field& field, std::size_t size);
 
 // Takes fields between frames: by the direction on the input of the real axis at each intrinsic vertex.
 template <class Triangulation>

@@ -99,8 +99,7 @@ Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
 See `trace_geodesic()`; points are those of the input.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
-template <QueriedTriangulation Triangulation,
-          NamedParameters NP = parameters::Parameters<>>
+template <QueriedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
                                  const Plane_vector<double>& direction, double length,
                                  const NP& np = parameters::default_values()) {

@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -170,20 +169,8 @@ std::array<double, 3> corner_in_face(const View& view, const Common_subdivision&
 }
 
 /// returns barycentric coordinates of corner `c` of a subdivision in the input face of `base`.
-inline std::array<double, 3> corner_in_input_face(const Input& input, const Common_subdivision& s,
-                                                  std::uint32_t base, std::size_t c) {
-  const std::uint32_t v = s.corner[c];
-  Surface_point p{s.input_halfedge[c], {1, 0, 0}};
-  if (v >= s.vertices.size()) {
-    const double x = s.crossings[v - s.vertices.size()].on_input.parameter;
-    p.weights = {1 - x, x, 0};
-    if (p.halfedge % 2 != 0) std::swap(p.weights[0], p.weights[1]);
-  } else if (s.vertices[v].kind == Subdivision_vertex_kind::inserted) {
-    p.weights = s.vertices[v].on_input.weights;
-    if (p.halfedge != s.vertices[v].input_halfedge) std::swap(p.weights[0], p.weights[1]);
-  }
-  return seen_from(input, p, base).weights;
-}
+std::array<double, 3> corner_in_input_face(const Input& input, const Common_subdivision& s,
+                                           std::uint32_t base, std::size_t c);
 
 /// returns the rotation that fits places of corners `begin` to `end` in one frame to those in another best: the
 /// direction of sum conj(p) q, both from their means. `places(c)` returns an array of p and q.
@@ -238,13 +225,8 @@ Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point&
 \param w vertices of the input and their weights
 \param points one point per vertex of the input
 */
-inline std::array<double, 3> position(const Weighted_vertices& w,
-                                      std::span<const std::array<double, 3>> points) {
-  std::array<double, 3> p{0, 0, 0};
-  for (std::size_t i = 0; i < w.size; ++i)
-    for (std::size_t c = 0; c < 3; ++c) p[c] += w.weights[i] * points[w.vertices[i]][c];
-  return p;
-}
+std::array<double, 3> position(const Weighted_vertices& w,
+                               std::span<const std::array<double, 3>> points);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.
@@ -253,14 +235,8 @@ inline std::array<double, 3> position(const Weighted_vertices& w,
 \return one point per vertex of the subdivision
 \complexity linear
 */
-inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                                    std::span<const std::array<double, 3>> points) {
-  std::vector<std::array<double, 3>> result;
-  result.reserve(s.number_of_vertices());
-  for (std::size_t v = 0; v < s.number_of_vertices(); ++v)
-    result.push_back(position(s.on_input(v), points));
-  return result;
-}
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                             std::span<const std::array<double, 3>> points);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space, those in polygons that became planar as well.
@@ -273,23 +249,9 @@ neighbours meet; its diagonals become curves.
 \return one point per vertex of the subdivision
 \complexity linear
 */
-inline std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
-                                                    std::span<const std::array<double, 3>> points,
-                                                    const Input& input) {
-  std::vector<std::array<double, 3>> result = positions(s, points);
-  if (input.planar_polygons().empty()) return result;
-  for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
-    if (s.kind(v) == Subdivision_vertex_kind::input) continue;
-    const std::uint32_t h = v < s.vertices.size()
-                                ? s.vertices[v].input_halfedge
-                                : 2 * s.crossings[v - s.vertices.size()].on_input.edge;
-    const Weighted_vertices w = s.on_input(v);
-    result[v] = internal::position_on_face(input, input.face(input.is_border(h) ? h ^ 1U : h),
-                                           std::span(w.vertices).first(w.size), w.weights,
-                                           [&points](std::uint32_t u) { return points[u]; });
-  }
-  return result;
-}
+std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
+                                             std::span<const std::array<double, 3>> points,
+                                             const Input& input);
 
 /*!
 \brief computes where the vertices of a common subdivision are in space.

@@ -1,10 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_COORDINATES_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_COORDINATES_IMPL_H
-
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -19,32 +15,28 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Integer_coordinates::Integer_coordinates() = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Integer_coordinates::Integer_coordinates() = default;
 Integer_coordinates::Integer_coordinates(const Integer_coordinates&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Integer_coordinates::Integer_coordinates(Integer_coordinates&&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Integer_coordinates&
-Integer_coordinates::operator=(const Integer_coordinates&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Integer_coordinates&
-Integer_coordinates::operator=(Integer_coordinates&&) = default;
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Integer_coordinates::~Integer_coordinates() = default;
+Integer_coordinates& Integer_coordinates::operator=(const Integer_coordinates&) = default;
+Integer_coordinates& Integer_coordinates::operator=(Integer_coordinates&&) = default;
+Integer_coordinates::~Integer_coordinates() = default;
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Integer_coordinates::Integer_coordinates(
-    std::shared_ptr<const Input> input, Vertex_fans fans, std::vector<Normal_coordinate> normal,
-    std::vector<std::uint32_t> roundabout, std::vector<Surface_point> location)
+Integer_coordinates::Integer_coordinates(std::shared_ptr<const Input> input, Vertex_fans fans,
+                                         std::vector<Normal_coordinate> normal,
+                                         std::vector<std::uint32_t> roundabout,
+                                         std::vector<Surface_point> location)
     : input_(std::move(input)), fans_(std::move(fans)), normal_(std::move(normal)),
       roundabout_(std::move(roundabout)), location_(std::move(location)) {}
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Integer_coordinates::set_location(std::uint32_t vertex, const Surface_point& location) {
+void Integer_coordinates::set_location(std::uint32_t vertex, const Surface_point& location) {
   const std::size_t i = vertex - input_->number_of_vertices();
   if (i >= location_.size()) location_.resize(i + 1);
   location_[i] = location;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Integer_coordinates::start_curves_on_side(std::uint32_t h, const std::array<std::uint32_t, 3>& to) {
+void Integer_coordinates::start_curves_on_side(std::uint32_t h,
+                                               const std::array<std::uint32_t, 3>& to) {
   const std::uint32_t to_target = fans_.add_fan_on_edge(insertion_.location.halfedge);
   roundabout_[to[0] ^ 1U] = roundabout_[to[2] ^ 1U] = to_target + 1;
   roundabout_[to[1] ^ 1U] = to_target;
@@ -54,8 +46,7 @@ Integer_coordinates::start_curves_on_side(std::uint32_t h, const std::array<std:
   roundabout_[h ^ 1U] = fans_.advance(roundabout_[h ^ 1U], 1);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-Integer_coordinates::start_curves_in_face(const std::array<std::uint32_t, 3>& to) {
+void Integer_coordinates::start_curves_in_face(const std::array<std::uint32_t, 3>& to) {
   const unsigned k = insertion_.region.corner;
   const bool in_fan = k == insertion_.region.fan_corner;
   // the location's halfedge leaves the face through side k, or starts from corner k
@@ -70,5 +61,3 @@ Integer_coordinates::start_curves_in_face(const std::array<std::uint32_t, 3>& to
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_INTEGER_COORDINATES_IMPL_H

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations {
+
+std::optional<Seen_corner> Insertion_placer::seen_corner(const Input& input) const {
+  const auto seen_in = [&](const auto& face) { return face.farthest_corner(input, place_); };
+  if (!face_.is_vague()) return seen_in(face_);
+  if (!short_.is_unfolded) return std::nullopt;
+  return internal::to_nearest([&] { return seen_in(short_.face); });
+}
+
+std::array<double, 3> Insertion_placer::inside(std::array<double, 3> w, double distance) {
+  double before = 0, after = 0; // of the weights that are raised
+  for (double& x : w)
+    if (x < distance) before += x, after += distance;
+  for (double& x : w)
+    x = x < distance ? distance : after > 0 ? x * ((1 - after) / (1 - before)) : x;
+  return w;
+}
+
+bool Insertion_placer::are_positive(bool along_side) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(values_.squared_lengths[k].inf() > 0) ||
+        (!(values_.quadruple_areas[k].inf() > 0) && !(along_side && k == 0)))
+      return false;
+  return true;
+}
+
+bool Insertion_placer::is_open(bool along_side) const {
+  for (const FT& area : values_.quadruple_areas)
+    if (area.sup() < 0) return false;
+  return !are_positive(along_side);
+}
+
+} // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+void Kept_crossings::keep_always(std::size_t number_of_edges) {
+  lists_ = Crossing_lists(number_of_edges);
+  size_ = 0;
+  are_kept_ = is_decided_ = true;
+}
+
+void Kept_crossings::keep_always(const Edge_crossings& all) {
+  keep(all);
+  is_decided_ = true;
+}
+
+void Kept_crossings::forget_beyond(std::size_t edges, Normal_coordinate more) {
+  if (is_decided_ || size_ + static_cast<std::size_t>(more) <= 2 * most_per_edge * edges) return;
+  lists_ = {};
+  size_ = 0;
+  are_kept_ = false;
+}
+
+void Kept_crossings::announce(const Flip& move, const Corner_coordinates& f,
+                              const Corner_coordinates& g, Normal_coordinate n_ki,
+                              Normal_coordinate n_im, std::uint32_t along) {
+  // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the other on the path
+  // k, j, m. Seen from ki and im, all do but those arcs about i, counted from i along ij, that are arcs about i on
+  // the other side too, or end there at the opposite corner: they are last on ki and first on im. Between ki and im
+  // the curves from i cross: to jk, along ij, to mj.
+  announced_[0].clear();
+  const Appender append{lists_, announced_[0]};
+  append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));
+  append(move.jk ^ 1U, f.cutting[2], f.cutting[2] + f.emanating[0]);
+  if (along != Gluing::none) announced_[0].push_back(along);
+  append(move.mj ^ 1U, g.cutting[0], g.cutting[0] + g.emanating[1]);
+  append(move.im, std::min(g.cutting[1], f.cutting[0] + f.emanating[2]), n_im);
+}
+
+void Kept_crossings::store(const Flip& move, Normal_coordinate n) {
+  store(move.km, n, announced_[0]);
+}
+
+void Kept_crossings::announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
+                              const Face_region& region) {
+  const Corner_coordinates c = corner_coordinates(normals);
+  for (unsigned k = 0; k < 3; ++k) {
+    announced_[k].clear();
+    find_crossings_of_spoke(k, sides, normals, c, region, Appender{lists_, announced_[k]});
+  }
+}
+
+void Kept_crossings::keep(const Edge_crossings& all) {
+  lists_ = Crossing_lists(all.begin.size() - 1);
+  for (std::uint32_t e = 0; e + 1 < all.begin.size(); ++e) lists_.assign(e, all.entered_on(e));
+  size_ = all.size();
+  are_kept_ = true;
+}
+
+void Kept_crossings::store(std::uint32_t h, [[maybe_unused]] Normal_coordinate n,
+                           std::vector<std::uint32_t>& list) {
+  CGAL_assertion(list.size() == static_cast<std::size_t>(crossings(n))); // Eq. 13
+  if (h % 2 != 0) {
+    std::reverse(list.begin(), list.end());
+    for (std::uint32_t& x : list) x ^= 1U;
+  }
+  size_ += list.size();
+  size_ -= lists_[h / 2].size();
+  lists_.assign(h / 2, list);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

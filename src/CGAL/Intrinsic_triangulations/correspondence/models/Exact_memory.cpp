@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_memory.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+std::uint32_t Flat_parts::part_of(const Input& input,
+                                  const Unfolded_diamond::Triangles& triangles) {
+  const std::uint32_t first = triangles[0].side.face;
+  if (part_of_input_[first] == unknown) find_part(input, first);
+  const bool is_flat = std::all_of(triangles.begin(), triangles.end(), [&](const auto& t) {
+    return part_of_input_[t.side.face] == part_of_input_[first];
+  });
+  return is_flat ? part_of_input_[first] : none;
+}
+
+void Flat_parts::find_part(const Input& input, std::uint32_t name) {
+  std::vector<std::uint32_t> stack{name};
+  part_of_input_[name] = name;
+  while (!stack.empty()) {
+    const std::uint32_t f = stack.back();
+    stack.pop_back();
+    std::uint32_t h = input.halfedge_of_face(f);
+    for (unsigned k = 0; k < 3; ++k, h = input.next(h)) {
+      const std::uint32_t g = input.face(h ^ 1U);
+      if (g == Gluing::none || part_of_input_[g] != unknown) continue;
+      const std::uint32_t slot = (input_side(input, h ^ 1U).slot + 2) % 3;
+      if (!are_coplanar(input.metric(), name, g, slot)) continue;
+      part_of_input_[g] = name;
+      stack.push_back(g);
+    }
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
