@@ -85,7 +85,7 @@ def check_includes(include, header, text, headers, places, used):
     place = place_of(header, places)
     for written in own_includes(text):
         included = written[1:-1]
-        if included.endswith(".html") and (include / included).is_file():
+        if included.endswith(".html") and (include.parent / "src" / included).is_file():
             continue # the text of a string
         if included not in headers:
             yield f"{header} includes {written}, which is not the full path of a header"
