@@ -39,30 +39,34 @@ struct Window {
   Plane_vector<double> image; ///< the source, in the frame of the side
   double offset;              ///< distance of the source from the nearest true one
   std::uint32_t source;       ///< number of the source: a vertex, or one in a face
+  std::uint32_t next;         ///< another window that waits, see `Window_queue`
 
   /// returns the square of the distance from the image to a place on the side.
   double squared_distance(double place) const {
     return (place - image.x) * (place - image.x) + image.y * image.y;
   }
-  /// returns the least distance of a point of the interval from a true source.
-  double least_distance() const {
-    if (image.x >= begin && image.x <= end) return offset - image.y;
-    return offset + std::sqrt(squared_distance(image.x < begin ? begin : end));
-  }
-  /// returns whether all of its paths are longer than others by way of the ends of the side, which
-  /// have the given distances.
-  bool is_useless(double at_source, double at_target, double length) const {
-    const double by_source = at_source + end - offset;
-    const double by_target = at_target + (length - begin) - offset;
-    return is_farther(by_source, squared_distance(end)) ||
-           is_farther(by_target, squared_distance(begin));
-  }
+};
 
-private:
-  // whether the root of a square is larger than another way, by more than rounding makes
-  static bool is_farther(double other, double square) {
+/// Squares of the distances from the image of a window to the ends of its interval.
+struct Squared_rays {
+  double begin; ///< to the begin
+  double end;   ///< to the end
+
+  explicit Squared_rays(const Window& w)
+      : begin(w.squared_distance(w.begin)), end(w.squared_distance(w.end)) {}
+  /// returns the least distance of a point of the interval from a true source.
+  double least_distance(const Window& w) const {
+    if (w.image.x >= w.begin && w.image.x <= w.end) return w.offset - w.image.y;
+    return w.offset + std::sqrt(std::min(begin, end));
+  }
+  /// returns whether all paths through the window are longer than others by way of the ends of the
+  /// side, which have the given distances.
+  bool are_useless(const Window& w, double at_source, double at_target, double length) const {
+    const double by_source = at_source + w.end - w.offset;
+    const double by_target = at_target + (length - w.begin) - w.offset;
     constexpr double least = 1 - 2 * window_distance_tolerance;
-    return other < 0 || other * other < square * least;
+    return std::min(by_source, by_target) < 0 || by_source * by_source < end * least ||
+           by_target * by_target < begin * least;
   }
 };
 
@@ -90,28 +94,27 @@ struct Apex_view {
   double crossing;         ///< where the line from the image crosses the side
   double below;            ///< the part of that line that is below the side
   double squared_distance; ///< of the apex from the image
-  double squared_turn;     ///< of the tolerance, relative to a distance from the image
+  double squared_height;   ///< of the apex above the image
   bool is_not_before;      ///< it is not to the left of the window
   bool is_not_after;       ///< it is not to the right of the window
 
-  Apex_view(const Window& w, const Window_face& f) {
+  Apex_view(const Window& w, const Squared_rays& rays, const Window_face& f) {
     const Plane_vector<double> up = f.apex - w.image;
     below = -w.image.y / up.y;
     crossing = w.image.x + up.x * below;
     squared_distance = dot(up, up);
-    squared_turn =
-        window_angle_tolerance * window_angle_tolerance * squared_distance / (up.y * up.y);
-    is_not_before = is_positive(crossing - w.begin, w.squared_distance(w.begin));
-    is_not_after = is_positive(w.end - crossing, w.squared_distance(w.end));
+    squared_height = up.y * up.y;
+    is_not_before = is_positive(crossing - w.begin, rays.begin);
+    is_not_after = is_positive(w.end - crossing, rays.end);
   }
   bool is_seen() const { return is_not_before && is_not_after; }
   /// whether it is on the left ray, within rounding
-  bool is_near_begin(const Window& w) const {
-    return is_positive(w.begin - crossing, 4 * w.squared_distance(w.begin));
+  bool is_near_begin(const Window& w, const Squared_rays& rays) const {
+    return is_positive(w.begin - crossing, 4 * rays.begin);
   }
   /// whether it is on the right ray, within rounding
-  bool is_near_end(const Window& w) const {
-    return is_positive(crossing - w.end, 4 * w.squared_distance(w.end));
+  bool is_near_end(const Window& w, const Squared_rays& rays) const {
+    return is_positive(crossing - w.end, 4 * rays.end);
   }
   /// whether its line crosses the side where another one does, within rounding
   bool is_near(double other_crossing) const {
@@ -122,7 +125,8 @@ private:
   // whether a difference is positive, or rounding may have made it negative at a distance from the
   // image
   bool is_positive(double x, double square) const {
-    return x >= 0 || x * x <= squared_turn * square;
+    constexpr double tolerance = window_angle_tolerance * window_angle_tolerance;
+    return x >= 0 || x * x * squared_height <= tolerance * squared_distance * square;
   }
 };
 

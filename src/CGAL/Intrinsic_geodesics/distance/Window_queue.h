@@ -45,7 +45,8 @@ public:
       free_.pop_back();
     }
     Waiting& s = sides_[side];
-    pool_[i] = {w, s.first};
+    pool_[i] = w;
+    pool_[i].next = s.first;
     s.first = i;
     if (key < s.key) {
       s.key = key;
@@ -60,20 +61,17 @@ public:
     element = e.element;
     return e.is_vertex;
   }
-  /// takes all windows of a side: calls a function with each. There are none if the side came
-  /// before.
-  template <class Function>
-  void take_windows(std::uint32_t side, const Function& f) {
-    Waiting& s = sides_[side];
-    std::uint32_t i = s.first;
-    s = {};
-    while (i != Gluing::none) {
-      const Node node = pool_[i];
-      free_.push_back(i);
-      i = node.next;
-      f(node.window);
-    }
+  /// takes all windows of a side off it. \return the first, which has the next one; none if the side
+  /// came before
+  std::uint32_t take_windows(std::uint32_t side) {
+    const std::uint32_t first = sides_[side].first;
+    sides_[side] = {};
+    return first;
   }
+  /// returns a window, until the next one is added.
+  Window& window(std::uint32_t i) { return pool_[i]; }
+  /// takes back the memory of a window that was taken.
+  void free(std::uint32_t i) { free_.push_back(i); }
 
 private:
   struct Entry {
@@ -84,10 +82,6 @@ private:
     friend bool operator<(const Entry& a, const Entry& b) {
       return a.key > b.key || (a.key == b.key && a.is_vertex && !b.is_vertex);
     }
-  };
-  struct Node {
-    Window window;
-    std::uint32_t next;
   };
   struct Waiting {
     double key = std::numeric_limits<double>::infinity(); // the least of the windows
@@ -101,7 +95,7 @@ private:
 
   std::vector<Entry> heap_;
   std::vector<Waiting> sides_;
-  std::vector<Node> pool_;
+  std::vector<Window> pool_;
   std::vector<std::uint32_t> free_; // of the pool
 };
 

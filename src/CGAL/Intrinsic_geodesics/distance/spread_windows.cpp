@@ -83,10 +83,15 @@ private:
     std::uint32_t corner;
     double angle;
   };
-  // A window and the far corner of its face.
+  // A window by its place in the queue, and the far corner of its face.
   struct View {
-    Window window;
+    std::uint32_t window;
+    Squared_rays rays;
     Apex_view apex;
+  };
+  // Distances of the corners of a face.
+  struct Corner_distances {
+    double at_source, at_target, at_apex;
   };
 
   void reach(std::uint32_t v, double distance, const Arrival& arrival);
@@ -98,11 +103,13 @@ private:
   void open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to);
   double find_arrival(std::uint32_t v, std::size_t& index) const;
   void add_window(std::uint32_t side, Window w);
+  void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
   void part_at_sources(std::uint32_t side, Window& w);
   void look_through(std::uint32_t side);
   void collect_views(std::uint32_t side, const Window_face& face);
   const View* show_apex(std::uint32_t side, const Window_face& face);
-  void pass_on(const View& view, const Window_face& face, double nearest_crossing, bool is_nearest);
+  void pass_on(const View& view, const Window_face& face, const Corner_distances& distances,
+               double nearest_crossing, bool is_nearest);
   bool knows_targets(const Propagation_limits& limits) const;
 
   Distance_field& field_;
@@ -142,7 +149,7 @@ void Window_propagation::add_source(const Point_in_face& p) {
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
     if (c.opposite == Gluing::none) continue;
-    add_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source});
+    add_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
   }
 }
 
@@ -271,17 +278,24 @@ void Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double 
                                from <= 0 ? length : length - place(from),
                                {length - f.apex.x, -f.apex.y},
                                field_.vertices[v].distance,
-                               v});
+                               v,
+                               Gluing::none});
 }
 
 void Window_propagation::add_window(std::uint32_t side, Window w) {
   const Face_corner& c = table_.corners[side];
-  if (!is_window(w) ||
-      w.is_useless(field_.vertices[c.origin].distance,
-                   field_.vertices[table_.corners[Corner_table::next(side)].origin].distance,
-                   c.length))
-    return;
-  const double key = w.least_distance();
+  const std::uint32_t target = table_.corners[Corner_table::next(side)].origin;
+  if (is_window(w))
+    add_window(side, w, field_.vertices[c.origin].distance, field_.vertices[target].distance,
+               c.length);
+}
+
+// The ends of the side, which has a length, have distances.
+void Window_propagation::add_window(std::uint32_t side, Window& w, double at_source,
+                                    double at_target, double length) {
+  const Squared_rays rays(w);
+  if (rays.are_useless(w, at_source, at_target, length)) return;
+  const double key = rays.least_distance(w);
   if (key <= radius_) queue_.push_window(key, side, w);
 }
 
@@ -305,20 +319,33 @@ void Window_propagation::look_through(std::uint32_t side) {
   collect_views(side, face);
   const View* nearest = show_apex(side, face);
   const double crossing = split_[side].crossing;
-  for (const View& view : views_) pass_on(view, face, crossing, &view == nearest);
+  const Corner_distances distances{field_.vertices[face.base.origin].distance,
+                                   field_.vertices[face.right.origin].distance,
+                                   field_.vertices[face.left.origin].distance};
+  for (const View& view : views_) pass_on(view, face, distances, crossing, &view == nearest);
 }
 
 void Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
   const double at_source = field_.vertices[face.base.origin].distance;
   const double at_target = field_.vertices[face.right.origin].distance;
   views_.clear();
-  queue_.take_windows(side, [&](Window w) {
-    if (w.is_useless(at_source, at_target, face.base.length)) return;
+  for (std::uint32_t i = queue_.take_windows(side), next = i; i != Gluing::none; i = next) {
+    next = queue_.window(i).next;
+    if (!field_.face_sources.empty()) {
+      Window part = queue_.window(i);
+      part_at_sources(side, part);
+      queue_.window(i).end = part.end;
+    }
+    const Window& w = queue_.window(i);
+    const Squared_rays rays(w);
+    if (rays.are_useless(w, at_source, at_target, face.base.length)) {
+      queue_.free(i);
+      continue;
+    }
     ++count_;
-    if (!field_.face_sources.empty()) part_at_sources(side, w);
     if (field_.windows.are_kept()) field_.windows.add(w, side, face.base.length);
-    views_.push_back({w, Apex_view(w, face)});
-  });
+    views_.push_back({i, rays, Apex_view(w, rays, face)});
+  }
 }
 
 // Finds the nearest window that shows the far corner; null if an earlier one of the side is as
@@ -328,13 +355,16 @@ const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side
   Split& nearest = split_[side];
   const View* result = nullptr;
   for (const View& view : views_) {
-    const auto& [w, apex] = view;
-    if (!apex.is_seen()) continue;
-    const double distance = w.offset + std::sqrt(apex.squared_distance);
+    if (!view.apex.is_seen()) continue;
+    const double distance =
+        queue_.window(view.window).offset + std::sqrt(view.apex.squared_distance);
     if (!(distance < nearest.distance)) continue;
-    nearest = {distance, apex.crossing};
+    nearest = {distance, view.apex.crossing};
     result = &view;
-    reach(face.left.origin, distance, {w.image, side, w.source, Arrival::Kind::straight});
+  }
+  if (result != nullptr) {
+    const Window& w = queue_.window(result->window);
+    reach(face.left.origin, nearest.distance, {w.image, side, w.source, Arrival::Kind::straight});
   }
   return result;
 }
@@ -343,33 +373,38 @@ const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side
 // where it does not cross the paths of the nearest. Where its line to the corner is that of the
 // nearest, neither crosses paths of the other: it goes on to the sides that have more of it than
 // rounding makes.
-void Window_propagation::pass_on(const View& view, const Window_face& face, double nearest_crossing,
+void Window_propagation::pass_on(const View& view, const Window_face& face,
+                                 const Corner_distances& distances, double nearest_crossing,
                                  bool is_nearest) {
-  const auto& [w, apex] = view;
+  const auto& [i, rays, apex] = view;
+  const Window w = queue_.window(i);
+  queue_.free(i);
   bool left = apex.is_not_before, right = apex.is_not_after;
   if (apex.is_seen() && !is_nearest) {
     if (!apex.is_near(nearest_crossing)) {
       left = apex.crossing < nearest_crossing;
       right = !left;
     } else {
-      left = !apex.is_near_begin(w);
-      right = !apex.is_near_end(w);
+      left = !apex.is_near_begin(w, rays);
+      right = !apex.is_near_end(w, rays);
     }
   }
-  const double more = field_.vertices[face.left.origin].distance - w.offset;
+  const double more = distances.at_apex - w.offset;
   // the line from the apex to an end of the window crosses all paths to the side on the other hand
-  const auto is_useless = [&](double end) {
+  const auto is_useless = [&](double end, double square) {
     constexpr double least = 1 - window_distance_tolerance;
     const Plane_vector<double> down = face.apex - Plane_vector<double>{end, 0};
-    const double square = w.squared_distance(end), by_apex = dot(down, down);
+    const double by_apex = dot(down, down);
     if (more >= 0 && by_apex >= square) return false; // as nearly always
     return more + std::sqrt(by_apex) < std::sqrt(square) * least;
   };
   Window child;
-  if (left && !is_useless(w.begin) && left_child(w, face, apex.is_not_after, child))
-    add_window(face.left.opposite, child);
-  if (right && !is_useless(w.end) && right_child(w, face, apex.is_not_before, child))
-    add_window(face.right.opposite, child);
+  if (left && !is_useless(w.begin, rays.begin) && left_child(w, face, apex.is_not_after, child))
+    add_window(face.left.opposite, child, distances.at_source, distances.at_apex,
+               face.left.length);
+  if (right && !is_useless(w.end, rays.end) && right_child(w, face, apex.is_not_before, child))
+    add_window(face.right.opposite, child, distances.at_apex, distances.at_target,
+               face.right.length);
 }
 
 bool Window_propagation::knows_targets(const Propagation_limits& limits) const {
