@@ -54,10 +54,10 @@ struct Squared_rays {
 
   explicit Squared_rays(const Window& w)
       : begin(w.squared_distance(w.begin)), end(w.squared_distance(w.end)) {}
-  /// returns the least distance of a point of the interval from a true source.
-  double least_distance(const Window& w) const {
-    if (w.image.x >= w.begin && w.image.x <= w.end) return w.offset - w.image.y;
-    return w.offset + std::sqrt(std::min(begin, end));
+  /// returns the square of the least distance of a point of the interval.
+  double least(const Window& w) const {
+    if (w.image.x >= w.begin && w.image.x <= w.end) return w.image.y * w.image.y;
+    return std::min(begin, end);
   }
   /// returns whether all paths through the window are longer than others by way of the ends of the
   /// side, which have the given distances.

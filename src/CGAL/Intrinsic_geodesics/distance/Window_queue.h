@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,32 +35,44 @@ public:
   bool is_empty() const { return heap_.empty(); }
   /// adds a vertex.
   void push_vertex(double key, std::uint32_t v) { push({key, v, true}); }
-  /// adds a window to a side.
-  void push_window(double key, std::uint32_t side, const Window& w) {
-    std::uint32_t i = 0;
-    if (free_.empty()) {
+  /// adds a window to a side. `squared` is the square of the least distance from its image.
+  void push_window(double squared, std::uint32_t side, const Window& w) {
+    std::uint32_t i = free_;
+    if (i == Gluing::none) {
       i = static_cast<std::uint32_t>(pool_.size());
       pool_.emplace_back();
     } else {
-      i = free_.back();
-      free_.pop_back();
+      free_ = pool_[i].next;
     }
     Waiting& s = sides_[side];
     pool_[i] = w;
     pool_[i].next = s.first;
     s.first = i;
-    if (key < s.key) {
-      s.key = key;
-      push({key, side, false});
+    const double gap = s.key - w.offset;
+    if (gap > 0 && squared < gap * gap) { // rarely: most windows need no root
+      s.key = w.offset + std::sqrt(squared);
+      push({s.key, side, false});
     }
   }
   /// takes the nearest. \return whether it is a vertex; else it is a side, whose windows follow
   bool pop(std::uint32_t& element) {
-    const Entry e = heap_.front();
-    std::pop_heap(heap_.begin(), heap_.end());
+    const Entry least = heap_.front(), last = heap_.back();
     heap_.pop_back();
-    element = e.element;
-    return e.is_vertex;
+    const std::size_t n = heap_.size();
+    for (std::size_t i = 0; n != 0;) {
+      const std::size_t begin = arity * i + 1, end = std::min(begin + arity, n);
+      std::size_t child = begin;
+      for (std::size_t k = begin + 1; k < end; ++k)
+        if (heap_[k].key < heap_[child].key) child = k;
+      if (begin >= n || heap_[child].key >= last.key) {
+        heap_[i] = last;
+        break;
+      }
+      heap_[i] = heap_[child];
+      i = child;
+    }
+    element = least.element;
+    return least.is_vertex;
   }
   /// takes all windows of a side off it. \return the first, which has the next one; none if the side
   /// came before
@@ -71,32 +84,35 @@ public:
   /// returns a window, until the next one is added.
   Window& window(std::uint32_t i) { return pool_[i]; }
   /// takes back the memory of a window that was taken.
-  void free(std::uint32_t i) { free_.push_back(i); }
+  void free(std::uint32_t i) {
+    pool_[i].next = free_;
+    free_ = i;
+  }
 
 private:
   struct Entry {
     double key;
     std::uint32_t element;
     bool is_vertex;
-    // for a heap with the least key on top; windows before vertices, which they may still improve
-    friend bool operator<(const Entry& a, const Entry& b) {
-      return a.key > b.key || (a.key == b.key && a.is_vertex && !b.is_vertex);
-    }
   };
+  static constexpr std::size_t arity = 4; // of the heap: fewer levels than two
   struct Waiting {
     double key = std::numeric_limits<double>::infinity(); // the least of the windows
     std::uint32_t first = Gluing::none;
   };
 
   void push(const Entry& e) {
+    std::size_t i = heap_.size();
     heap_.push_back(e);
-    std::push_heap(heap_.begin(), heap_.end());
+    for (; i > 0 && e.key < heap_[(i - 1) / arity].key; i = (i - 1) / arity)
+      heap_[i] = heap_[(i - 1) / arity];
+    heap_[i] = e;
   }
 
   std::vector<Entry> heap_;
   std::vector<Waiting> sides_;
   std::vector<Window> pool_;
-  std::vector<std::uint32_t> free_; // of the pool
+  std::uint32_t free_ = Gluing::none; // the first of the pool, which has the next one
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

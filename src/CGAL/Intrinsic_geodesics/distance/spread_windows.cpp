@@ -295,8 +295,8 @@ void Window_propagation::add_window(std::uint32_t side, Window& w, double at_sou
                                     double at_target, double length) {
   const Squared_rays rays(w);
   if (rays.are_useless(w, at_source, at_target, length)) return;
-  const double key = rays.least_distance(w);
-  if (key <= radius_) queue_.push_window(key, side, w);
+  const double squared = rays.least(w), radius = radius_ - w.offset;
+  if (radius >= 0 && squared <= radius * radius) queue_.push_window(squared, side, w);
 }
 
 // Parts a window by the ray through a source in its face, as a vertex there would do: parts show no
@@ -317,6 +317,7 @@ void Window_propagation::part_at_sources(std::uint32_t side, Window& w) {
 void Window_propagation::look_through(std::uint32_t side) {
   const Window_face face(table_, side);
   collect_views(side, face);
+  if (views_.empty()) return;
   const View* nearest = show_apex(side, face);
   const double crossing = split_[side].crossing;
   const Corner_distances distances{field_.vertices[face.base.origin].distance,
@@ -400,8 +401,7 @@ void Window_propagation::pass_on(const View& view, const Window_face& face,
   };
   Window child;
   if (left && !is_useless(w.begin, rays.begin) && left_child(w, face, apex.is_not_after, child))
-    add_window(face.left.opposite, child, distances.at_source, distances.at_apex,
-               face.left.length);
+    add_window(face.left.opposite, child, distances.at_source, distances.at_apex, face.left.length);
   if (right && !is_useless(w.end, rays.end) && right_child(w, face, apex.is_not_before, child))
     add_window(face.right.opposite, child, distances.at_apex, distances.at_target,
                face.right.length);
