@@ -56,8 +56,9 @@ struct Squared_rays {
       : begin(w.squared_distance(w.begin)), end(w.squared_distance(w.end)) {}
   /// returns the square of the least distance of a point of the interval.
   double least(const Window& w) const {
-    if (w.image.x >= w.begin && w.image.x <= w.end) return w.image.y * w.image.y;
-    return std::min(begin, end);
+    const bool is_inside = ((w.image.x >= w.begin) & (w.image.x <= w.end)) != 0;
+    const double at_ends = std::min(begin, end), inside = w.image.y * w.image.y;
+    return is_inside ? inside : at_ends;
   }
   /// returns whether all paths through the window are longer than others by way of the ends of the
   /// side, which have the given distances.
@@ -65,8 +66,9 @@ struct Squared_rays {
     const double by_source = at_source + w.end - w.offset;
     const double by_target = at_target + (length - w.begin) - w.offset;
     constexpr double least = 1 - 2 * window_distance_tolerance;
-    return std::min(by_source, by_target) < 0 || by_source * by_source < end * least ||
-           by_target * by_target < begin * least;
+    // bits, as branches would be predicted wrongly
+    return ((std::min(by_source, by_target) < 0) | (by_source * by_source < end * least) |
+            (by_target * by_target < begin * least)) != 0;
   }
 };
 
@@ -107,7 +109,7 @@ struct Apex_view {
     is_not_before = is_positive(crossing - w.begin, rays.begin);
     is_not_after = is_positive(w.end - crossing, rays.end);
   }
-  bool is_seen() const { return is_not_before && is_not_after; }
+  bool is_seen() const { return (is_not_before & is_not_after) != 0; }
   /// whether it is on the left ray, within rounding
   bool is_near_begin(const Window& w, const Squared_rays& rays) const {
     return is_positive(w.begin - crossing, 4 * rays.begin);
@@ -126,7 +128,7 @@ private:
   // image
   bool is_positive(double x, double square) const {
     constexpr double tolerance = window_angle_tolerance * window_angle_tolerance;
-    return x >= 0 || x * x * squared_height <= tolerance * squared_distance * square;
+    return ((x >= 0) | (x * x * squared_height <= tolerance * squared_distance * square)) != 0;
   }
 };
 
