@@ -45,7 +45,8 @@ struct Edge_side {
 // Sides of triangles, those at one edge together.
 struct Sides_by_edge {
   std::vector<Edge_side> sides;
-  std::vector<std::uint32_t> first; // where the sides of each edge begin, and last the number of all
+  std::vector<std::uint32_t>
+      first; // where the sides of each edge begin, and last the number of all
 
   std::uint32_t number_of_edges() const { return static_cast<std::uint32_t>(first.size() - 1); }
   std::span<const Edge_side> operator[](std::uint32_t e) const {
@@ -317,15 +318,9 @@ Mesh mesh_from_gluing_map(Gluing_map map) {
   }
 }
 
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 extern template Gluing
 internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
-#endif
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_H

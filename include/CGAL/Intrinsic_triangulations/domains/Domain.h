@@ -114,8 +114,4 @@ Domain make_domain(const Signed_incidence& s, std::vector<double> squared_length
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/domains/Domain_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H

@@ -6,77 +6,23 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
-#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Where half planes bounded by a line are, seen from one of them. Only predicates of the kernel on the points as given are
-// asked, which are exact.
-class Half_planes {
-public:
-  using Point = Point_kernel::Point_3;
-
-  // \param numbers by which points are known to be the same without a predicate
-  Half_planes(const Point& a, const Point& b, const std::vector<Point>& apices,
-              const std::vector<std::uint32_t>& numbers)
-      : a_(a), b_(b), apices_(apices), numbers_(numbers), sector_(apices.size(), 4) {
-    std::size_t first = 0;
-    while (first < apices.size() && Point_kernel::Are_collinear()(a, b, apices[first])) ++first;
-    for (std::size_t i = first; i < apices.size(); ++i)
-      sector_[i] = numbers[i] == numbers[first] ? 0 : sector(apices[first], apices[i]);
-  }
-
-  bool is_before(std::uint32_t i, std::uint32_t j) const {
-    if (sector_[i] != sector_[j]) return sector_[i] < sector_[j];
-    return sector_[i] % 2 == 1 && numbers_[i] != numbers_[j] &&
-           Point_kernel::Find_orientation()(a_, b_, apices_[i], apices_[j]) == CGAL::POSITIVE;
-  }
-
-private:
-  // 0: in the half plane of `first`, 1: less than half a turn from there, 2: half a turn, 3: more, 4: on the line
-  int sector(const Point& first, const Point& p) const {
-    const CGAL::Orientation side = Point_kernel::Find_orientation()(a_, b_, first, p);
-    if (side != CGAL::COPLANAR) return side == CGAL::POSITIVE ? 1 : 3;
-    if (Point_kernel::Are_collinear()(a_, b_, p)) return 4;
-    return Point_kernel::Find_orientation_in_plane()(a_, b_, first, p) == CGAL::POSITIVE ? 0 : 2;
-  }
-
-  const Point &a_, &b_;
-  const std::vector<Point>& apices_;
-  const std::vector<std::uint32_t>& numbers_;
-  std::vector<int> sector_;
-};
 
 // Sorts points counterclockwise about the line from `a` to `b`, starting in the half plane of one of them; decided exactly.
 // Points in one half plane keep their order, and so do those on the line, which come last.
 // \param apices numbers of the points, from 0 in `points`
 // \return places in `apices`, in the new order
 // \pre coordinates are finite
-inline std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double, 3>>& points,
-                                                   std::uint32_t a, std::uint32_t b,
-                                                   const std::vector<std::uint32_t>& apices) {
-  const auto point = [&points](std::uint32_t v) {
-    return Half_planes::Point(points[v][0], points[v][1], points[v][2]);
-  };
-  std::vector<Half_planes::Point> corners;
-  for (const std::uint32_t v : apices) corners.push_back(point(v));
-  const Half_planes::Point from = point(a), to = point(b);
-  const Half_planes planes(from, to, corners, apices);
-  std::vector<std::uint32_t> order(apices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t i, std::uint32_t j) { return planes.is_before(i, j); });
-  return order;
-}
+std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double, 3>>& points,
+                                            std::uint32_t a, std::uint32_t b,
+                                            const std::vector<std::uint32_t>& apices);
 
 // The front and the back of each face of a gluing, as faces 2f and 2f + 1 of another one: the back of ijk is jik.
 class Double_cover {
@@ -122,103 +68,9 @@ private:
   Gluing cover_;
 };
 
-// Splits every vertex into one per umbrella, in the order of vertices; those without faces stay.
-// \return the vertex that each new one is a copy of
-inline std::vector<std::uint32_t> split_vertices(Gluing& g) {
-  std::vector<std::uint32_t> umbrella(g.origin.size(), Gluing::none), row;
-  for (std::uint32_t start = 0; start < g.origin.size(); ++start) {
-    if (umbrella[start] != Gluing::none) continue;
-    const auto number = static_cast<std::uint32_t>(row.size());
-    row.push_back(g.origin[start]);
-    std::uint32_t h = start; // counterclockwise
-    while (h != Gluing::none && umbrella[h] == Gluing::none) {
-      umbrella[h] = number;
-      h = g.glue[Gluing::next(Gluing::next(h))];
-    }
-    if (h != Gluing::none) continue;
-    for (h = g.glue[start]; h != Gluing::none; h = g.glue[Gluing::next(h)]) // and clockwise
-      umbrella[Gluing::next(h)] = number;
-  }
-  std::vector<std::uint32_t> copies(g.number_of_vertices, 0), rows;
-  for (const std::uint32_t v : row) ++copies[v];
-  for (std::uint32_t v = 0; v < g.number_of_vertices; ++v) {
-    const auto first = static_cast<std::uint32_t>(rows.size());
-    rows.insert(rows.end(), copies[v] == 0 ? 1 : copies[v], v);
-    copies[v] = first; // now: where the next copy goes
-  }
-  for (std::uint32_t& v : row) v = copies[v]++;
-  for (std::size_t h = 0; h < g.origin.size(); ++h) g.origin[h] = row[umbrella[h]];
-  g.number_of_vertices = static_cast<std::uint32_t>(rows.size());
-  return rows;
-}
-
-inline Gluing Double_cover::take(std::vector<std::uint32_t>& row_of_vertex) {
-  row_of_vertex = split_vertices(cover_);
-  return std::move(cover_);
-}
-
-// Whether there are at most two different apices: then the faces at them take turns, and no angle is asked, as two go around in
-// one order only. So it is at nearly all edges of a point cloud, where each triangle is there three times.
-inline bool take_turns(const std::vector<std::uint32_t>& apices,
-                       std::vector<std::uint32_t>& order) {
-  const auto count = static_cast<std::uint32_t>(apices.size());
-  std::array<std::uint32_t, 2> next{0, 0}; // face of each apex
-  while (next[1] < count && apices[next[1]] == apices[0]) ++next[1];
-  if (next[1] == count) next[1] = 0;
-  const std::array<std::uint32_t, 2> apex{apices[0], apices[next[1]]};
-  for (const std::uint32_t v : apices)
-    if (v != apex[0] && v != apex[1]) return false;
-  order.clear();
-  while (order.size() < apices.size())
-    for (unsigned k = 0; k < 2; ++k) {
-      while (next[k] < count && apices[next[k]] != apex[k]) ++next[k];
-      if (next[k] < count) order.push_back(next[k]++);
-      if (apex[0] == apex[1]) break;
-    }
-  return true;
-}
-
-// Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
-// faces, as if none were repeated, and not to a copy of itself.
-inline std::vector<std::uint32_t>
-order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
-                  std::uint32_t b, const std::vector<std::uint32_t>& apices) {
-  std::vector<std::uint32_t> order =
-      sort_around_edge(points, std::min(a, b), std::max(a, b), apices);
-  std::vector<std::uint32_t> by_apex = order, round(apices.size(), 0);
-  std::stable_sort(by_apex.begin(), by_apex.end(),
-                   [&apices](std::uint32_t i, std::uint32_t j) { return apices[i] < apices[j]; });
-  for (std::size_t i = 1; i < by_apex.size(); ++i)
-    if (apices[by_apex[i]] == apices[by_apex[i - 1]]) round[by_apex[i]] = round[by_apex[i - 1]] + 1;
-  std::stable_sort(order.begin(), order.end(),
-                   [&round](std::uint32_t i, std::uint32_t j) { return round[i] < round[j]; });
-  return order;
-}
-
 // The tufted cover of triangles, any number of which meet at an edge. Without points, they are in the order around it.
-inline Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
-                                 const std::vector<std::array<double, 3>>& points) {
-  Double_cover cover(faces);
-  std::vector<Edge_side> sorted;
-  std::vector<std::uint32_t> apices, order;
-  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
-    const std::span<const Edge_side> fan = edges[e];
-    if (fan.size() <= 2 || points.empty()) {
-      cover.glue(fan);
-      continue;
-    }
-    apices.clear();
-    for (const Edge_side& s : fan)
-      apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
-    const std::uint32_t h = fan[0].halfedge;
-    if (!take_turns(apices, order))
-      order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
-    sorted.clear();
-    for (const std::uint32_t i : order) sorted.push_back(fan[i]);
-    cover.glue(sorted);
-  }
-  return cover;
-}
+Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
+                          const std::vector<std::array<double, 3>>& points);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

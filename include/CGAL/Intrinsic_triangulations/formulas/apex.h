@@ -8,9 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <type_traits>
 
 /*!
@@ -55,12 +53,7 @@ using Plane_sides = std::array<Plane_vector<double>, 3>;
 Each is computed for itself, and is as accurate as it is long: on needles differences of corners are not.
 \pre `ij` is not zero
 */
-inline Plane_sides planar_sides(double ij, double jk, double ki, double area) {
-  const double l = std::sqrt(ij), two_l = 2 * l, height = area / two_l;
-  return {{{l, 0},
-           {-twice_inner_product(jk, ki, ij) / two_l, height},
-           {-twice_inner_product(ij, jk, ki) / two_l, -height}}};
-}
+Plane_sides planar_sides(double ij, double jk, double ki, double area);
 
 /*!
 \brief computes the barycentric coordinates of a point in the triangle with corners a, b and c.
@@ -72,31 +65,10 @@ as far as it lets the weights reproduce where the point is along ab, up to round
 \pre a and b differ
 \return weights of a, b and c: not negative, their sum is 1
 */
-inline std::array<double, 3> weights_in_triangle(const Plane_vector<double>& p,
-                                                 const Plane_vector<double>& a,
-                                                 const Plane_vector<double>& b,
-                                                 const Plane_vector<double>& c) {
-  const Plane_vector<double> side = b - a;
-  const auto seen = [&](const Plane_vector<double>& q) { // with a at 0 and b at 1
-    return in_frame(side, q - a) / dot(side, side);
-  };
-  const Plane_vector<double> at = seen(p), apex = seen(c);
-  double least = 0, most = 1; // of c
-  // Weights of b and a are not negative: k apex.x <= at.x and k (1 - apex.x) <= 1 - at.x. Where k
-  // gives way the point moves up or down by apex.y, else along the side by the slope: the less the
-  // better.
-  const auto restrict_to = [&](double slope, double bound) {
-    if (slope > apex.y) most = std::min(most, bound / slope);
-    if (slope < -apex.y) least = std::max(least, bound / slope);
-  };
-  restrict_to(apex.x, at.x);
-  restrict_to(1 - apex.x, 1 - at.x);
-  most = std::max(most, 0.0);
-  least = std::min(least, most);
-  const double k = apex.y > 0 ? std::clamp(at.y / apex.y, least, most) : least;
-  const double j = std::clamp(at.x - k * apex.x, 0.0, 1 - k);
-  return {1 - k - j, j, k};
-}
+std::array<double, 3> weights_in_triangle(const Plane_vector<double>& p,
+                                          const Plane_vector<double>& a,
+                                          const Plane_vector<double>& b,
+                                          const Plane_vector<double>& c);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -16,12 +16,10 @@
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -210,9 +208,5 @@ Prepared_input<Metric, Kept> prepare(Intrinsic_input&& in) {
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_H

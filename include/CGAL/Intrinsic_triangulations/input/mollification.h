@@ -8,9 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -54,60 +51,21 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
 inline constexpr double default_squared_length_delta = 0x1p-72;
 
 // The lengths of the edges, in scaled units.
-inline std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input) {
-  std::vector<double> lengths(mesh.number_of_edges(), 0);
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({f});
-    for (unsigned k = 0; k < 3; ++k)
-      lengths[h[k].index / 2] = std::sqrt(input.squared_length<double>(f, k));
-  }
-  return lengths;
-}
-
-// Calls f(a, b, c) for the lengths of the sides of each face, three times, each one last once.
-template <class Function>
-void for_each_side_of_faces(const Gluing_map& mesh, const std::vector<double>& lengths,
-                            Function f) {
-  for (std::uint32_t i = 0; i < mesh.number_of_faces(); ++i) {
-    const std::array<Gluing_map::Halfedge, 3> h = mesh.sides({i});
-    for (std::size_t k = 0; k < 3; ++k)
-      f(lengths[h[k].index / 2], lengths[h[(k + 1) % 3].index / 2],
-        lengths[h[(k + 2) % 3].index / 2]);
-  }
-}
+std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input);
 
 // The epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes every triangle inequality hold by at
 // least `delta`, for which the course recommends 1e-5 of the mean edge.
-inline double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths,
-                                 double delta) {
-  double epsilon = 0;
-  for_each_side_of_faces(mesh, lengths, [&](double a, double b, double c) {
-    epsilon = std::max(epsilon, delta - a - b + c);
-  });
-  return epsilon;
-}
+double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths, double delta);
 
 // Whether two sides of a face are together longer than the third one by less than 2^-30 of that. The area of such a face is
 // that of a lower number of digits: rounding of lengths, at 2^-53, changes it by more than 2^-23 of itself, and what is
 // computed from it.
-inline bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths) {
-  bool result = false;
-  for_each_side_of_faces(mesh, lengths, [&](double a, double b, double c) {
-    result = result || !(a + b - c > 0x1p-30 * c);
-  });
-  return result;
-}
+bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths);
 
 // The metric with the course's epsilon added to all lengths (§4.7). The new squared lengths are rounded to doubles, which
 // define the result exactly. `epsilon` is set to what was added, in scaled units.
-inline Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
-                                    double& epsilon) {
-  std::vector<double> lengths = edge_lengths(mesh, input);
-  epsilon = mollifying_epsilon(mesh, lengths, delta);
-  if (epsilon <= 0) return input;
-  for (double& x : lengths) x = (x + epsilon) * (x + epsilon);
-  return Input_metric::from_squared_lengths(mesh, std::move(lengths), input.scale_exponent());
-}
+Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
+                             double& epsilon);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -95,31 +95,13 @@ void collect_sides(const FaceGraph& mesh,
 }
 
 // Triangulates a face with more than three sides, and keeps the planar polygon that takes its place. Returns false if it fails.
-inline bool cut_polygon(Polygon_shaper& shaper, std::uint32_t face,
-                        const std::vector<std::uint32_t>& corners,
-                        const std::vector<std::array<double, 3>>& points,
-                        std::vector<Polygon_shaper::Triangle>& triangles, Planar_polygons& planar) {
-  std::vector<std::array<double, 3>> polygon;
-  for (const std::uint32_t v : corners) polygon.push_back(points[v]);
-  std::vector<std::uint32_t> sorted(corners);
-  std::sort(sorted.begin(), sorted.end());
-  shaper.load(std::move(polygon), std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
-  if (!shaper.triangulate(triangles)) return false;
-  shaper.count(planar.report);
-  if (shaper.is_flattened()) planar.add(face, corners, shaper.planar_points());
-  return true;
-}
+bool cut_polygon(Polygon_shaper& shaper, std::uint32_t face,
+                 const std::vector<std::uint32_t>& corners,
+                 const std::vector<std::array<double, 3>>& points,
+                 std::vector<Polygon_shaper::Triangle>& triangles, Planar_polygons& planar);
 
 // the edges of a gluing map that sides of its faces are, named by the place of the side in the list
-inline Element_names names_of_sides(const Gluing_map& map,
-                                    const std::vector<std::uint32_t>& side_of_edge) {
-  std::vector<std::uint32_t> user(map.number_of_edges(), Gluing::none);
-  for (std::uint32_t e = 0; e < side_of_edge.size(); ++e) {
-    if (side_of_edge[e] == Gluing::none) continue; // without faces
-    user[map.sides({side_of_edge[e] / 3})[side_of_edge[e] % 3].index / 2] = e;
-  }
-  return Element_names(std::move(user));
-}
+Element_names names_of_sides(const Gluing_map& map, const std::vector<std::uint32_t>& side_of_edge);
 
 } // namespace internal
 

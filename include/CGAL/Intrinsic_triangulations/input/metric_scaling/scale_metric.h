@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
-#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
@@ -22,7 +21,6 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -51,23 +49,11 @@ namespace internal {
 // The sides of a triangle as vectors of the plane, whatever lengths there are. They sum to zero only up to rounding: each
 // coordinate has an error of a few u times the length of its side. Where ij has length zero, jk lies on the x-axis; where
 // lengths violate the triangle inequality, or there is no area, the height of k is zero.
-inline Plane_sides planar_sides(double L_ij, double L_jk, double L_ki) {
-  if (L_ij == 0) return {{{0, 0}, {std::sqrt(L_jk), 0}, {-std::sqrt(L_ki), 0}}};
-  const double squared_area = squared_quadruple_area(L_ij, L_jk, L_ki);
-  return Intrinsic_triangulations::planar_sides(L_ij, L_jk, L_ki,
-                                                squared_area > 0 ? std::sqrt(squared_area) : 0);
-}
+Plane_sides planar_sides(double L_ij, double L_jk, double L_ki);
 
 // The same of the sides i -> j, j -> k, k -> i as vectors of space.
 using Space_sides = std::array<Space_vector<double>, 3>;
-inline Plane_sides planar_sides(const Space_sides& s) {
-  const double l = norm(s[0]);
-  if (l == 0) return {{{0, 0}, {norm(s[1]), 0}, {-norm(s[2]), 0}}};
-  const Space_vector<double> x{s[0][0] / l, s[0][1] / l, s[0][2] / l};
-  const auto along = [&x](const Space_vector<double>& v) { return inner_product(x, v); };
-  const auto across = [&x](const Space_vector<double>& v) { return norm(cross_product(x, v)); };
-  return {{{l, 0}, {along(s[1]), across(s[1])}, {along(s[2]), -across(s[2])}}};
-}
+Plane_sides planar_sides(const Space_sides& s);
 
 // The value at `x` of a functor or of a property map.
 template <class Field, class Descriptor>
@@ -80,40 +66,10 @@ double value_at(const Field& field, Descriptor x) {
   }
 }
 
-inline void check_new_square(const Intrinsic_input& in, std::uint32_t e, double square) {
-  const bool normal = std::isfinite(square) && (square >= std::numeric_limits<double>::min() ||
-                                                (square == 0 && in.squared_lengths[e] == 0));
-  if (normal) return;
-  throw Invalid_input::about(
-      Element_kind::edge, e,
-      " between vertices " + std::to_string(in.mesh.source({2 * e}).index) + " and " +
-          std::to_string(in.mesh.target({2 * e}).index) +
-          " gets a length whose square is out of the range of doubles; scale less, "
-          "or multiply all lengths by a constant");
-}
+Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_lengths);
 
-inline Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_lengths) {
-  for (std::uint32_t e = 0; e < in.mesh.number_of_edges(); ++e)
-    check_new_square(in, e, squared_lengths[e]);
-  Intrinsic_input scaled(std::move(in.mesh), std::move(squared_lengths), in.mollification);
-  scaled.mollification_amount = in.mollification_amount;
-  scaled.triangulated_polygons = in.triangulated_polygons;
-  scaled.reversed_faces = in.reversed_faces;
-  return scaled;
-}
-
-inline Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
-                                       const Metric_scaling_options& options) {
-  const Gluing_map& map = s.in.mesh;
-  const Power_of_two unit(-s.scale_exponent);
-  std::vector<double> squared_lengths(s.in.squared_lengths);
-  for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
-    const double a = u[map.source({2 * e}).index], b = u[map.target({2 * e}).index];
-    const double factor = unit(std::exp(a / 2 + b / 2));
-    squared_lengths[e] = squared_lengths[e] * factor * factor;
-  }
-  return finish_scaling(scaled_input(std::move(s.in), std::move(squared_lengths)), options);
-}
+Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
+                                const Metric_scaling_options& options);
 
 // The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face number)`
 // are the vectors; it may refer to `s`, which is left as it is until the last line.
@@ -150,15 +106,7 @@ Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& si
 }
 
 // The lengths of a triangulation are rounded: those of a face without area may not be exact.
-inline Plane_sides planar_sides_of_face(const Metric_source& s, std::uint32_t f, bool are_exact) {
-  const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
-  const std::vector<double>& l = s.in.squared_lengths;
-  if (are_exact && !squares_satisfy_triangle_inequality(l[e[0]], l[e[1]], l[e[2]]))
-    throw Invalid_input::about(Element_kind::face, f,
-                               " violates the triangle inequality before it is scaled; correct the "
-                               "lengths of its edges");
-  return planar_sides(l[e[0]], l[e[1]], l[e[2]]);
-}
+Plane_sides planar_sides_of_face(const Metric_source& s, std::uint32_t f, bool are_exact);
 
 inline Space_sides sides_of_face_in_space(const Metric_source& s, std::uint32_t f) {
   const auto [h, n, l] = s.in.mesh.sides({f});

@@ -1,22 +1,17 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H
-
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,17 +21,6 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-
-// Angles around edges are compared before anything else looks at coordinates.
-inline void check_coordinates(const std::vector<std::array<double, 3>>& points) {
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (const double x : points[v])
-      if (!std::isfinite(x))
-        throw Invalid_input::about(
-            Element_kind::vertex, v,
-            " has a coordinate that is not finite; correct it, or remove the "
-            "vertex and its faces");
-}
 
 // Makes a surface, or a cover of it, of triangles that are glued in pairs, and of what else is known of them.
 class Domain_maker {
@@ -124,8 +108,8 @@ private:
       if (other == Gluing::none) {
         if (kind == Domain_kind::tufted_cover) cover.glue(std::array{Edge_side{h, true}});
       } else if (h < other)
-        cover.glue(std::array{Edge_side{h, true},
-                              Edge_side{other, Gluing::is_reversed(faces_.glue[h])}});
+        cover.glue(
+            std::array{Edge_side{h, true}, Edge_side{other, Gluing::is_reversed(faces_.glue[h])}});
     }
     return finish(std::move(cover), kind, reason);
   }
@@ -160,7 +144,7 @@ private:
   std::vector<std::uint32_t> edge_;
 };
 
-inline void check_size_of_cover(std::size_t faces) {
+void check_size_of_cover(std::size_t faces) {
   constexpr std::size_t most = Gluing::reversed_bit / 6;
   if (faces > most)
     throw Invalid_input(Element_kind::none, 0,
@@ -191,8 +175,7 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Domain_kind kind,
-                                                        Mollification mollification) {
+Domain make_domain(Triangle_soup soup, Domain_kind kind, Mollification mollification) {
   internal::check_coordinates(soup.points);
   internal::check_size_of_cover(soup.triangles.size());
   Gluing faces =
@@ -211,7 +194,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Triangle_soup soup, Doma
       [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], names); });
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Intrinsic_input input, Domain_kind kind) {
+Domain make_domain(Intrinsic_input input, Domain_kind kind) {
   internal::check_coordinates(input.points);
   internal::check_sizes(input);
   internal::check_size_of_cover(input.mesh.number_of_faces());
@@ -230,10 +213,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(Intrinsic_input input, D
       .make(kind, conflict);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(const Signed_incidence& s,
-                                                        std::vector<double> squared_lengths,
-                                                        Domain_kind kind,
-                                                        Mollification mollification) {
+Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths, Domain_kind kind,
+                   Mollification mollification) {
   internal::check_size_of_cover(s.number_of_faces);
   if (squared_lengths.size() != s.number_of_edges)
     throw Invalid_input(Element_kind::none, 0,
@@ -254,5 +235,3 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Domain make_domain(const Signed_incidence& 
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_IMPL_H

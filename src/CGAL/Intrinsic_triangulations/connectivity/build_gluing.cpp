@@ -1,15 +1,18 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_IMPL_H
-
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+
+#include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,7 +23,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sides_by_edge sides_by_edge(const Gluing& g) {
+template Gluing unglued_triangles(std::uint32_t,
+                                  const std::vector<std::array<std::uint32_t, 3>>&);
+
+Sides_by_edge sides_by_edge(const Gluing& g) {
   const auto end = [&](std::uint32_t h) { return g.origin[Gluing::next(h)]; };
   const auto count = static_cast<std::uint32_t>(g.origin.size());
   // counting sort by the lower end: where sides of a vertex go next, and at last where they end
@@ -47,9 +53,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Sides_by_edge sides_by_edge(const Gluing& g
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string
-edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
-                const std::vector<std::uint32_t>& names) {
+std::string edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
+                            const std::vector<std::uint32_t>& names) {
   std::string faces, diagonal;
   std::uint32_t before = Gluing::none;
   for (const Edge_side& side : sides) {
@@ -63,17 +68,15 @@ edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
          ")" + diagonal + " has " + std::to_string(sides.size()) + " faces (" + faces + ")";
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
-fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
-                 const std::vector<std::uint32_t>& names) {
+void fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
+                      const std::vector<std::uint32_t>& names) {
   throw Invalid_input(Element_kind::edge, sides[0].halfedge,
                       edge_with_faces(g, sides, names) +
                           "; remove faces or duplicate vertices so that at most two remain, or "
                           "take the tufted cover");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Gluing
-glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {
+Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {
   const Sides_by_edge sides = sides_by_edge(g);
   const auto refuse = [&](std::uint32_t e) { fail_nonmanifold(g, sides[e], names); };
   conflict = glue_pairs(g, sides, refuse).conflict;
@@ -83,5 +86,3 @@ glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_BUILD_GLUING_IMPL_H

@@ -1,10 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H
-
-#include <CGAL/Intrinsic_triangulations/compilation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
@@ -24,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -35,9 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t
-number_of_reversed(const std::vector<char>& triangles,
-                   const std::vector<std::uint32_t>& polygon_of_triangle) {
+std::size_t number_of_reversed(const std::vector<char>& triangles,
+                               const std::vector<std::uint32_t>& polygon_of_triangle) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (triangles[t] != 0 && (polygon_of_triangle.empty() || t == 0 ||
@@ -48,7 +42,6 @@ number_of_reversed(const std::vector<char>& triangles,
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
     : points(std::move(soup.points)), mollification(m),
       triangulated_polygons(soup.triangulated_polygons) {
@@ -63,7 +56,7 @@ Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<std::array<double, 3>>
+std::vector<std::array<double, 3>>
 planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,
               const Input_names& names, const Planar_polygons& polygons, int scale_exponent) {
   std::vector<std::array<double, 3>> result;
@@ -88,10 +81,8 @@ planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& 
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(const Gluing_map& mesh,
-                                                                  Input_metric& metric,
-                                                                  Mollification kind,
-                                                                  std::optional<double> amount) {
+Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Mollification kind,
+                             std::optional<double> amount) {
   if (amount) { // in scaled units
     const std::vector<double> lengths = edge_lengths(mesh, metric);
     *amount *=
@@ -106,7 +97,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Mollification_report mollify(const Gluing_m
   return {kind, std::ldexp(added, -s)};
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void check_sizes(const Intrinsic_input& in) {
+void check_sizes(const Intrinsic_input& in) {
   const bool embedded = in.squared_lengths.empty();
   const std::size_t needed = embedded ? in.mesh.number_of_vertices() : in.mesh.number_of_edges();
   const std::size_t given = embedded ? in.points.size() : in.squared_lengths.size();
@@ -121,7 +112,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void check_sizes(const Intrinsic_input& in)
 
 // Makes each face start at a side that is not glued to another side of the same face, so that its
 // edge names that side alone: exact metrics tell sides by their edges.
-inline void start_at_single_sides(Gluing_map& mesh) {
+void start_at_single_sides(Gluing_map& mesh) {
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
     const auto [h, n, l] = mesh.sides({f});
     if (n == Gluing_map::opposite(h)) mesh.set_halfedge(Gluing_map::Face{f}, l);
@@ -129,7 +120,7 @@ inline void start_at_single_sides(Gluing_map& mesh) {
   }
 }
 
-inline void check_faces(const Gluing_map& mesh) {
+void check_faces(const Gluing_map& mesh) {
   if (mesh.number_of_faces() == 0)
     throw Invalid_input(Element_kind::none, 0, "the mesh has no faces; give at least one");
   if (!mesh.is_oriented())
@@ -138,15 +129,14 @@ inline void check_faces(const Gluing_map& mesh) {
                         "take the orientation double cover of a nonorientable surface");
 }
 
-inline void check_mollification_amount(const std::optional<double>& amount) {
+void check_mollification_amount(const std::optional<double>& amount) {
   if (amount && !(*amount > 0 && *amount <= 1))
     throw Invalid_input(Element_kind::none, 0,
                         "the amount of mollification is " + std::to_string(*amount) +
                             "; it is a part of the mean edge, above 0 and at most 1");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Input_definition::Parts
-scaled_and_ordered(Intrinsic_input& in) {
+Input_definition::Parts scaled_and_ordered(Intrinsic_input& in) {
   check_mollification_amount(in.mollification_amount);
   check_faces(in.mesh);
   check_sizes(in);
@@ -179,5 +169,3 @@ scaled_and_ordered(Intrinsic_input& in) {
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_INTRINSIC_INPUT_IMPL_H

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/renumbering.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+using Symmetric_matrix_3 = std::array<std::array<double, 3>, 3>;
+
+// Turns axes p and q so that the entry (p, q) becomes zero.
+static void rotate(Symmetric_matrix_3& m, Symmetric_matrix_3& axes, unsigned p, unsigned q) {
+  const double half = (m[q][q] - m[p][p]) / 2, entry = m[p][q];
+  if (entry == 0 || std::abs(entry) <= 1e-20 * (m[p][p] + m[q][q])) return; // far below rounding
+  const double tangent = entry / (half + std::copysign(std::hypot(half, entry), half));
+  const double c = 1 / std::sqrt(1 + tangent * tangent), s = c * tangent;
+  const auto turn = [c, s](double& x, double& y) {
+    const double old = x;
+    x = c * old - s * y;
+    y = s * old + c * y;
+  };
+  for (unsigned k = 0; k < 3; ++k) turn(m[k][p], m[k][q]);
+  for (unsigned k = 0; k < 3; ++k) turn(m[p][k], m[q][k]);
+  for (unsigned k = 0; k < 3; ++k) turn(axes[p][k], axes[q][k]);
+}
+
+// Two orthonormal vectors in the plane that fits points of this covariance best: eigenvectors of the largest eigenvalues, by
+// Jacobi's method, which squares the error with every round.
+static std::array<std::array<double, 3>, 2> tangent_axes(Symmetric_matrix_3 covariance) {
+  Symmetric_matrix_3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int round = 0; round < 8; ++round)
+    for (const auto& [p, q] : {std::pair(0U, 1U), {0U, 2U}, {1U, 2U}})
+      rotate(covariance, axes, p, q);
+  unsigned normal = 0;
+  for (unsigned k = 1; k < 3; ++k)
+    if (covariance[k][k] < covariance[normal][normal]) normal = k;
+  return {axes[(normal + 1) % 3], axes[(normal + 2) % 3]};
+}
+
+// Finds the triangles at points of a cloud, one point at a time.
+class Local_triangulator {
+public:
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Point = Kernel::Point_3;
+
+  // \param points no two of which are at one place, near ones near each other in memory
+  Local_triangulator(const std::vector<Point>& points, std::size_t neighbours)
+      : points_(points), wanted_(static_cast<unsigned>(neighbours) + 1),
+        traits_(Point_map(points.data())),
+        tree_(boost::counting_iterator<std::uint32_t>(0),
+              boost::counting_iterator<std::uint32_t>(static_cast<std::uint32_t>(points.size())),
+              Tree::Splitter(), traits_) {
+    tree_.build();
+  }
+
+  // Appends the triangles at a point. \return whether they go all around it
+  bool add(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    find_neighbours(center);
+    const bool is_closed = Delaunay_star::find(center, star_);
+    const auto add = [&](std::uint32_t a,
+                         std::uint32_t b) { // rounding may make a triangle of a line
+      if (!Point_kernel::Are_collinear()(points_[center], points_[a], points_[b]))
+        triangles.push_back({center, a, b});
+    };
+    for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);
+    if (is_closed) add(star_.back().number, star_.front().number);
+    return is_closed;
+  }
+
+private:
+  using Vector = std::array<double, 3>;
+  // a reference to what is stored: of a map to copies, CGAL's search allocates one a query
+  using Point_map = CGAL::Pointer_property_map<Point>::const_type;
+  using Traits =
+      CGAL::Search_traits_adapter<std::uint32_t, Point_map, CGAL::Search_traits_3<Kernel>>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  using Tree = Search::Tree;
+
+  // turned about the center, which is the origin, into the plane that fits them best
+  void find_neighbours(std::uint32_t center) {
+    const Search search(tree_, points_[center], wanted_, 0, true,
+                        typename Search::Distance(traits_.point_property_map()), false);
+    star_.clear();
+    vectors_.clear();
+    Vector mean{};
+    for (const auto& found : search) {
+      if (found.first == center) continue;
+      Vector& v = vectors_.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        v[unsigned(k)] = points_[found.first][k] - points_[center][k];
+        mean[unsigned(k)] += v[unsigned(k)];
+      }
+      star_.push_back({{}, found.first});
+    }
+    const auto axes = tangent_axes(covariance(mean));
+    for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], axes);
+  }
+
+  // A projection would put points of another side of the surface in front of nearer ones: distances
+  // from the center are kept.
+  static std::array<double, 2> turned(const Vector& v, const std::array<Vector, 2>& axes) {
+    std::array<double, 2> at{};
+    for (unsigned k = 0; k < 2; ++k)
+      at[k] = axes[k][0] * v[0] + axes[k][1] * v[1] + axes[k][2] * v[2];
+    double height = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned i = (k + 1) % 3, j = (k + 2) % 3;
+      height += (axes[0][i] * axes[1][j] - axes[0][j] * axes[1][i]) * v[k];
+    }
+    const double width = std::hypot(at[0], at[1]);
+    if (!(width > 0)) return {0, 0};                     // has no direction
+    const double factor = std::hypot(1, height / width); // 1 in planes, bit by bit
+    return {factor * at[0], factor * at[1]};
+  }
+
+  // of the neighbours and the center, in units in which it neither overflows nor underflows
+  Symmetric_matrix_3 covariance(Vector mean) const {
+    const double n = static_cast<double>(vectors_.size()) + 1;
+    double largest = 0;
+    for (const Vector& v : vectors_)
+      largest = std::max({largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    Symmetric_matrix_3 m{};
+    if (largest == 0) return m;
+    for (double& x : mean) x /= n * largest;
+    const auto add = [&](const Vector& v) {
+      Vector d{};
+      for (unsigned i = 0; i < 3; ++i) d[i] = v[i] / largest - mean[i];
+      for (unsigned i = 0; i < 3; ++i)
+        for (unsigned j = i; j < 3; ++j) m[i][j] += d[i] * d[j];
+    };
+    add({0, 0, 0});
+    for (const Vector& v : vectors_) add(v);
+    for (unsigned i = 1; i < 3; ++i)
+      for (unsigned j = 0; j < i; ++j) m[i][j] = m[j][i];
+    return m;
+  }
+
+  const std::vector<Point>& points_;
+  unsigned wanted_;
+  Traits traits_;
+  Tree tree_;
+  std::vector<Delaunay_star::Neighbour> star_;
+  std::vector<Vector> vectors_;
+};
+
+// The first of the points at each place, near ones near each other.
+static std::vector<std::uint32_t>
+distinct_points(const std::vector<std::array<double, 3>>& points) {
+  if (points.empty()) return {};
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
+    return std::pair(points[i], i) < std::pair(points[j], j);
+  });
+  std::vector<char> is_first(points.size(), 1);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = 0;
+  order = morton_order(points);
+  std::erase_if(order, [&is_first](std::uint32_t v) { return is_first[v] == 0; });
+  return order;
+}
+
+// Some of the points, in units in which squares neither overflow nor vanish: coordinates times a power of two.
+static std::vector<Local_triangulator::Point>
+points_to_triangulate(const std::vector<std::array<double, 3>>& points,
+                      const std::vector<std::uint32_t>& members) {
+  constexpr int most = 300; // up to there they are left as they are
+  double largest = 0;
+  for (const std::uint32_t v : members)
+    for (const double x : points[v]) largest = std::max(largest, std::abs(x));
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  std::vector<Local_triangulator::Point> result;
+  result.reserve(members.size());
+  for (const std::uint32_t v : members) {
+    std::array<double, 3> p = points[v];
+    if (std::abs(exponent) > most)
+      for (double& x : p) x = std::ldexp(x, -exponent);
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+[[noreturn]] static void fail_without_triangles(std::size_t points) {
+  throw Invalid_input(Element_kind::none, 0,
+                      "no three of the " + std::to_string(points) +
+                          " points make a triangle; give points near a surface, and at least two "
+                          "neighbours");
+}
+
+std::vector<std::array<std::uint32_t, 3>>
+triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
+                    Point_cloud_report& report) {
+  check_coordinates(points);
+  const std::vector<std::uint32_t> members = distinct_points(points);
+  report.duplicated_points = points.size() - members.size();
+  report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
+  report.is_on_border.assign(points.size(), 0);
+  if (members.size() < 3) fail_without_triangles(points.size());
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(6 * points.size() + 6); // so many there are as a rule
+  const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
+  Local_triangulator triangulator(ordered, report.neighbours);
+  for (std::uint32_t i = 0; i < members.size(); ++i) {
+    const std::size_t before = triangles.size();
+    report.is_on_border[members[i]] = triangulator.add(i, triangles) ? 0 : 1;
+    if (triangles.size() == before) ++report.points_without_triangles;
+  }
+  for (std::array<std::uint32_t, 3>& t : triangles)
+    for (std::uint32_t& v : t) v = members[v];
+  report.triangles = triangles.size();
+  if (triangles.empty()) fail_without_triangles(points.size());
+  return triangles;
+}
+
+} // namespace internal
+
+Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,
+                             std::size_t neighbours, Mollification mollification) {
+  Point_cloud_report report;
+  Triangle_soup soup;
+  soup.triangles = internal::triangles_at_points(points, neighbours, report);
+  soup.points = points;
+  soup.input_faces = soup.triangles.size();
+  Point_cloud cloud;
+  static_cast<Domain&>(cloud) =
+      make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);
+  cloud.input.names.sheets *= 3;
+  cloud.report.sheets = cloud.input.names.sheets;
+  cloud.report.reason =
+      "the triangles at every point among its " + std::to_string(report.neighbours) + " neighbours";
+  cloud.points = std::move(report);
+  return cloud;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
