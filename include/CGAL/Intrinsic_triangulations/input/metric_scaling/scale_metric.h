@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
