@@ -14,7 +14,9 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.cpp>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
+#include <CGAL/Intrinsic_operators/operators/matrix_market.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.cpp>

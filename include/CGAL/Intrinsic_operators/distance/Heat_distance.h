@@ -4,9 +4,9 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_DISTANCE_H
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_DISTANCE_H
 
-#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
+#include <CGAL/Intrinsic_operators/distance/positions_of_rows.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
@@ -105,9 +105,7 @@ public:
     if (is_stopped_) return {};
     const internal::Source_places places =
         internal::Source_reader<Triangulation>(*t_, solver_.table()).read(sources);
-    return solver_.distances(
-        places, internal::Chord_bound(internal::source_balls(solver_.table(), places, positions_)),
-        positions_);
+    return solver_.distances(places, positions_);
   }
 
   /// returns `cancelled` if the visitor has stopped what was done last, else `done`.

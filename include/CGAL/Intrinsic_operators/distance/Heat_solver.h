@@ -4,11 +4,9 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_HEAT_SOLVER_H
 
-#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
-#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
 
 #include <Eigen/Core>
 
@@ -16,7 +14,7 @@
 #include <complex>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -34,6 +32,10 @@ enum class Heat_step {
 };
 
 namespace internal {
+
+template <class Scalar>
+struct Heat;
+class Function_flow;
 
 // Is told of each step; tells whether to go on.
 using Heat_progress = std::function<bool(Heat_step)>;
@@ -56,8 +58,9 @@ public:
   // whether the last step was one not to go on after
   bool is_cancelled() const { return is_cancelled_; }
 
+  // \param positions where the vertices of rows are in space, for the bound by chords
   // \return by rows, in the units of the input; nothing if it was cancelled
-  Eigen::VectorXd distances(const Source_places& sources, const Chord_bound& chord,
+  Eigen::VectorXd distances(const Source_places& sources,
                             const std::vector<std::array<double, 3>>& positions);
 
 private:
@@ -80,7 +83,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
-  std::optional<Function_flow> insulated_, cold_;
+  std::shared_ptr<const Function_flow> insulated_, cold_;
   std::vector<char> is_on_border_; // of rows
   std::uint32_t sheets_;
   Heat_progress progress_;

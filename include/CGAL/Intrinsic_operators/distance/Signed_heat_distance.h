@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -17,14 +16,17 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+template <class Scalar>
+struct Heat;
+class Vector_flow;
 
 // The signed heat method on a table of faces, in scaled units.
 class Signed_heat_solver {
@@ -32,11 +34,7 @@ class Signed_heat_solver {
 
 public:
   Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                     double time_factor)
-      : table_(std::move(table)),
-        time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
-        component_(table_.components()), poisson_(laplacian, component_),
-        flow_(flow_matrix(), edge_masses()) {}
+                     double time_factor);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
@@ -45,14 +43,6 @@ public:
   Eigen::VectorXd distances(const Source_places& curves);
 
 private:
-  // The mean of the squared distances of neighbouring nodes, which are the midpoints of edges.
-  static double squared_spacing(const Face_table& table) {
-    return table.mean_of_edges(
-        [](const Table_face& f, std::size_t k) { return f.squared_lengths[k] / 4; });
-  }
-  Eigen::SparseMatrix<Complex> flow_matrix() const;
-  Eigen::VectorXd edge_masses() const;
-
   // The normals on the right of the curves, diffused.
   Heat<Complex> normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const;
 
@@ -67,7 +57,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
-  Vector_flow flow_;
+  std::shared_ptr<const Vector_flow> flow_;
 };
 
 } // namespace internal

@@ -4,18 +4,10 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_OPERATORS_MATRIX_MARKET_H
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_MATRIX_MARKET_H
 
-#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
-
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 
 /*!
@@ -27,16 +19,6 @@ that announces one, and it does not notice that the disk is full.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-inline bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
-  if (m.rows() != m.cols()) return false;
-  const Eigen::SparseMatrix<double> rest = m - Eigen::SparseMatrix<double>(m.transpose());
-  return rest.nonZeros() == m.nonZeros() && (rest.coeffs() == 0).all();
-}
-
-} // namespace internal
 
 /*!
 \brief writes a sparse matrix in Matrix Market coordinate format.
@@ -50,41 +32,8 @@ digits and are read back without loss, whatever the locale.
 \throws std::runtime_error if the stream fails
 \complexity linear
 */
-inline void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment = {}) {
-  using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
-  const bool symmetric = internal::is_symmetric(m);
-  std::int64_t count = 0;
-  for (Eigen::Index c = 0; c < m.outerSize(); ++c)
-    for (Iterator i(m, c); i; ++i) count += !symmetric || i.row() >= c;
-  out << "%%MatrixMarket matrix coordinate real " << (symmetric ? "symmetric" : "general") << '\n';
-  for (std::size_t from = 0; from < comment.size();) {
-    const std::size_t to = std::min(comment.find('\n', from), comment.size());
-    out << "% " << comment.substr(from, to - from) << '\n';
-    from = to + 1;
-  }
-  std::string text; // goes to the stream in blocks
-  const auto write = [&](char end, auto... number) {
-    std::array<char, 32> digits;
-    char* const last = std::to_chars(digits.data(), digits.data() + digits.size(), number...).ptr;
-    text.append(digits.data(), last) += end;
-    if (text.size() < std::size_t{1} << 14U) return;
-    out << text;
-    text.clear();
-  };
-  write(' ', m.rows());
-  write(' ', m.cols());
-  write('\n', count);
-  for (Eigen::Index c = 0; c < m.outerSize(); ++c)
-    for (Iterator i(m, c); i; ++i) {
-      if (symmetric && i.row() < c) continue;
-      write(' ', i.row() + 1);
-      write(' ', c + 1);
-      write('\n', i.value(), std::chars_format::general, 17); // tells any two doubles apart
-    }
-  out << text;
-  if (!out) throw std::runtime_error("the matrix cannot be written completely");
-}
+void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
+                                const std::string& comment = {});
 
 /*!
 \brief writes a sparse matrix to a Matrix Market file, ordinarily with extension `.mtx`.
@@ -97,17 +46,9 @@ the file is complete or what it was before.
 \throws std::runtime_error naming the file if it cannot be written
 \complexity linear
 */
-inline void write_matrix_market(const std::filesystem::path& path,
+void write_matrix_market(const std::filesystem::path& path,
                                 const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment = {}) {
-  Replacing_file file(path);
-  try {
-    write_matrix_market(file.stream(), m, comment);
-  } catch (const std::runtime_error&) {
-    throw std::runtime_error(path.string() + " cannot be written completely; is the disk full?");
-  }
-  file.commit();
-}
+                                const std::string& comment = {});
 
 } // namespace CGAL::Intrinsic_triangulations
 

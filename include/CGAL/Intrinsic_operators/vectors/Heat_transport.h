@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_HEAT_TRANSPORT_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 
 #include <Eigen/Core>
 
@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,12 +28,19 @@ enum class Transport_step {
 
 namespace internal {
 
+template <class Scalar>
+struct Heat;
+class Function_flow;
+class Vector_flow;
+
 // Vectors that start at vertices, or at a point between some: with what is to be diffused of their lengths.
 struct Vector_sources {
   explicit Vector_sources(std::size_t size)
       : vectors(Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size))),
         lengths(Eigen::VectorXd::Zero(vectors.size())),
         weights(Eigen::VectorXd::Zero(vectors.size())) {}
+  // Adds a length or value. \throws std::invalid_argument if it is not finite
+  void add(Eigen::Index vertex, double weight, double value);
 
   Eigen::VectorXcd vectors;
   Eigen::VectorXd lengths; // or values, of functions
@@ -70,9 +78,10 @@ public:
   // for each vertex, one that stands for all that heat connects it with
   const std::vector<std::uint32_t>& parts() const { return part_; }
 
-  // the heat that comes from a source
-  Heat<double> heat(const std::vector<Source_corner>& source) const;
+  // the natural logarithm of the heat that comes from a source
+  Eigen::VectorXd log_heat(const std::vector<Source_corner>& source) const;
   // the mean of the values at sources, by the heat that comes from each
+  // \throws std::invalid_argument if there is no source, as `transported()` does
   Eigen::VectorXd extended(const Vector_sources& sources) const;
   // the vectors from sources, with the mean of their lengths
   Eigen::VectorXcd transported(const Vector_sources& sources) const;
@@ -82,6 +91,7 @@ public:
   Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
 
 private:
+  Heat<double> heat(const std::vector<Source_corner>& source) const;
   const Function_flow& functions() const;
   const Vector_flow& vectors() const;
   std::vector<char> reached(const Eigen::VectorXd& weights) const;
@@ -101,8 +111,8 @@ private:
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
   Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
   mutable std::optional<Laplacian_factorization> poisson_;
-  mutable std::optional<Function_flow> functions_;
-  mutable std::optional<Vector_flow> vectors_;
+  mutable std::shared_ptr<const Function_flow> functions_;
+  mutable std::shared_ptr<const Vector_flow> vectors_;
 };
 
 } // namespace internal

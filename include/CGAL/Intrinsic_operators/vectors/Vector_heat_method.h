@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_HEAT_METHOD_H
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_HEAT_METHOD_H
 
-#include <CGAL/Intrinsic_operators/distance/Chord_bound.h>
+#include <CGAL/Intrinsic_operators/distance/positions_of_rows.h>
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
@@ -118,10 +118,7 @@ public:
   \complexity that of solving with one factored real matrix; once more for each 700 edges or so from the point
   */
   Eigen::VectorXd log_heat(const Surface_point& p) const {
-    const internal::Heat<double> heat = heat_.heat(frames_.corners(p));
-    Eigen::VectorXd result(heat.value.size());
-    for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(heat, i);
-    return result;
+    return heat_.log_heat(frames_.corners(p));
   }
 
   /// tells whether points are on one component of the surface, so that heat goes from one to the other. \complexity constant
@@ -145,9 +142,8 @@ public:
     internal::Vector_sources s(heat_.graph().size);
     for (const auto& [v, value] : sources) {
       const auto i = static_cast<Eigen::Index>(number(v));
-      add(s, i, 1, value);
+      s.add(i, 1, value);
     }
-    expect_some(s);
     return heat_.extended(s);
   }
 
@@ -156,8 +152,7 @@ public:
   extend_scalars(const std::vector<std::pair<Surface_point, double>>& sources) const {
     internal::Vector_sources s(heat_.graph().size);
     for (const auto& [p, value] : sources)
-      for (const internal::Source_corner& c : frames_.corners(p)) add(s, c.vertex, c.weight, value);
-    expect_some(s);
+      for (const internal::Source_corner& c : frames_.corners(p)) s.add(c.vertex, c.weight, value);
     return heat_.extended(s);
   }
 
@@ -172,7 +167,7 @@ public:
     internal::Vector_sources s(heat_.graph().size);
     for (const auto& [v, z] : sources) {
       const std::uint32_t i = number(v);
-      add(s, i, 1, std::abs(z));
+      s.add(i, 1, std::abs(z));
       s.vectors[i] += frames_.from_field(i, z);
     }
     return transported(s);
@@ -190,7 +185,7 @@ public:
       const Complex z(v.vector[0], v.vector[1]);
       const bool is_at_corner = internal::corner_of(v.point) < 3;
       for (const internal::Source_corner& c : frames_.corners(v.point)) {
-        add(s, c.vertex, c.weight, std::abs(z));
+        s.add(c.vertex, c.weight, std::abs(z));
         s.vectors[c.vertex] +=
             is_at_corner ? frames_.at_corner(v.point, v.vector) : c.weight * c.frame * z;
       }
@@ -271,20 +266,7 @@ private:
     return frames_.number(v);
   }
 
-  static void add(internal::Vector_sources& s, Eigen::Index i, double weight, double value) {
-    if (!std::isfinite(value))
-      throw std::invalid_argument("the values and vectors of sources must be finite");
-    s.weights[i] += weight;
-    s.lengths[i] += weight * value;
-  }
-
-  static void expect_some(const internal::Vector_sources& s) {
-    if (s.weights.size() == 0 || !(s.weights.maxCoeff() > 0))
-      throw std::invalid_argument("there must be a source; none is given");
-  }
-
   Tangent_field transported(const internal::Vector_sources& s) const {
-    expect_some(s);
     const Eigen::VectorXcd z = heat_.transported(s);
     Tangent_field result(heat_.graph().size);
     for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = frames_.to_field(i, z[i]);

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -25,6 +26,30 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// The mean of the squared distances of neighbouring nodes, which are the midpoints of edges.
+static double squared_spacing(const Face_table& table) {
+  return table.mean_of_edges(
+      [](const Table_face& f, std::size_t k) { return f.squared_lengths[k] / 4; });
+}
+
+static Eigen::SparseMatrix<std::complex<double>> vector_flow_matrix(const Face_table& table,
+                                                                    double time) {
+  Eigen::SparseMatrix<std::complex<double>> m = time * edge_connection_laplacian(table);
+  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
+  m.makeCompressed();
+  return m;
+}
+
+Signed_heat_solver::Signed_heat_solver(Face_table table,
+                                       const Eigen::SparseMatrix<double>& laplacian,
+                                       double time_factor)
+    : table_(std::move(table)),
+      time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
+      component_(table_.components()), poisson_(laplacian, component_),
+      flow_(std::make_shared<const Vector_flow>(
+          vector_flow_matrix(table_, time_),
+          edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; }))) {}
 
 Eigen::VectorXd
 Signed_heat_solver::distances(const Source_places& curves) {
@@ -36,18 +61,6 @@ Signed_heat_solver::distances(const Source_places& curves) {
   Eigen::VectorXd d = poisson_.solve(divergence(normals(curves, pins)), pins);
   for (double& x : d) x = table_.unscaled(x);
   return d;
-}
-
-Eigen::SparseMatrix<std::complex<double>>
-Signed_heat_solver::flow_matrix() const {
-  Eigen::SparseMatrix<Complex> m = time_ * edge_connection_laplacian(table_);
-  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
-  m.makeCompressed();
-  return m;
-}
-
-Eigen::VectorXd Signed_heat_solver::edge_masses() const {
-  return edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
 Heat<std::complex<double>>
@@ -77,7 +90,7 @@ Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian:
   for (const Table_face& f : table_.faces)
     for (const std::uint32_t h : f.halfedges)
       is_reached[h / 2] = has_curve[component_[row_number(f.rows[0])]];
-  return flow_(start, is_reached);
+  return (*flow_)(start, is_reached);
 }
 
 Eigen::VectorXd

@@ -4,6 +4,9 @@
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
+#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -11,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -21,7 +25,46 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-std::vector<std::uint32_t>
+/*!
+Functions d with given values in some rows and L M^-1 L d = 0 in the others, F, without that product, of which no double holds the small eigenvalues once
+weights span eight orders of magnitude or so.
+
+Let M w = L d. Then w is harmonic in F, and so P w_B: of the values in the fixed rows B beside F, with the harmonic measures P, one in its row of B and zero in the others; and
+where w is known so is d, from L d = M w in F. What is left is M w = L d in B,
+
+    (P^T M P) w_B = S d,    S = L_B + L_BF P
+
+a dense system, definite and of one row per row of B. Measures are not negative and nothing is subtracted in its matrix; S is applied to differences of d. So errors are
+those of the values, where L has no negative weights.
+*/
+class Biharmonic_interpolation {
+public:
+  // \param laplacian its rows sum to zero \param mass the diagonal of M \param rows the fixed rows, some in each component
+  // \param beside `rows_beside_free_ones()`; time and memory for that many solutions with L are needed
+  // \throws Indefinite_matrix if rounding has left no definite matrix; it names a fixed row
+  Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
+                           std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside);
+
+  // \param values as of `Fixed_values_solver::solve()`
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& values) const;
+
+private:
+  void find_measures(std::span<const std::uint32_t> rows);
+  void factor_strengths();
+  Eigen::MatrixXd laplacian_beside(const Eigen::MatrixXd& harmonic) const;
+
+  Eigen::VectorXd mass_;
+  std::vector<std::uint32_t> beside_;
+  std::vector<char> is_fixed_;
+  Eigen::SparseMatrix<double> laplacian_;
+  Fixed_values_solver harmonic_;
+  Eigen::MatrixXd measures_, through_free_; // P and L_BF P
+  Eigen::VectorXd unit_;                    // of each row of the dense system
+  Eigen::LDLT<Eigen::MatrixXd> strengths_;
+};
+
+// The fixed rows that a matrix joins with free ones, without repetition.
+static std::vector<std::uint32_t>
 rows_beside_free_ones(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> fixed) {
   std::vector<char> is_fixed(row_number(a.rows()), 0);
   for (const std::uint32_t r : fixed) is_fixed[r] = 1;
@@ -173,7 +216,8 @@ Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplac
   const auto by_handles = [&] { // the unit of masses is that of the energy alone
     const double greatest = size_ > 0 ? mass.maxCoeff() : 0;
     const double unit = greatest > 0 ? std::ldexp(1., -std::ilogb(greatest)) : 1;
-    by_handles_.emplace(laplacian, unit * mass, rows_, std::move(beside));
+    by_handles_ = std::make_shared<const internal::Biharmonic_interpolation>(
+        laplacian, unit * mass, rows_, std::move(beside));
   };
   if (is_laplacian && beside.size() <= few) return by_handles();
   try {

@@ -14,11 +14,20 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+void Vector_sources::add(Eigen::Index vertex, double weight, double value) {
+  if (!std::isfinite(value))
+    throw std::invalid_argument("the values and vectors of sources must be finite");
+  weights[vertex] += weight;
+  lengths[vertex] += weight * value;
+}
 
 Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
     : graph_(std::move(graph)), part_(graph_.parts()),
@@ -34,13 +43,16 @@ Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
 }
 
 const Function_flow& Heat_transport::functions() const {
-  if (!functions_) functions_.emplace(scaled_laplacian<double>(graph_, 0, time_), masses_);
+  if (!functions_)
+    functions_ =
+        std::make_shared<const Function_flow>(scaled_laplacian<double>(graph_, 0, time_), masses_);
   return *functions_;
 }
 
 const Vector_flow& Heat_transport::vectors() const {
   if (!vectors_)
-    vectors_.emplace(scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
+    vectors_ = std::make_shared<const Vector_flow>(
+        scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
   return *vectors_;
 }
 
@@ -72,7 +84,17 @@ Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source
   return w;
 }
 
+Eigen::VectorXd
+Heat_transport::log_heat(const std::vector<Source_corner>& source) const {
+  const Heat<double> found = heat(source);
+  Eigen::VectorXd result(found.value.size());
+  for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(found, i);
+  return result;
+}
+
 Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
+  if (sources.weights.size() == 0 || !(sources.weights.maxCoeff() > 0))
+    throw std::invalid_argument("there must be a source; none is given");
   const std::vector<Heat<double>> heat = functions().all(
       {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
   Eigen::VectorXd result(sources.weights.size());

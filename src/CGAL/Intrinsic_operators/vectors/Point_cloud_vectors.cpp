@@ -52,15 +52,11 @@ void Point_cloud_vectors::expect_plane(std::size_t i) const {
 
 Tangent_field
 Point_cloud_vectors::transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const {
-  if (sources.empty()) throw std::invalid_argument("there must be a source; none is given");
   internal::Vector_sources s(size());
   for (const auto& [i, z] : sources) {
     expect_plane(i);
-    if (!internal::is_known(z))
-      throw std::invalid_argument("the vectors of sources must be finite");
     const auto row = static_cast<Eigen::Index>(i);
-    s.weights[row] += 1;
-    s.lengths[row] += std::abs(z);
+    s.add(row, 1, std::abs(z));
     s.vectors[row] += z;
   }
   const Eigen::VectorXcd z = heat_->transported(s);

@@ -216,8 +216,14 @@ private:
   Factored factored_;
 };
 
-using Function_flow = Diffusion<Laplacian_factorization>;
-using Vector_flow = Diffusion<Cholesky_factorization<std::complex<double>>>;
+class Function_flow : public Diffusion<Laplacian_factorization> {
+public:
+  using Diffusion::Diffusion;
+};
+class Vector_flow : public Diffusion<Cholesky_factorization<std::complex<double>>> {
+public:
+  using Diffusion::Diffusion;
+};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
