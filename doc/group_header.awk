@@ -66,7 +66,6 @@ BEGIN {
   group["Intrinsic_operators/"]                              = "ref_operators"
   group["Intrinsic_operators/operators/symmetric_assembly.h"] = "ref_inside"
   group["Intrinsic_operators/operators/Connection_graph.h"]  = "ref_inside"
-  group["Intrinsic_operators/solvers/Diffusion.h"]           = "ref_inside"
   group["Intrinsic_operators/distance/"]                     = "ref_applications"
   group["Intrinsic_operators/editing/"]                      = "ref_applications"
   group["Intrinsic_operators/parametrization/"]              = "ref_applications"

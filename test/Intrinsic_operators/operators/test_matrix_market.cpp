@@ -6,6 +6,8 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
+#include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
+
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/SparseExtra>
 

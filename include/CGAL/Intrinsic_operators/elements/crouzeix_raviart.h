@@ -6,8 +6,6 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -16,9 +14,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 /*!
 \file
@@ -33,64 +29,17 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Half the cotangents at the corners opposite the sides of a face, finite.
-inline std::array<double, 3> checked_half_cotangents(const Table_face& f) {
-  std::array<double, 3> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = f.half_cotangent(k);
-    if (!std::isfinite(result[k]))
-      throw Invalid_input(
-          Element_kind::none, 0,
-          "a face has no area, or one too small for its cotangents; make the triangulation "
-          "Delaunay, or build it with mollification");
-  }
-  return result;
-}
+std::array<double, 3> checked_half_cotangents(const Table_face& f);
 
-// The directions of the frames of the sides of a face, in the frame of side 0: unit complex numbers. An edge is directed along
-// its halfedge with an even number.
-inline std::array<std::complex<double>, 3> side_frames(const Table_face& f) {
-  const auto corners = f.layout();
-  std::array<std::complex<double>, 3> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::complex<double> side = corners[(k + 1) % 3] - corners[k];
-    result[k] = (f.halfedges[k] % 2 == 0 ? side : -side) / std::abs(side);
-  }
-  return result;
-}
+// The directions of the frames of the sides of a face, in the frame of side 0: unit complex
+// numbers. An edge is directed along its halfedge with an even number.
+std::array<std::complex<double>, 3> side_frames(const Table_face& f);
 
 // Edges without a face, which removals leave as gaps in the numbers, are zero.
-inline Eigen::SparseMatrix<std::complex<double>>
-edge_connection_laplacian(const Face_table& table) {
-  using Complex = std::complex<double>;
-  std::vector<Eigen::Triplet<Complex>> entries;
-  entries.reserve(9 * table.faces.size());
-  for (const Table_face& f : table.faces) {
-    const auto weights = checked_half_cotangents(f);
-    const auto frames = side_frames(f);
-    for (std::size_t k = 0; k < 3; ++k) {
-      // the cotangents at the ends of a side sum to this, which is positive whatever rounding makes of them
-      const auto side = static_cast<int>(f.halfedges[k] / 2);
-      entries.emplace_back(side, side, f.squared_lengths[k] / f.area());
-      // two sides meet at the corner opposite the third
-      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-      const auto i = static_cast<int>(f.halfedges[a] / 2), j = static_cast<int>(f.halfedges[b] / 2);
-      const double w = 4 * weights[k];
-      const Complex turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
-      entries.emplace_back(i, j, -w * turn);
-      entries.emplace_back(j, i, -w * std::conj(turn));
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(table.number_of_edges);
-  return matrix_of(size, size, entries);
-}
+Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table);
 
 // a third of the areas of the faces at each edge
-inline Eigen::VectorXd edge_areas(const Face_table& table) {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_edges));
-  for (const Table_face& f : table.faces)
-    for (const std::uint32_t h : f.halfedges) areas[h / 2] += f.area() / 3;
-  return areas;
-}
+Eigen::VectorXd edge_areas(const Face_table& table);
 
 } // namespace internal
 

@@ -6,19 +6,15 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -70,50 +66,18 @@ public:
 
   /// returns the gradient of a function. \complexity linear
   /// \throws std::invalid_argument if the function has not a value per vertex
-  Vectors gradient(const Function& u) const {
-    expect(u.size(), vertices_, "function", "vertex");
-    Vectors result(number_of_faces());
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const Face& face = faces_[f];
-      result[index(f)] = 0;
-      if (face.area == 0) continue; // no face
-      // differences: what is constant leaves nothing, rounding included
-      const double base = u[face.row[0]];
-      result[index(f)] = (u[face.row[1]] - base) * face.hat_gradient[1] +
-                         (u[face.row[2]] - base) * face.hat_gradient[2];
-    }
-    return result;
-  }
+  Vectors gradient(const Function& u) const;
 
   /// returns the integrated divergence of a field. \complexity linear
   /// \throws std::invalid_argument if the field has not a vector per number of a face
-  Function divergence(const Vectors& x) const {
-    expect(x.size(), number_of_faces(), "field", "number of a face");
-    Function result = Function::Zero(vertices_);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const Face& face = faces_[f];
-      if (face.area == 0) continue;
-      for (std::size_t k = 0; k < 3; ++k)
-        result[face.row[k]] -=
-            face.area / sheets_ * std::real(std::conj(face.hat_gradient[k]) * x[index(f)]);
-    }
-    return result;
-  }
+  Function divergence(const Vectors& x) const;
 
   /// returns the integrated curl of a field. \complexity linear
   /// \throws std::invalid_argument if the field has not a vector per number of a face
   Function curl(const Vectors& x) const { return divergence(Vector(0, -1) * x); }
 
   /// returns the gradient as a matrix with a row per number of a face and a column per vertex. \complexity linear
-  Eigen::SparseMatrix<Vector> matrix() const {
-    std::vector<Eigen::Triplet<Vector>> entries;
-    entries.reserve(3 * faces_.size());
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (faces_[f].area > 0)
-          entries.emplace_back(static_cast<int>(f), faces_[f].row[k], faces_[f].hat_gradient[k]);
-    return internal::matrix_of(number_of_faces(), vertices_, entries);
-  }
+  Eigen::SparseMatrix<Vector> matrix() const;
 
 private:
   struct Face {
@@ -122,30 +86,9 @@ private:
     double area = 0;
   };
 
-  static Eigen::Index index(std::size_t f) { return static_cast<Eigen::Index>(f); }
-  static void expect(Eigen::Index size, Eigen::Index asked, const char* what, const char* per) {
-    if (size != asked)
-      throw std::invalid_argument(std::string("the ") + what + " must have a value per " + per +
-                                  ": " + std::to_string(asked) + ", not " + std::to_string(size));
-  }
-
   // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice the area.
   // \return whether it is finite
-  bool measure(const internal::Face_table& table, std::uint32_t f) {
-    const internal::Table_face& read = table.faces[table.slot[f]];
-    const auto corners = read.layout();
-    Face& face = faces_[f];
-    face.row = read.rows;
-    face.area = table.unscaled(table.unscaled(read.area()));
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector side = (corners[(k + 2) % 3] - corners[(k + 1) % 3]) / (read.quadruple_area / 2);
-      face.hat_gradient[k] = {std::ldexp(-side.imag(), table.scale_exponent),
-                              std::ldexp(side.real(), table.scale_exponent)};
-      sum += std::norm(face.hat_gradient[k]);
-    }
-    return std::isfinite(sum);
-  }
+  bool measure(const internal::Face_table& table, std::uint32_t f);
 
   Eigen::Index vertices_;
   double sheets_;

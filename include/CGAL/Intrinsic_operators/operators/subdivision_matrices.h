@@ -17,10 +17,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
 /*!
@@ -80,7 +80,7 @@ private:
 /*!
 \brief calls a function for each triangle of the faces of a common subdivision, which are cut into
 fans from their first corners.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation a model of `NumberedTriangulation`
 \tparam Function called as `function(f, v, area)`: the face, an array of the three vertices, and the area in
   units of area of the input, zero at least
 \param t the triangulation
@@ -88,7 +88,8 @@ fans from their first corners.
 \param function the function
 \complexity linear
 */
-template <class Triangulation, class Function>
+template <NumberedTriangulation Triangulation,
+          std::invocable<std::size_t, std::array<std::uint32_t, 3>, double> Function>
 void for_each_subdivision_triangle(const Triangulation& t, const Common_subdivision& s,
                                    Function function) {
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
@@ -157,39 +158,6 @@ Eigen::SparseMatrix<double> subdivision_mass_matrix(const Triangulation& t,
 /// A sparse matrix by rows, one per vertex of the common subdivision.
 using Interpolation_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-namespace internal {
-
-// entries of one row; sorted, and equal columns added up
-inline void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Index row) {
-  m.startVec(row);
-  for (const std::size_t i : {1U, 2U, 1U})
-    if (i < w.size && w.vertices[i] < w.vertices[i - 1]) {
-      std::swap(w.vertices[i], w.vertices[i - 1]);
-      std::swap(w.weights[i], w.weights[i - 1]);
-    }
-  for (std::size_t i = 0; i < w.size;) {
-    const std::uint32_t column = w.vertices[i];
-    double sum = 0;
-    for (; i < w.size && w.vertices[i] == column; ++i) sum += w.weights[i];
-    if (sum != 0) m.insertBackByOuterInner(row, column) = sum;
-  }
-}
-
-// `locate(v)` returns the location of vertex `v` of the subdivision
-template <class Locate>
-Interpolation_matrix interpolation_matrix(const Common_subdivision& s, std::uint32_t columns,
-                                          const Locate& locate) {
-  const std::size_t rows = s.number_of_vertices();
-  expect_countable(3 * rows, "the common subdivision has " + std::to_string(rows) + " vertices");
-  Interpolation_matrix m(static_cast<Eigen::Index>(rows), columns);
-  m.reserve(static_cast<Eigen::Index>(s.vertices.size() + 2 * s.crossings.size()));
-  for (std::size_t v = 0; v < rows; ++v) append_row(locate(v), m, static_cast<Eigen::Index>(v));
-  m.finalize();
-  return m;
-}
-
-} // namespace internal
-
 /*!
 \brief assembles P_ext (§4.11.1 of the course): it takes values at the vertices of the input to values
 at the vertices of the common subdivision.
@@ -201,10 +169,7 @@ rounding. Zero weights are not stored.
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
 \complexity linear
 */
-inline Interpolation_matrix interpolation_from_input(const Common_subdivision& s) {
-  return internal::interpolation_matrix(s, s.number_of_input_vertices,
-                                        [&s](std::size_t v) { return s.on_input(v); });
-}
+Interpolation_matrix interpolation_from_input(const Common_subdivision& s);
 
 /*!
 \brief assembles P_int (§4.11.1 of the course): it takes values at the vertices of the intrinsic
@@ -218,10 +183,7 @@ then the inserted ones.
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
 \complexity linear
 */
-inline Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s) {
-  return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices,
-                                        [&s](std::size_t v) { return s.on_intrinsic(v); });
-}
+Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s);
 
 } // namespace CGAL::Intrinsic_triangulations
 

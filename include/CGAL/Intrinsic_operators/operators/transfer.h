@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -48,6 +49,7 @@ Needs no correspondence: no vertex of the input was removed, and both numbers ar
 \param f values at the vertices of the intrinsic triangulation, a function per column
 */
 template <NumberedTriangulation Triangulation, class Derived>
+  requires std::derived_from<Derived, Eigen::MatrixBase<Derived>>
 typename Derived::PlainObject copy_to_input(const Triangulation& t,
                                             const Eigen::MatrixBase<Derived>& f) {
   return f.topRows(t.input().number_of_rows());
@@ -62,6 +64,7 @@ the value that the function has there.
 \complexity linear
 */
 template <QueriedTriangulation Triangulation, class Derived>
+  requires std::derived_from<Derived, Eigen::MatrixBase<Derived>>
 typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
                                                 const Eigen::MatrixBase<Derived>& g) {
   typename Derived::PlainObject f = Derived::PlainObject::Zero(t.number_of_vertices(), g.cols());

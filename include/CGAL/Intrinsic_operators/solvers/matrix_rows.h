@@ -10,6 +10,8 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
+#include <complex>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +40,7 @@ Eigen::SparseMatrix<Scalar> matrix_of(Eigen::Index rows, Eigen::Index columns,
 \complexity linear in the number of entries, nearly
 */
 template <class Scalar>
+  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
 std::vector<std::uint32_t> components_of_matrix(const Eigen::SparseMatrix<Scalar>& a) {
   return internal::joined_sets(static_cast<std::size_t>(a.cols()), [&a](const auto& join) {
     for (int c = 0; c < a.outerSize(); ++c)
@@ -51,44 +54,21 @@ namespace internal {
 // Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero:
 // of the entries on the diagonal, which were summed, and of the sums.
 struct Row_sums {
-  explicit Row_sums(const Eigen::SparseMatrix<double>& a)
-      : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {
-    Eigen::VectorXd count = sum;
-    for (int c = 0; c < a.outerSize(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
-        sum[i.row()] += i.value();
-        bound[i.row()] += std::abs(i.value());
-        count[i.row()] += 1;
-      }
-    bound = 0x1p-52 * count.cwiseProduct(bound);
-  }
+  explicit Row_sums(const Eigen::SparseMatrix<double>& a);
   bool may_be_zero(Eigen::Index row) const { return std::abs(sum[row]) <= bound[row]; }
 
   Eigen::VectorXd sum, bound;
 };
 
 // Marks the components, at their least rows, of which all rows may sum to zero.
-inline std::vector<char> laplacian_components(const Row_sums& sums,
-                                              const std::vector<std::uint32_t>& component) {
-  std::vector<char> result(component.size(), 1);
-  for (std::size_t r = 0; r < component.size(); ++r)
-    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
-  return result;
-}
+std::vector<char> laplacian_components(const Row_sums& sums,
+                                       const std::vector<std::uint32_t>& component);
 
 // Whether all rows may sum to zero.
-inline bool is_laplacian(const Eigen::SparseMatrix<double>& a) {
-  const Row_sums sums(a);
-  return (sums.sum.array().abs() <= sums.bound.array()).all();
-}
+bool is_laplacian(const Eigen::SparseMatrix<double>& a);
 
 // Whether no weight is negative.
-inline bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
-  for (int c = 0; c < a.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
-      if (i.value() > 0 && i.row() != c) return false;
-  return true;
-}
+bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a);
 
 // Makes the rows and columns of a symmetric matrix that are fixed those of the identity: what is
 // left solves for the free rows.
@@ -107,17 +87,9 @@ Eigen::SparseMatrix<Scalar> with_fixed_rows(Eigen::SparseMatrix<Scalar> a,
 
 // What belongs to that matrix, of a Laplacian and a diagonal: the diagonal of free rows has the
 // weights to fixed ones as well.
-inline Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
-                                                Eigen::VectorXd diagonal,
-                                                const std::vector<char>& is_fixed) {
-  for (int c = 0; c < laplacian.cols(); ++c)
-    if (is_fixed[static_cast<std::size_t>(c)] != 0)
-      for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian, c); i; ++i)
-        diagonal[i.row()] -= i.value();
-  for (Eigen::Index r = 0; r < diagonal.size(); ++r)
-    if (is_fixed[static_cast<std::size_t>(r)] != 0) diagonal[r] = 1;
-  return diagonal;
-}
+Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
+                                         Eigen::VectorXd diagonal,
+                                         const std::vector<char>& is_fixed);
 
 } // namespace internal
 

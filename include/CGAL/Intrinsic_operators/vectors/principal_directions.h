@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_PRINCIPAL_DIRECTIONS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -78,7 +79,7 @@ orthogonal to convex edges.
 \throws Invalid_input if the mesh is another one
 \complexity linear, and that of `tangent_field_to_intrinsic()`
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
   const Input& input = internal::kept_input(t);
   return internal::principal_directions_at(t, [&](std::uint32_t h) {

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// entries of one row; sorted, and equal columns added up
+static void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Index row) {
+  m.startVec(row);
+  for (const std::size_t i : {1U, 2U, 1U})
+    if (i < w.size && w.vertices[i] < w.vertices[i - 1]) {
+      std::swap(w.vertices[i], w.vertices[i - 1]);
+      std::swap(w.weights[i], w.weights[i - 1]);
+    }
+  for (std::size_t i = 0; i < w.size;) {
+    const std::uint32_t column = w.vertices[i];
+    double sum = 0;
+    for (; i < w.size && w.vertices[i] == column; ++i) sum += w.weights[i];
+    if (sum != 0) m.insertBackByOuterInner(row, column) = sum;
+  }
+}
+
+// `locate(v)` returns the location of vertex `v` of the subdivision
+template <class Locate>
+static Interpolation_matrix interpolation_matrix(const Common_subdivision& s,
+                                                 std::uint32_t columns, const Locate& locate) {
+  const std::size_t rows = s.number_of_vertices();
+  expect_countable(3 * rows, "the common subdivision has " + std::to_string(rows) + " vertices");
+  Interpolation_matrix m(static_cast<Eigen::Index>(rows), columns);
+  m.reserve(static_cast<Eigen::Index>(s.vertices.size() + 2 * s.crossings.size()));
+  for (std::size_t v = 0; v < rows; ++v) append_row(locate(v), m, static_cast<Eigen::Index>(v));
+  m.finalize();
+  return m;
+}
+
+} // namespace internal
+
+Interpolation_matrix interpolation_from_input(const Common_subdivision& s) {
+  return internal::interpolation_matrix(s, s.number_of_input_vertices,
+                                        [&s](std::size_t v) { return s.on_input(v); });
+}
+
+Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s) {
+  return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices,
+                                        [&s](std::size_t v) { return s.on_intrinsic(v); });
+}
+
+} // namespace CGAL::Intrinsic_triangulations

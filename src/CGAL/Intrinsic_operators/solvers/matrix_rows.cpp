@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+Row_sums::Row_sums(const Eigen::SparseMatrix<double>& a)
+    : sum(Eigen::VectorXd::Zero(a.rows())), bound(sum) {
+  Eigen::VectorXd count = sum;
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i) {
+      sum[i.row()] += i.value();
+      bound[i.row()] += std::abs(i.value());
+      count[i.row()] += 1;
+    }
+  bound = 0x1p-52 * count.cwiseProduct(bound);
+}
+
+std::vector<char> laplacian_components(const Row_sums& sums,
+                                              const std::vector<std::uint32_t>& component) {
+  std::vector<char> result(component.size(), 1);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
+  return result;
+}
+
+bool is_laplacian(const Eigen::SparseMatrix<double>& a) {
+  const Row_sums sums(a);
+  return (sums.sum.array().abs() <= sums.bound.array()).all();
+}
+
+bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
+  for (int c = 0; c < a.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(a, c); i; ++i)
+      if (i.value() > 0 && i.row() != c) return false;
+  return true;
+}
+
+Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
+                                                Eigen::VectorXd diagonal,
+                                                const std::vector<char>& is_fixed) {
+  for (int c = 0; c < laplacian.cols(); ++c)
+    if (is_fixed[static_cast<std::size_t>(c)] != 0)
+      for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian, c); i; ++i)
+        diagonal[i.row()] -= i.value();
+  for (Eigen::Index r = 0; r < diagonal.size(); ++r)
+    if (is_fixed[static_cast<std::size_t>(r)] != 0) diagonal[r] = 1;
+  return diagonal;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
