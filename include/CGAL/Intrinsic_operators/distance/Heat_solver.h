@@ -27,8 +27,9 @@ enum class Heat_border {
 
 /// What `Heat_distance` has done.
 enum class Heat_step {
-  heat_factored, ///< a matrix of the heat flow was factored; there are two with a border that is cold
-  heat_found     ///< heat has spread from the sources
+  /// a matrix of the heat flow was factored; there are two with a border that is cold
+  heat_factored,
+  heat_found ///< heat has spread from the sources
 };
 
 namespace internal {

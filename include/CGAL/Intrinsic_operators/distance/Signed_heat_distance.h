@@ -46,11 +46,12 @@ private:
   // The normals on the right of the curves, diffused.
   Heat<Complex> normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const;
 
-  // of the field of unit vectors that have the directions of the diffused normals in the middle of the faces
+  // of the field of unit vectors that have the directions of the diffused normals in the middle of
+  // the faces
   Eigen::VectorXd divergence(const Heat<Complex>& field) const;
 
-  // Zero at vertices of the curves. At the corners of a face that a curve goes through, the distance from its line there, which is
-  // linear in the face: it is zero where the curve is.
+  // Zero at vertices of the curves. At the corners of a face that a curve goes through, the
+  // distance from its line there, which is linear in the face: it is zero where the curve is.
   Pinned_laplacian::Pins signed_distances_near(const Source_places& curves) const;
 
   Face_table table_;
@@ -63,20 +64,23 @@ private:
 } // namespace internal
 
 /*!
-\brief approximates signed geodesic distances from curves, by the flow of their normals (Feng and Crane, A heat method for generalized
-signed distance, 2024).
+\brief approximates signed geodesic distances from curves, by the flow of their normals (Feng and
+Crane, A heat method for generalized signed distance, 2024).
 
-The normals of the curve diffuse for a short time as tangent vectors, by the connection Laplacian of Crouzeix and
-Raviart; the distance is the function that has their directions as its gradient, by least squares:
+The normals of the curve diffuse for a short time as tangent vectors, by the connection Laplacian of
+Crouzeix and Raviart; the distance is the function that has their directions as its gradient, by
+least squares:
 
     (M + time L) X = normals,     Y = X / |X|,     L d = div Y
 
-Curves may be loops, several of them, or open: those that are no borders of regions, by gaps or errors in them, still have sides, and
-the distance passes through the gaps smoothly. **Signs**: left of a curve, distances are negative, as inside of a loop that
-runs counterclockwise; right of it they are positive. They are zero at vertices of the curve, bit by bit; in a face that a straight piece of a curve
-goes through, d is the distance from its line.
+Curves may be loops, several of them, or open: those that are no borders of regions, by gaps or
+errors in them, still have sides, and the distance passes through the gaps smoothly. **Signs**: left
+of a curve, distances are negative, as inside of a loop that runs counterclockwise; right of it they
+are positive. They are zero at vertices of the curve, bit by bit; in a face that a straight piece of
+a curve goes through, d is the distance from its line.
 
-\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, of a surface that has sides: no cover
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, of a surface
+  that has sides: no cover
 */
 template <NumberedTriangulation Triangulation>
   requires MeasuredTriangulation<Triangulation>
@@ -89,10 +93,12 @@ public:
   \param np optional named parameters:
     - `time_factor(x)`: the time is x times the mean of the squares of half the lengths of the
       edges, since the vectors are at their midpoints. Default: 1. More bridges wider gaps.
-  \throws Invalid_input if a face has no area, or `t` is that of a cover, on which left and right are one row
+  \throws Invalid_input if a face has no area, or `t` is that of a cover, on which left and right
+    are one row
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
-  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a row)
+  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a
+    row)
   \complexity that of a sparse factorization with three times as many rows as there are vertices
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -104,14 +110,16 @@ public:
 
   /*!
   \brief computes the signed distances of all vertices from curves.
-  \tparam Curves a halfedge of `t.mesh()`, in the direction of the curve; a `Polyline_source`; or a range of these, or a range of ranges
+  \tparam Curves a halfedge of `t.mesh()`, in the direction of the curve; a `Polyline_source`; or a
+    range of these, or a range of ranges
   \param curves the curves
-  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there is no curve: on other
-    components and at isolated vertices
-  \throws std::invalid_argument if there are vertices or points among the curves, or consecutive points of a polyline are not in one face
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there
+    is no curve: on other components and at isolated vertices
+  \throws std::invalid_argument if there are vertices or points among the curves, or consecutive
+    points of a polyline are not in one face
   \throws std::runtime_error if rounding has left no positive definite matrix
-  \complexity that of a solution, and of a factorization of the Laplacian without the rows of the curve, if it is not that of
-    the last call. Not to be called from two threads at once
+  \complexity that of a solution, and of a factorization of the Laplacian without the rows of the
+    curve, if it is not that of the last call. Not to be called from two threads at once
   */
   template <class Curves>
   Eigen::VectorXd distances(const Curves& curves) {
@@ -125,9 +133,9 @@ public:
 private:
   static const Triangulation& with_sides(const Triangulation& t) {
     if (t.input().names().sheets > 1)
-      throw Invalid_input(
-          Element_kind::none, 0,
-          "signed distances need a left and a right side; this surface is a cover, which joins both");
+      throw Invalid_input(Element_kind::none, 0,
+                          "signed distances need a left and a right side; this surface is a cover, "
+                          "which joins both");
     return t;
   }
 

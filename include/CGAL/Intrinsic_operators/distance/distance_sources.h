@@ -30,7 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a curve through faces of an intrinsic triangulation, as a source of distances.
 
-Two consecutive points are in one face, and the curve is straight between them: what `Polyhedral_distance::shortest_path()` returns.
+Two consecutive points are in one face, and the curve is straight between them: what
+`Polyhedral_distance::shortest_path()` returns.
 */
 struct Polyline_source {
   /// The points, on the intrinsic triangulation.
@@ -39,13 +40,15 @@ struct Polyline_source {
 
 namespace internal {
 
-// A straight piece of a source in a face of a table: barycentric coordinates of its ends there, which are equal for a point.
+// A straight piece of a source in a face of a table: barycentric coordinates of its ends there,
+// which are equal for a point.
 struct Source_segment {
   std::uint32_t face;
   std::array<double, 3> from, to;
 };
 
-// A side of a face of a table, in the direction of the curve. Its own face lies left of it if `is_left`, else right.
+// A side of a face of a table, in the direction of the curve. Its own face lies left of it if
+// `is_left`, else right.
 struct Source_side {
   std::uint32_t face;
   std::uint32_t side;

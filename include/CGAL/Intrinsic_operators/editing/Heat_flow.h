@@ -21,12 +21,14 @@ namespace CGAL::Intrinsic_triangulations {
 
     (M + t L) x = M x_0
 
-with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay triangulation without obtuse angles at the border, or of a cover, the maximum principle holds: no value leaves the
-range of those before; sums weighed by mass are kept.
+with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay
+triangulation without obtuse angles at the border, or of a cover, the maximum principle holds: no
+value leaves the range of those before; sums weighed by mass are kept.
 
-The coordinates of the vertices in space are functions too: what smooths them is implicit fairing (Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature
-flow. For the next step of that flow build the triangulation of the new points; to go on with the same operator is conformalized flow with
-the metric of the beginning, which does not pinch (Kazhdan, Solomon and Ben-Chen 2012).
+The coordinates of the vertices in space are functions too: what smooths them is implicit fairing
+(Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature flow. For the next step of that
+flow build the triangulation of the new points; to go on with the same operator is conformalized
+flow with the metric of the beginning, which does not pinch (Kazhdan, Solomon and Ben-Chen 2012).
 
 Rows are those of vertices, `t.input_vertex(v)`. Isolated ones keep their values.
 */
@@ -36,7 +38,8 @@ public:
   \brief factors the operator.
   \tparam Triangulation a model of `MeasuredTriangulation`
   \param t the triangulation, of which nothing is kept
-  \param time how long, in units of area; about the square of the radius in which values are averaged
+  \param time how long, in units of area; about the square of the radius in which values are
+    averaged
   \throws std::invalid_argument if the time is negative or not finite
   \throws Invalid_input if a face has no area
   \complexity that of a sparse factorization

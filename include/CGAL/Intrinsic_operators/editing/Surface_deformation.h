@@ -23,7 +23,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// What a deformation makes least.
 enum class Deformation_energy {
-  harmonic, ///< the integral of |grad d|^2: displacements stay within their range, and have cusps at single handles
+  /// the integral of |grad d|^2: displacements stay within their range, and have cusps at single
+  /// handles
+  harmonic,
   biharmonic ///< the integral of (Laplacian d)^2: smooth at handles too
 };
 
@@ -32,17 +34,18 @@ class Biharmonic_interpolation;
 } // namespace internal
 
 /*!
-\brief deforms a surface by moving some of its vertices, the handles: others follow such that the displacement d is as smooth as can be
-(Botsch and Sorkine 2008; Fig. 41 of the course).
+\brief deforms a surface by moving some of its vertices, the handles: others follow such that the
+displacement d is as smooth as can be (Botsch and Sorkine 2008; Fig. 41 of the course).
 
     L d = 0   or   L M^-1 L d = 0    at free vertices,    d given at handles
 
-with the cotangent Laplacian L and the lumped mass M. The operator is that of the surface before it is deformed, and is factored once:
-handles may then be moved many times. On a Delaunay triangulation L has no negative weights, on a cover it is that of the user's surface; either is
-what slivers and nonmanifold meshes need. A displacement is of any dimension, data of any kind.
+with the cotangent Laplacian L and the lumped mass M. The operator is that of the surface before it
+is deformed, and is factored once: handles may then be moved many times. On a Delaunay triangulation
+L has no negative weights, on a cover it is that of the user's surface; either is what slivers and
+nonmanifold meshes need. A displacement is of any dimension, data of any kind.
 
-Where there is no handle in a component, and at isolated vertices, nothing moves. Rows are those of vertices, `t.input_vertex(v)`, inserted
-ones included; those of the user's mesh come first.
+Where there is no handle in a component, and at isolated vertices, nothing moves. Rows are those of
+vertices, `t.input_vertex(v)`, inserted ones included; those of the user's mesh come first.
 */
 class Surface_deformation {
 public:
@@ -54,9 +57,11 @@ public:
   \param energy what is made least
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if a row does not exist
-  \throws Indefinite_matrix if rounding has left no definite matrix. With up to some tens of handles beside free vertices that needs two handles at no
-    distance: the biharmonic problem is solved by two harmonic ones then, which slivers do not harm, see `Laplacian_factorization`
-  \complexity that of a sparse factorization, and of a solution per handle beside free vertices if they are few
+  \throws Indefinite_matrix if rounding has left no definite matrix. With up to some tens of handles
+    beside free vertices that needs two handles at no distance: the biharmonic problem is solved by
+    two harmonic ones then, which slivers do not harm, see `Laplacian_factorization`
+  \complexity that of a sparse factorization, and of a solution per handle beside free vertices if
+    they are few
   */
   template <MeasuredTriangulation Triangulation>
   Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
@@ -67,7 +72,8 @@ public:
   /*!
   \brief factors the operator that two matrices make.
   \param laplacian the matrix L, positive semidefinite
-  \param mass the diagonal of the matrix M, positive but at isolated vertices; only the biharmonic energy reads it
+  \param mass the diagonal of the matrix M, positive but at isolated vertices; only the biharmonic
+    energy reads it
   */
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                       std::span<const std::uint32_t> handles, Deformation_energy energy);
@@ -76,7 +82,8 @@ public:
   \brief moves the handles.
   \param displacements a row per handle as they were given, and a column per coordinate
   \return the displacements of all vertices
-  \throws std::invalid_argument if there is not a row per handle, a number is not finite, or a handle that was given twice has two displacements
+  \throws std::invalid_argument if there is not a row per handle, a number is not finite, or a
+    handle that was given twice has two displacements
   \complexity linear in the entries of the factor, for each column
   */
   Eigen::MatrixXd displacements(const Eigen::MatrixXd& displacements) const;

@@ -17,11 +17,11 @@
 #include <cstdint>
 
 /*!
-\file
-The elements of Crouzeix and Raviart: functions and tangent vector fields with values at the midpoints of edges, linear in each face. A
-vector at an edge is a complex number in the frame of the edge, whose real axis runs along `halfedge(e, t.mesh())` and whose imaginary axis
-points to its left. An edge lies in the planes of both its faces, so that vectors come into them without any choice, also at the border and in
-Delta-complexes of which edges are loops.
+\file The elements of Crouzeix and Raviart: functions and tangent vector fields with values at the
+  midpoints of edges, linear in each face. A vector at an edge is a complex number in the frame of
+  the edge, whose real axis runs along `halfedge(e, t.mesh())` and whose imaginary axis points to
+  its left. An edge lies in the planes of both its faces, so that vectors come into them without any
+  choice, also at the border and in Delta-complexes of which edges are loops.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,19 +44,22 @@ Eigen::VectorXd edge_areas(const Face_table& table);
 } // namespace internal
 
 /*!
-\brief assembles the connection Laplacian of Crouzeix and Raviart (Stein, Jacobson, Wardetzky, Grinspun, A smoothness
-energy without boundary distortion for curved surfaces, 2020; Feng and Crane 2024): for edges a and b of a face, which meet at an angle theta,
+\brief assembles the connection Laplacian of Crouzeix and Raviart (Stein, Jacobson, Wardetzky,
+Grinspun, A smoothness energy without boundary distortion for curved surfaces, 2020; Feng and Crane
+2024): for edges a and b of a face, which meet at an angle theta,
 
     L_ab = -2 cot(theta) r_ab,    L_aa = sum over faces at a of 2 (cot + cot) at its ends
 
-where r_ab turns vectors from the frame of b to that of a, see the head of the file. x^H L x is the sum over faces of the integral of |grad x|^2 for
-the vector field that is linear in each face, with these vectors at the midpoints of its sides.
+where r_ab turns vectors from the frame of b to that of a, see the head of the file. x^H L x is the
+sum over faces of the integral of |grad x|^2 for the vector field that is linear in each face, with
+these vectors at the midpoints of its sides.
 
-The matrix is Hermitian and positive semidefinite; in its kernel are the fields that are parallel across all edges: on a
-flat surface those of constant vectors.
+The matrix is Hermitian and positive semidefinite; in its kernel are the fields that are parallel
+across all edges: on a flat surface those of constant vectors.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row and column per number of an edge, `t.index(e)`, without dimension; those of removed edges are zero
+\return a compressed matrix with a row and column per number of an edge, `t.index(e)`, without
+  dimension; those of removed edges are zero
 \throws Invalid_input if a face has no area, or there are too many edges for the index type of Eigen
 \complexity linear
 */
@@ -68,8 +71,8 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Triang
 }
 
 /*!
-\brief computes the mass matrix of Crouzeix and Raviart: a third of the areas of the faces at each edge. It is diagonal without
-lumping: hat functions of edges are orthogonal.
+\brief computes the mass matrix of Crouzeix and Raviart: a third of the areas of the faces at each
+edge. It is diagonal without lumping: hat functions of edges are orthogonal.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \return the diagonal, by numbers of edges, in units of area of the input

@@ -46,8 +46,7 @@ with constants in its kernel; the natural border condition is Neumann's.
 */
 template <NumberedTriangulation Triangulation>
 Eigen::SparseMatrix<double> quadratic_laplacian(const Triangulation& t) {
-  return internal::quadratic_laplacian(internal::face_table(t),
-                                       1. / t.input().names().sheets);
+  return internal::quadratic_laplacian(internal::face_table(t), 1. / t.input().names().sheets);
 }
 
 /*!
@@ -60,9 +59,9 @@ exactly.
 */
 template <NumberedTriangulation Triangulation>
 Eigen::SparseMatrix<double> quadratic_mass_matrix(const Triangulation& t) {
-  return internal::quadratic_mass_matrix(
-      internal::face_table(t),
-      std::ldexp(1.0, -2 * t.metric().scale_exponent()) / t.input().names().sheets);
+  return internal::quadratic_mass_matrix(internal::face_table(t),
+                                         std::ldexp(1.0, -2 * t.metric().scale_exponent()) /
+                                             t.input().names().sheets);
 }
 
 /*!

@@ -67,7 +67,8 @@ enum class Border_angles {
   as_they_are  // nothing, up to three quarters of a circle: flat surfaces have flat connections
 };
 
-// The angles of halfedges about their sources, counterclockwise from the first, scaled: at inner vertices to a whole circle.
+// The angles of halfedges about their sources, counterclockwise from the first, scaled: at inner
+// vertices to a whole circle.
 class Halfedge_angles {
 public:
   template <class Triangulation>
@@ -127,9 +128,10 @@ struct Connection_edge {
   double turn() const { return target_angle + std::numbers::pi - source_angle; }
 };
 
-// All that solvers for tangent vectors need of a triangulation, a number for each copy of a vertex: edges and the areas of
-// vertices, in scaled units. An edge whose weight is negative (in a Delaunay triangulation only on the border) has the weight
-// zero: where the surface is curved, it would make the matrix indefinite.
+// All that solvers for tangent vectors need of a triangulation, a number for each copy of a vertex:
+// edges and the areas of vertices, in scaled units. An edge whose weight is negative (in a Delaunay
+// triangulation only on the border) has the weight zero: where the surface is curved, it would make
+// the matrix indefinite.
 struct Connection_graph {
   std::size_t size = 0;
   std::vector<Connection_edge> edges;

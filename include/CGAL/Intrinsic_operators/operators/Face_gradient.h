@@ -20,20 +20,22 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief takes piecewise linear functions to their gradients, and fields of vectors that are constant on faces to their
-divergence and curl (§2.5 of the course), from lengths alone.
+\brief takes piecewise linear functions to their gradients, and fields of vectors that are constant
+on faces to their divergence and curl (§2.5 of the course), from lengths alone.
 
-A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge of the face,
-`halfedge(f, t.mesh())`, as for `Face_vector_transfer`. Fields have a vector per number of a face, `t.index(f)`, functions a
-value per vertex `v`, at `t.input_vertex(v)`, like all operators. With the hat function phi_i of vertex i,
+A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge
+of the face, `halfedge(f, t.mesh())`, as for `Face_vector_transfer`. Fields have a vector per number
+of a face, `t.index(f)`, functions a value per vertex `v`, at `t.input_vertex(v)`, like all
+operators. With the hat function phi_i of vertex i,
 
     grad u = sum_i u_i grad phi_i
     (div X)_i = - sum over the faces at i of A <grad phi_i, X>
     (curl X)_i = (div -iX)_i
 
-Divergence and curl are integrated: they are those of the smooth field times the mass of a vertex. So
-`divergence(gradient(u))` is `-L u`, with L the cotangent Laplacian, and `curl(gradient(u))` zero at inner vertices, up to
-rounding. On the border both include the flux through it. Of a cover, all sheets are summed and divided by their number.
+Divergence and curl are integrated: they are those of the smooth field times the mass of a vertex.
+So `divergence(gradient(u))` is `-L u`, with L the cotangent Laplacian, and `curl(gradient(u))` zero
+at inner vertices, up to rounding. On the border both include the flux through it. Of a cover, all
+sheets are summed and divided by their number.
 */
 class Face_gradient {
 public:
@@ -61,7 +63,8 @@ public:
   Eigen::Index number_of_vertices() const { return vertices_; }
   /// returns the number of numbers of faces; one that no face has has the gradient zero.
   Eigen::Index number_of_faces() const { return static_cast<Eigen::Index>(faces_.size()); }
-  /// returns the area of the face with a number, zero where there is none; of a cover, of each copy.
+  /// returns the area of the face with a number, zero where there is none; of a cover, of each
+  /// copy.
   double area(std::size_t f) const { return faces_[f].area; }
 
   /// returns the gradient of a function. \complexity linear
@@ -76,7 +79,8 @@ public:
   /// \throws std::invalid_argument if the field has not a vector per number of a face
   Function curl(const Vectors& x) const { return divergence(Vector(0, -1) * x); }
 
-  /// returns the gradient as a matrix with a row per number of a face and a column per vertex. \complexity linear
+  /// returns the gradient as a matrix with a row per number of a face and a column per vertex.
+  /// \complexity linear
   Eigen::SparseMatrix<Vector> matrix() const;
 
 private:
@@ -86,7 +90,8 @@ private:
     double area = 0;
   };
 
-  // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice the area.
+  // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice
+  // the area.
   // \return whether it is finite
   bool measure(const internal::Face_table& table, std::uint32_t f);
 

@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face as what is solved on it sees it: corner k is the source of side k, sides are counterclockwise from
-// halfedge(f). Lengths and areas are in scaled units.
+// A face as what is solved on it sees it: corner k is the source of side k, sides are
+// counterclockwise from halfedge(f). Lengths and areas are in scaled units.
 struct Table_face {
   std::array<int, 3> rows;                // of the corners
   std::array<std::uint32_t, 3> halfedges; // numbers of the sides
@@ -41,7 +41,8 @@ struct Table_face {
   }
 };
 
-// What a field of one vector in a face adds to the divergence at its corners: the integral of <v, grad hat function>.
+// What a field of one vector in a face adds to the divergence at its corners: the integral of <v,
+// grad hat function>.
 // \param v in the frame of side 0
 inline std::array<double, 3>
 divergence_at_corners(const std::array<std::complex<double>, 3>& corners, std::complex<double> v) {
@@ -54,7 +55,8 @@ divergence_at_corners(const std::array<std::complex<double>, 3>& corners, std::c
   return result;
 }
 
-// A triangulation as one flat array of faces, for what is solved on it: nothing else asks it for numbers.
+// A triangulation as one flat array of faces, for what is solved on it: nothing else asks it for
+// numbers.
 struct Face_table {
   std::vector<Table_face> faces;
   std::vector<std::uint32_t> slot; // of a face by its number

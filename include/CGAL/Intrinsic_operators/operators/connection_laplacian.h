@@ -20,9 +20,9 @@
 #include <vector>
 
 /*!
-\file
-Parallel transport of tangent vectors along edges, and the Laplacian of fields of them (§2.4 of the course; Knoeppel, Crane,
-Pinkall and Schroeder 2013). Vectors are those of a `Tangent_field`.
+\file Parallel transport of tangent vectors along edges, and the Laplacian of fields of them (§2.4
+  of the course; Knoeppel, Crane, Pinkall and Schroeder 2013). Vectors are those of a
+  `Tangent_field`.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -83,13 +83,15 @@ Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int 
 /*!
 \brief computes parallel transport along halfedges (§2.4 of the course).
 
-Of a vector `z` at the source of halfedge `h`, in its polar coordinates, `r[h] * z` is the parallel vector at the target in the
-coordinates there: the transport keeps the angle with the edge. Around a face it turns vectors by the sum of its corner angles as they are scaled,
-minus pi; over all faces these angles sum up to 2 pi times the Euler characteristic. Along
-the border vectors keep their angle with the border.
+Of a vector `z` at the source of halfedge `h`, in its polar coordinates, `r[h] * z` is the parallel
+vector at the target in the coordinates there: the transport keeps the angle with the edge. Around a
+face it turns vectors by the sum of its corner angles as they are scaled, minus pi; over all faces
+these angles sum up to 2 pi times the Euler characteristic. Along the border vectors keep their
+angle with the border.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
-\return complex numbers of absolute value 1, by `t.numbers().halfedge(h)`; the numbers of opposite halfedges are conjugate
+\return complex numbers of absolute value 1, by `t.numbers().halfedge(h)`; the numbers of opposite
+  halfedges are conjugate
 \complexity linear
 */
 template <ConnectedTriangulation Triangulation>
@@ -106,22 +108,26 @@ std::vector<std::complex<double>> transport_along_halfedges(const Triangulation&
 }
 
 /*!
-\brief assembles the connection Laplacian: of tangent vectors, or of directions of which `order` at a vertex are alike.
+\brief assembles the connection Laplacian: of tangent vectors, or of directions of which `order` at
+a vertex are alike.
 
     z^H L z = sum over edges of w_ij |z_j - r_ij^order z_i|^2
 
-with the cotangent weight w_ij of the edge and the transport r_ij along it. The matrix is Hermitian bit by bit and positive
-semidefinite. It is the weak form, to which the lumped masses belong, on covers those of each copy of a vertex. A loop, an edge from a vertex to itself,
-turns vectors, and adds w |1 - r^order|^2 to the diagonal. Weights that are negative are taken as zero: in a Delaunay
-triangulation only edges on the border have such weights, and where the surface is curved there the matrix would be indefinite.
+with the cotangent weight w_ij of the edge and the transport r_ij along it. The matrix is Hermitian
+bit by bit and positive semidefinite. It is the weak form, to which the lumped masses belong, on
+covers those of each copy of a vertex. A loop, an edge from a vertex to itself, turns vectors, and
+adds w |1 - r^order|^2 to the diagonal. Weights that are negative are taken as zero: in a Delaunay
+triangulation only edges on the border have such weights, and where the surface is curved there the
+matrix would be indefinite.
 
-As the cotangent Laplacian, it does not depend on which Delaunay triangulation it is, but for the real axes at vertices: edges that may be flipped
-have the weight zero.
+As the cotangent Laplacian, it does not depend on which Delaunay triangulation it is, but for the
+real axes at vertices: edges that may be flipped have the weight zero.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
-\param order the power of the transport: 1 for vectors, 4 for crosses; 0 gives the cotangent Laplacian of functions
-\return a compressed matrix without dimension with a row and column per vector of a `Tangent_field`; those of isolated vertices
-  have a stored zero on the diagonal
+\param order the power of the transport: 1 for vectors, 4 for crosses; 0 gives the cotangent
+  Laplacian of functions
+\return a compressed matrix without dimension with a row and column per vector of a `Tangent_field`;
+  those of isolated vertices have a stored zero on the diagonal
 \throws Invalid_input if a face has no area
 \complexity linear
 */

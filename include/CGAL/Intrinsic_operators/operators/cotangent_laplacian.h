@@ -104,23 +104,24 @@ void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero
 
     L_ij = -w_ij,    L_ii = sum_j w_ij,    w_ij = sum over the faces at ij of 1/2 cot(angle opposite ij)
 
-The matrix is symmetric bit by bit and positive semidefinite, with constants in its kernel:
-x^T L x = integral of |grad x|^2 for the piecewise linear function x. (Many papers use the opposite
-sign.) It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix
-`M` of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
+The matrix is symmetric bit by bit and positive semidefinite, with constants in its kernel: x^T L x
+= integral of |grad x|^2 for the piecewise linear function x. (Many papers use the opposite sign.)
+It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix `M`
+of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
 condition. Several edges between the same vertices add up; edges from a vertex to itself do not
-contribute. Of a cover (`make_domain()`), vertices that are copies of one share its row, and the sum is divided by the number
-of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay triangulation no inner edge has a negative weight (a border edge has one
-where it faces an obtuse angle), and the matrix does not depend on which one it is (Bobenko and
-Springborn 2007).
+contribute. Of a cover (`make_domain()`), vertices that are copies of one share its row, and the sum
+is divided by the number of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay
+triangulation no inner edge has a negative weight (a border edge has one where it faces an obtuse
+angle), and the matrix does not depend on which one it is (Bobenko and Springborn 2007).
 
 All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero
 weight are stored. With exact traits weights that are zero (cocircular faces) are certified, so that
-the pattern too is that of the Delaunay tessellation alone. Weights are right to 1e-12 of themselves, or of
-min(1, E), where E is the least Dirichlet energy in the two faces of functions that change by one along the edge
-(`Exact_euclidean_metric::cotangent_weight()`). Every face has three edges, so that x^T L x of a Delaunay
-triangulation without border is right to 4e-12 of itself for all x, on slivers too. Each diagonal entry is minus the sum of the
-others in its column, in their order.
+the pattern too is that of the Delaunay tessellation alone. Weights are right to 1e-12 of
+themselves, or of min(1, E), where E is the least Dirichlet energy in the two faces of functions
+that change by one along the edge (`Exact_euclidean_metric::cotangent_weight()`). Every face has
+three edges, so that x^T L x of a Delaunay triangulation without border is right to 4e-12 of itself
+for all x, on slivers too. Each diagonal entry is minus the sum of the others in its column, in
+their order.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation, whose predicates may sharpen stored values

@@ -15,12 +15,13 @@
 #include <vector>
 
 /*!
-\file
-Exterior derivatives and Hodge stars of discrete differential forms on an intrinsic triangulation (Desbrun, Kanso and Tong 2008).
+\file Exterior derivatives and Hodge stars of discrete differential forms on an intrinsic
+  triangulation (Desbrun, Kanso and Tong 2008).
 
-A 0-form has a value per vertex `v`, at `t.input_vertex(v)`; a 1-form a value per number of an edge, `t.index(e)`, along its first
-halfedge `halfedge(e, t.mesh())`; a 2-form a value per number of a face, `t.index(f)`. Of a cover, forms on edges and faces are those of all sheets,
-and stars are divided by their number, so that d0^T star1 d0 is the cotangent Laplacian of the user's surface.
+A 0-form has a value per vertex `v`, at `t.input_vertex(v)`; a 1-form a value per number of an edge,
+`t.index(e)`, along its first halfedge `halfedge(e, t.mesh())`; a 2-form a value per number of a
+face, `t.index(f)`. Of a cover, forms on edges and faces are those of all sheets, and stars are
+divided by their number, so that d0^T star1 d0 is the cotangent Laplacian of the user's surface.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -29,8 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief assembles the derivative of 0-forms: (d u)_ij = u_j - u_i.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row per number of an edge and a column per vertex; rows of numbers that no edge has, and of
-  edges from a vertex to itself, are zero
+\return a compressed matrix with a row per number of an edge and a column per vertex; rows of
+  numbers that no edge has, and of edges from a vertex to itself, are zero
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
@@ -51,11 +52,12 @@ Eigen::SparseMatrix<double> exterior_derivative_0(const Triangulation& t) {
 }
 
 /*!
-\brief assembles the derivative of 1-forms: their sum around each face. `exterior_derivative_1(t) * exterior_derivative_0(t)` is zero.
+\brief assembles the derivative of 1-forms: their sum around each face. `exterior_derivative_1(t) *
+exterior_derivative_0(t)` is zero.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row per number of a face and a column per number of an edge; a face that has an edge on both of its sides has a
-  stored zero there
+\return a compressed matrix with a row per number of a face and a column per number of an edge; a
+  face that has an edge on both of its sides has a stored zero there
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
@@ -76,7 +78,8 @@ Eigen::SparseMatrix<double> exterior_derivative_1(const Triangulation& t) {
 }
 
 /*!
-\brief returns the Hodge star of 0-forms: the mass of each vertex, the diagonal of `lumped_mass_matrix()`.
+\brief returns the Hodge star of 0-forms: the mass of each vertex, the diagonal of
+`lumped_mass_matrix()`.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \return a value per vertex, in units of area
 \complexity linear
@@ -87,8 +90,8 @@ Eigen::VectorXd hodge_star_0(const Triangulation& t) {
 }
 
 /*!
-\brief returns the Hodge star of 1-forms: the cotangent weight of each edge, the length of its dual edge by its own. In a Delaunay
-triangulation no inner edge has a negative one.
+\brief returns the Hodge star of 1-forms: the cotangent weight of each edge, the length of its dual
+edge by its own. In a Delaunay triangulation no inner edge has a negative one.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \return a value per number of an edge, without dimension; zero at numbers that no edge has
 \throws Invalid_input if a face has no area

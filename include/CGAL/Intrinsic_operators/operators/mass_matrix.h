@@ -20,7 +20,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The area of a face on each sheet of a cover: together, its sheets have the area of the user's surface.
+// The area of a face on each sheet of a cover: together, its sheets have the area of the user's
+// surface.
 template <class Triangulation>
 double area_per_sheet(const Triangulation& t, typename Triangulation::face_descriptor f) {
   return t.area(f) / t.input().names().sheets;
@@ -43,16 +44,17 @@ Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
 } // namespace internal
 
 /*!
-\brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the faces
-at each vertex, on the diagonal.
+\brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the
+faces at each vertex, on the diagonal.
 
-A face that has a vertex at several corners counts at each. The trace is the area of the surface; of a cover, of the surface
-below it, by the vertices of which rows are numbered.
+A face that has a vertex at several corners counts at each. The trace is the area of the surface; of
+a cover, of the surface below it, by the vertices of which rows are numbered.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return a compressed diagonal matrix with a row and column per vertex, in the numbering of the input, in
-  units of area of the input; sparse, so that it adds to a Laplacian; every diagonal entry is stored
+\return a compressed diagonal matrix with a row and column per vertex, in the numbering of the
+  input, in units of area of the input; sparse, so that it adds to a Laplacian; every diagonal entry
+  is stored
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
@@ -65,15 +67,15 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
 
     M_ii = 1/6 of the area of the faces at i,    M_ij = 1/12 of the area of the faces at ij
 
-so that u^T M v is the integral of u v, exactly, for piecewise linear functions u and v. A face that has
-a vertex at several corners counts with every pair of its corners, as this asks: an edge from vertex i
-to itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the area of
-the surface. Positive definite if no vertex is isolated and every face has an area.
+so that u^T M v is the integral of u v, exactly, for piecewise linear functions u and v. A face that
+has a vertex at several corners counts with every pair of its corners, as this asks: an edge from
+vertex i to itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the
+area of the surface. Positive definite if no vertex is isolated and every face has an area.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row and column per vertex, in the numbering of the input, in units of
-  area of the input, symmetric bit by bit; every diagonal entry is stored
+\return a compressed matrix with a row and column per vertex, in the numbering of the input, in
+  units of area of the input, symmetric bit by bit; every diagonal entry is stored
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>

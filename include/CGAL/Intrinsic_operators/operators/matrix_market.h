@@ -11,11 +11,11 @@
 #include <string>
 
 /*!
-\file
-Sparse matrices in the Matrix Market exchange format, which Matlab, Julia, SciPy, PETSc and Eigen read.
+\file Sparse matrices in the Matrix Market exchange format, which Matlab, Julia, SciPy, PETSc and
+  Eigen read.
 
-Eigen's own `saveMarket()` is not used: for a symmetric matrix it writes both triangles under a header
-that announces one, and it does not notice that the disk is full.
+Eigen's own `saveMarket()` is not used: for a symmetric matrix it writes both triangles under a
+header that announces one, and it does not notice that the disk is full.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief writes a sparse matrix in Matrix Market coordinate format.
 
 If the matrix is symmetric bit by bit, the header says `symmetric` and the lower triangle with the
-diagonal is written, else `general` and all. Rows and columns count from 1. Values have 17 significant
-digits and are read back without loss, whatever the locale.
+diagonal is written, else `general` and all. Rows and columns count from 1. Values have 17
+significant digits and are read back without loss, whatever the locale.
 \param out the stream
 \param m the matrix
 \param comment one or more lines, which are written after the header
@@ -33,22 +33,21 @@ digits and are read back without loss, whatever the locale.
 \complexity linear
 */
 void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment = {});
+                         const std::string& comment = {});
 
 /*!
 \brief writes a sparse matrix to a Matrix Market file, ordinarily with extension `.mtx`.
 
-The data are written to a temporary file beside it, which replaces the file at the end: whatever fails,
-the file is complete or what it was before.
+The data are written to a temporary file beside it, which replaces the file at the end: whatever
+fails, the file is complete or what it was before.
 \param path the file
 \param m the matrix
 \param comment see above
 \throws std::runtime_error naming the file if it cannot be written
 \complexity linear
 */
-void write_matrix_market(const std::filesystem::path& path,
-                                const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment = {});
+void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,
+                         const std::string& comment = {});
 
 } // namespace CGAL::Intrinsic_triangulations
 

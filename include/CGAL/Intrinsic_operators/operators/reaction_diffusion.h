@@ -37,12 +37,12 @@ Eigen::VectorXd solve_reaction_diffusion(const Eigen::SparseMatrix<double>& lapl
 } // namespace internal
 
 /*!
-\brief solves  -a div grad u + c u = f  for a piecewise linear function u, by the method of Galerkin:
+\brief solves -a div grad u + c u = f for a piecewise linear function u, by the method of Galerkin:
 
     (a L + c M) u = b,    b_i = integral of f times the hat function of vertex i
 
-with the cotangent Laplacian L and the Galerkin mass matrix M. The border condition is the natural one: no
-flux. A point source at a vertex adds its strength to the load b there.
+with the cotangent Laplacian L and the Galerkin mass matrix M. The border condition is the natural
+one: no flux. A point source at a vertex adds its strength to the load b there.
 
 If c is zero, solutions differ by constants: the one of mean zero is returned.
 
@@ -52,8 +52,8 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \param load b, in the numbering of the input
 \return values at the vertices, in the numbering of the input; zero at vertices without faces
 \throws Invalid_input if a face has no area
-\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero and the
-  load does not sum to zero, or the surface is not connected
+\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero
+  and the load does not sum to zero, or the surface is not connected
 \throws std::runtime_error if rounding has left no positive definite matrix
 \complexity that of a sparse factorization
 */
@@ -72,10 +72,11 @@ void check_source(const Eigen::VectorXd& areas, std::uint32_t vertex);
 } // namespace internal
 
 /*!
-\brief computes the harmonic Green's function of a vertex: -div grad u = delta - 1/A with mean zero, where A
-is the area of the surface (Fig. 26 of the course). On the border, the flux is zero.
+\brief computes the harmonic Green's function of a vertex: -div grad u = delta - 1/A with mean zero,
+where A is the area of the surface (Fig. 26 of the course). On the border, the flux is zero.
 
-Near the source u is -log(r) / alpha, where alpha is the total angle there: unbounded, but square integrable.
+Near the source u is -log(r) / alpha, where alpha is the total angle there: unbounded, but square
+integrable.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation of a connected surface
 \param vertex the source, in the numbering of the input
@@ -97,8 +98,8 @@ Eigen::VectorXd harmonic_green_function(const Triangulation& t, std::uint32_t ve
 \brief computes the heat kernel of a vertex after a short time by one implicit Euler step:
 u - time div grad u = delta (Fig. 26 of the course). On the border, the flux is zero.
 
-The integral of u is 1. It decays like exp(-r / sqrt(time)), and near the source it is -log(r) / (alpha time),
-where alpha is the total angle there.
+The integral of u is 1. It decays like exp(-r / sqrt(time)), and near the source it is -log(r) /
+(alpha time), where alpha is the total angle there.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param vertex the source, in the numbering of the input

@@ -105,8 +105,8 @@ private:
     return jump * jump / 2;
   }
 
-  // a times the normal derivative of u on side ij of face ijk: from k to the foot of its altitude p,
-  // u changes by u(p) - u_k over the length 2A / |ij|
+  // a times the normal derivative of u on side ij of face ijk: from k to the foot of its altitude
+  // p, u changes by u(p) - u_k over the length 2A / |ij|
   double outward_flux(Halfedge h) const {
     const Halfedge jk = next(h, mesh_), ki = next(jk, mesh_);
     const double ij = squared_length(h);
@@ -128,30 +128,31 @@ private:
 } // namespace internal
 
 /*!
-\brief estimates the error of a solution of  -a div grad u + c u = f  by its residual (Verfürth 1998):
+\brief estimates the error of a solution of -a div grad u + c u = f by its residual (Verfürth 1998):
 
     eta_T^2 = w_T |f - c u|^2_T  +  1/2 sum over sides E of T of w_E |[a du/dn]|^2_E
     w_T = s_T^2 / a,      w_E = s_E / a            in the energy norm
     w_T = s_T^4 / a^2,    w_E = s_E^3 / a^2        in the L2 norm
     s = min(h, sqrt(a/c)),    h_T the longest side of T, h_E the length of E
 
-where [a du/dn] is the jump of the flux across a side; on the border it is the flux, and counts twice.
-Only lengths and areas of the intrinsic triangulation enter.
+where [a du/dn] is the jump of the flux across a side; on the border it is the flux, and counts
+twice. Only lengths and areas of the intrinsic triangulation enter.
 
-Let u be the solution by the method of Galerkin (with the Galerkin mass matrix, not the lumped one), and f
-piecewise linear. In the energy norm, the root of the sum of the squares bounds the error up to a factor that
-depends on the least angle of the faces only, not on a, c and h; and the error bounds it likewise (Verfürth,
-Robust a posteriori error estimators for a singularly perturbed reaction-diffusion equation, Numerische
-Mathematik 78, 1998).
+Let u be the solution by the method of Galerkin (with the Galerkin mass matrix, not the lumped one),
+and f piecewise linear. In the energy norm, the root of the sum of the squares bounds the error up
+to a factor that depends on the least angle of the faces only, not on a, c and h; and the error
+bounds it likewise (Verfürth, Robust a posteriori error estimators for a singularly perturbed
+reaction-diffusion equation, Numerische Mathematik 78, 1998).
 
-In the L2 norm the factor depends on the surface too: by Aubin and Nitsche's trick, if smooth problems have
-solutions with square integrable second derivatives. They have not where a total angle is above 2 pi or the
-border is reentrant: there, and where h is larger than sqrt(a/c), it is an indicator.
+In the L2 norm the factor depends on the surface too: by Aubin and Nitsche's trick, if smooth
+problems have solutions with square integrable second derivatives. They have not where a total angle
+is above 2 pi or the border is reentrant: there, and where h is larger than sqrt(a/c), it is an
+indicator.
 
 **Point sources** at vertices have infinite energy: estimate in the L2 norm. They add nothing to the
-indicators, since the bound compares with an interpolant that is exact at vertices (Araya, Behrens, Rodríguez,
-A posteriori error estimates for elliptic problems with Dirac delta source terms, Numerische Mathematik 105,
-2006): f is the density without them.
+indicators, since the bound compares with an interpolant that is exact at vertices (Araya, Behrens,
+Rodríguez, A posteriori error estimates for elliptic problems with Dirac delta source terms,
+Numerische Mathematik 105, 2006): f is the density without them.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
@@ -160,7 +161,8 @@ A posteriori error estimates for elliptic problems with Dirac delta source terms
 \param f the right side, likewise
 \param norm the norm of the error
 \param np optional named parameters:
-  - `border_condition(x)`: what is asked for on the border, a `Border_condition`. Default: `natural`.
+  - `border_condition(x)`: what is asked for on the border, a `Border_condition`. Default:
+    `natural`.
 \return eta_T, at the numbers of faces; zero at numbers that no face has
 \throws std::invalid_argument if a coefficient or the size of a vector makes no sense
 \throws Invalid_input if a face has no area

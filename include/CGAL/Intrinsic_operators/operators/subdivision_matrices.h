@@ -24,12 +24,12 @@
 #include <vector>
 
 /*!
-\file
-Integrals over the faces of a common subdivision. Areas need no positions in space: they come from the places of
-the corners in one of the two faces that contain them.
+\file Integrals over the faces of a common subdivision. Areas need no positions in space: they come
+  from the places of the corners in one of the two faces that contain them.
 
-And the way from values at the vertices of the input, or of the intrinsic triangulation, to values at the
-vertices of their common subdivision (§4.11.1 of the course): both are piecewise linear there.
+And the way from values at the vertices of the input, or of the intrinsic triangulation, to values
+at the vertices of their common subdivision (§4.11.1 of the course): both are piecewise linear
+there.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -43,9 +43,10 @@ inline double area_fraction(const std::array<double, 3>& p, const std::array<dou
   return std::max(0.0, x1 * y2 - x2 * y1); // the corners of convex faces turn left, up to rounding
 }
 
-// Places corners of a face of a subdivision in the smaller one of the two faces that contain it: rounding of
-// barycentric coordinates changes areas by a part of the area of the face in which they are taken, so that areas add up
-// to that of a sliver if it is cut by large faces, and to that of a face that is cut by slivers.
+// Places corners of a face of a subdivision in the smaller one of the two faces that contain it:
+// rounding of barycentric coordinates changes areas by a part of the area of the face in which they
+// are taken, so that areas add up to that of a sliver if it is cut by large faces, and to that of a
+// face that is cut by slivers.
 template <class Triangulation>
 class Cell_in_face {
 public:
@@ -81,8 +82,8 @@ private:
 \brief calls a function for each triangle of the faces of a common subdivision, which are cut into
 fans from their first corners.
 \tparam Triangulation a model of `NumberedTriangulation`
-\tparam Function called as `function(f, v, area)`: the face, an array of the three vertices, and the area in
-  units of area of the input, zero at least
+\tparam Function called as `function(f, v, area)`: the face, an array of the three vertices, and the
+  area in units of area of the input, zero at least
 \param t the triangulation
 \param s its common subdivision with the input
 \param function the function
@@ -117,16 +118,17 @@ std::vector<double> subdivision_areas(const Triangulation& t, const Common_subdi
 }
 
 /*!
-\brief assembles the Galerkin mass matrix of a common subdivision (§2.5.1 and §4.11.1 of the course).
+\brief assembles the Galerkin mass matrix of a common subdivision (§2.5.1 and §4.11.1 of the
+course).
 
-With the matrices of interpolation, P_ext^T M_S P_ext is the mass matrix of the input, P_int^T
-M_S P_int that of the intrinsic triangulation, and u^T P_ext^T M_S P_int v the integral of u v for u on the
-input and v on the intrinsic triangulation: all exactly, up to rounding.
+With the matrices of interpolation, P_ext^T M_S P_ext is the mass matrix of the input, P_int^T M_S
+P_int that of the intrinsic triangulation, and u^T P_ext^T M_S P_int v the integral of u v for u on
+the input and v on the intrinsic triangulation: all exactly, up to rounding.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param s its common subdivision with the input
-\return a compressed matrix with a row and column per vertex of the subdivision, in units of area of the
-  input, symmetric bit by bit; every diagonal entry is stored
+\return a compressed matrix with a row and column per vertex of the subdivision, in units of area of
+  the input, symmetric bit by bit; every diagonal entry is stored
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
 \complexity linear
 */
@@ -159,11 +161,11 @@ Eigen::SparseMatrix<double> subdivision_mass_matrix(const Triangulation& t,
 using Interpolation_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /*!
-\brief assembles P_ext (§4.11.1 of the course): it takes values at the vertices of the input to values
-at the vertices of the common subdivision.
+\brief assembles P_ext (§4.11.1 of the course): it takes values at the vertices of the input to
+values at the vertices of the common subdivision.
 
-Its shape is |V_S| x |V_ext|. Rows are barycentric coordinates: at most three entries, which sum to 1 up to
-rounding. Zero weights are not stored.
+Its shape is |V_S| x |V_ext|. Rows are barycentric coordinates: at most three entries, which sum to
+1 up to rounding. Zero weights are not stored.
 \param s the subdivision
 \return a compressed matrix; columns are numbered like the vertices of the input
 \throws Invalid_input if the subdivision is too large for the index type of Eigen
@@ -175,9 +177,9 @@ Interpolation_matrix interpolation_from_input(const Common_subdivision& s);
 \brief assembles P_int (§4.11.1 of the course): it takes values at the vertices of the intrinsic
 triangulation to values at the vertices of the common subdivision.
 
-Its shape is |V_S| x |V_int|. Rows have one or two entries, since the faces of the intrinsic triangulation
-have no vertices inside. Columns are numbered as in all operators: vertices of the input as there,
-then the inserted ones.
+Its shape is |V_S| x |V_int|. Rows have one or two entries, since the faces of the intrinsic
+triangulation have no vertices inside. Columns are numbered as in all operators: vertices of the
+input as there, then the inserted ones.
 \param s the subdivision
 \return a compressed matrix
 \throws Invalid_input if the subdivision is too large for the index type of Eigen

@@ -32,7 +32,8 @@ struct Symmetric_entry {
 
 namespace internal {
 
-// The columns of a symmetric matrix without its diagonal: entries are bucketed by column, in the order given, and sorted there.
+// The columns of a symmetric matrix without its diagonal: entries are bucketed by column, in the
+// order given, and sorted there.
 class Symmetric_columns {
 public:
   struct Entry {
@@ -53,7 +54,8 @@ public:
     }
   }
 
-  // \param diagonal called with a column and its entries, sorted, as an iterator range; returns the entry on the diagonal
+  // \param diagonal called with a column and its entries, sorted, as an iterator range; returns the
+  // entry on the diagonal
   template <class Diagonal>
   Eigen::SparseMatrix<double> matrix(const Diagonal& diagonal) {
     const int size = static_cast<int>(end_.size()) - 1;
@@ -82,7 +84,8 @@ public:
 private:
   using Iterator = std::vector<Entry>::iterator;
 
-  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of what is left
+  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of
+  // what is left
   static Iterator merge(Iterator begin, Iterator end) {
     constexpr std::ptrdiff_t few = 24;
     if (end - begin > few)

@@ -27,10 +27,9 @@
 #include <vector>
 
 /*!
-\file
-Transfer of piecewise linear functions between an intrinsic triangulation and its input (§4.11.1 of the
-course). Functions are given by their values at vertices, numbered as in all operators: vertices of the
-input as there, then the inserted ones; one function per column.
+\file Transfer of piecewise linear functions between an intrinsic triangulation and its input
+  (§4.11.1 of the course). Functions are given by their values at vertices, numbered as in all
+  operators: vertices of the input as there, then the inserted ones; one function per column.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -56,8 +55,8 @@ typename Derived::PlainObject copy_to_input(const Triangulation& t,
 }
 
 /*!
-\brief copies values at vertices from the input to the intrinsic triangulation; inserted vertices take
-the value that the function has there.
+\brief copies values at vertices from the input to the intrinsic triangulation; inserted vertices
+take the value that the function has there.
 \param t the triangulation, with a correspondence if vertices were inserted
 \param g values at the vertices of the input, a function per column
 \return values at the vertices
@@ -82,17 +81,17 @@ typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
 }
 
 /*!
-\brief takes functions to the nearest ones on the other triangulation, in the L2 norm (§4.11.1 of the
-course, Eqs. 16 to 18).
+\brief takes functions to the nearest ones on the other triangulation, in the L2 norm (§4.11.1 of
+the course, Eqs. 16 to 18).
 
-The nearest function g to f minimises (P f - Q g)^T M_S (P f - Q g), with P and Q the interpolation matrices
-from here and from there, and M_S the mass matrix of the common subdivision:
+The nearest function g to f minimises (P f - Q g)^T M_S (P f - Q g), with P and Q the interpolation
+matrices from here and from there, and M_S the mass matrix of the common subdivision:
 
     (Q^T M_S Q) g = Q^T M_S P f
 
 The error is orthogonal to all functions there; so integrals are preserved, functions that are
-linear on both triangulations are reproduced, and copying is never better in this norm. The matrix is
-factored once for any number of functions. It is a mass matrix: scaled to a unit diagonal its
+linear on both triangulations are reproduced, and copying is never better in this norm. The matrix
+is factored once for any number of functions. It is a mass matrix: scaled to a unit diagonal its
 eigenvalues lie between 1/2 and 2 however bad the triangles (Wathen 1987), so that the solution is
 accurate on every mesh. Vertices without area keep their values.
 */
@@ -137,8 +136,8 @@ public:
     return solver_.solve(right);
   }
 
-  /// returns Q^T M_S Q, the mass matrix of the triangulation that functions are taken to, with ones for
-  /// vertices without area.
+  /// returns Q^T M_S Q, the mass matrix of the triangulation that functions are taken to, with ones
+  /// for vertices without area.
   const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_; }
   /// returns Q^T M_S P: integrals of products of functions there and here.
   const Eigen::SparseMatrix<double>& cross_mass_matrix() const { return cross_; }
@@ -195,13 +194,13 @@ double L2_distance(const Triangulation& t, const Common_subdivision& s, const Ei
 }
 
 /*!
-\brief takes tangent vector fields that are constant on faces between an intrinsic triangulation and its
-input, to the nearest ones in the L2 norm (§4.11.2 of the course).
+\brief takes tangent vector fields that are constant on faces between an intrinsic triangulation and
+its input, to the nearest ones in the L2 norm (§4.11.2 of the course).
 
-A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge of
-the face, `halfedge_of_face()`. Faces have the numbers of the subdivision: those of the input for
-the user, intrinsic ones for the triangulation. A face of the subdivision lies in one face of each; its corners
-in both frames give the rotation r between them, and the nearest field is the average
+A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge
+of the face, `halfedge_of_face()`. Faces have the numbers of the subdivision: those of the input for
+the user, intrinsic ones for the triangulation. A face of the subdivision lies in one face of each;
+its corners in both frames give the rotation r between them, and the nearest field is the average
 
     v_g = sum over cells c in g of |c| r_c v_f(c) / |g|
 

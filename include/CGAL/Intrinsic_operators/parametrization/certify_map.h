@@ -18,7 +18,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells, exactly, whether a map to the plane is injective: of the doubles that it is, not of what they round.
+\brief tells, exactly, whether a map to the plane is injective: of the doubles that it is, not of
+what they round.
 */
 struct Map_certificate {
   std::size_t faces = 0;      ///< number of faces
@@ -29,14 +30,15 @@ struct Map_certificate {
   /// Whether the border is a simple closed polygon: it does not meet itself.
   bool border_is_simple = false;
 
-  /// tells whether the map is injective near each point that is not a vertex: no face is flipped or degenerate.
+  /// tells whether the map is injective near each point that is not a vertex: no face is flipped or
+  /// degenerate.
   bool is_locally_injective() const { return flipped == 0 && degenerate == 0; }
   /*!
   \brief tells whether the map is injective.
 
-  If all faces turn counterclockwise and the border is a simple polygon, a point inside has as many preimages as the border
-  goes around it, counted with signs (the degree of the map); the signs are all positive, and a simple border goes around once: one preimage. Convexity is
-  not needed.
+  If all faces turn counterclockwise and the border is a simple polygon, a point inside has as many
+  preimages as the border goes around it, counted with signs (the degree of the map); the signs are
+  all positive, and a simple border goes around once: one preimage. Convexity is not needed.
   */
   bool is_injective() const { return is_locally_injective() && border_is_simple; }
 };
@@ -71,7 +73,8 @@ inline Map_certificate shortened(Map_certificate c) {
 } // namespace internal
 
 /*!
-\brief certifies a map of a disk to the plane, that is linear on the faces of a triangulation, with exact predicates.
+\brief certifies a map of a disk to the plane, that is linear on the faces of a triangulation, with
+exact predicates.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param uv a point per row of `t.input_vertex()`; the doubles are taken as they are
@@ -86,11 +89,12 @@ Map_certificate certify_map(const Triangulation& t, const Eigen::MatrixX2d& uv) 
 }
 
 /*!
-\brief certifies a map of triangles to the plane, such as those of the user's mesh: there, a map that was computed on an intrinsic triangulation
-is another one between the vertices.
+\brief certifies a map of triangles to the plane, such as those of the user's mesh: there, a map
+that was computed on an intrinsic triangulation is another one between the vertices.
 \param triangles a disk, as triples of vertices
 \param uv a point per vertex
-\return the certificate; a surface whose border is not one loop through different vertices has none that is simple
+\return the certificate; a surface whose border is not one loop through different vertices has none
+  that is simple
 \throws std::invalid_argument as above
 \complexity O(n log n)
 */

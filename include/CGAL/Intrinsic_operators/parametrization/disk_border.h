@@ -51,8 +51,8 @@ Border_map polygonal_border(const Disk_border& border,
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation of a disk
 \return the map; the first vertex, the one with the least row, is at (1, 0)
-\throws Invalid_input if the surface is not a disk: not connected, with handles, with no or more than one border, not manifold; if its
-  border has less than three vertices; or if it is a cover
+\throws Invalid_input if the surface is not a disk: not connected, with handles, with no or more
+  than one border, not manifold; if its border has less than three vertices; or if it is a cover
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>
@@ -63,14 +63,15 @@ Border_map circular_border(const Triangulation& t) {
 /*!
 \brief maps the border of a disk to a convex polygon, in proportion to length.
 
-A vertex is at each corner: the one that is nearest to there in proportion to length. Between these the map is in proportion to length
-again. The first corner belongs to the vertex with the least row.
+A vertex is at each corner: the one that is nearest to there in proportion to length. Between these
+the map is in proportion to length again. The first corner belongs to the vertex with the least row.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation of a disk
 \param corners the corners of the polygon, three at least \pre convex, counterclockwise
 \return the map
 \throws Invalid_input as `circular_border()` does
-\throws std::invalid_argument if the polygon does not turn left at each corner, or the border has less vertices than it has corners
+\throws std::invalid_argument if the polygon does not turn left at each corner, or the border has
+  less vertices than it has corners
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>

@@ -14,11 +14,13 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief says how a map to the plane changes angles and areas. A face is mapped linearly, with stretches s1 >= s2 in two directions at right
-angles.
+\brief says how a map to the plane changes angles and areas. A face is mapped linearly, with
+stretches s1 >= s2 in two directions at right angles.
 
-The figures do not depend on the unit of the map. A face of the triangulation that has no area, or so little that its stretches or their products are beyond the range of doubles, has none
-that are defined: it is left out of all figures, and counted. No figure is NaN; one that no face defines is that of the identity.
+The figures do not depend on the unit of the map. A face of the triangulation that has no area, or
+so little that its stretches or their products are beyond the range of doubles, has none that are
+defined: it is left out of all figures, and counted. No figure is NaN; one that no face defines is
+that of the identity.
 */
 struct Map_distortion {
   double mean_quasi_conformal =
@@ -41,7 +43,8 @@ Map_distortion measure_distortion(const Face_table& table, const Eigen::MatrixX2
 } // namespace internal
 
 /*!
-\brief measures how a map to the plane, linear on the faces of a triangulation, changes angles and areas.
+\brief measures how a map to the plane, linear on the faces of a triangulation, changes angles and
+areas.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param uv a point per row of `t.input_vertex()`

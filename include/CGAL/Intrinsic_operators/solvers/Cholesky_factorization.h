@@ -62,13 +62,16 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
 } // namespace internal
 
 /*!
-\brief factors a positive definite matrix once, for any number of right sides. A model of `Factorization`.
+\brief factors a positive definite matrix once, for any number of right sides. A model of
+`Factorization`.
 
-Large matrices (from 100,000 rows, where measurements found it faster) are factored by CHOLMOD, supernode by supernode, if
-programs link it; CMake finds it, and `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` says so. Others are factored by Eigen
+Large matrices (from 100,000 rows, where measurements found it faster) are factored by CHOLMOD,
+supernode by supernode, if programs link it; CMake finds it, and
+`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` says so. Others are factored by Eigen
 (`SimplicialLDLT`). Either orders rows by approximate minimum degree.
 
-Copies share the factor, which does not change. Solving is not to be done by two threads at a time with CHOLMOD.
+Copies share the factor, which does not change. Solving is not to be done by two threads at a time
+with CHOLMOD.
 
 \tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
 */
@@ -85,7 +88,8 @@ public:
   \param a the matrix, of which the lower triangle is read
   \throws std::invalid_argument if it is not square or an entry is not finite
   \throws Indefinite_matrix if it is not positive definite, up to rounding; it names a row
-  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n \log n\f$ numbers
+  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n
+    \log n\f$ numbers
   */
   explicit Cholesky_factorization(const Matrix& a)
       : size_(a.rows()), factor_(internal::make_cholesky_factor(a)) {}
@@ -119,8 +123,9 @@ template <class Scalar>
 
 namespace internal {
 
-// Factors a matrix that would be positive definite, were there no rounding. Where weights are so large that it has lost the masses beside
-// them, the diagonal is raised, also in `m`, by a part of it in the order of rounding errors: 2^-40 at most, which needles and caps of 10^-15 need.
+// Factors a matrix that would be positive definite, were there no rounding. Where weights are so
+// large that it has lost the masses beside them, the diagonal is raised, also in `m`, by a part of
+// it in the order of rounding errors: 2^-40 at most, which needles and caps of 10^-15 need.
 template <class Scalar>
 Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
   for (const double raise : {0x1p-48, 0x1p-40}) {

@@ -19,18 +19,23 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief solves symmetric linear problems `a x = b` with given values in some rows (Dirichlet conditions), which are eliminated:
+\brief solves symmetric linear problems `a x = b` with given values in some rows (Dirichlet
+conditions), which are eliminated:
 
     A_ff x_f = b_f - A_fc x_c
 
-with f the free rows and c the fixed ones, in which the equations do not hold. What is left is factored once; right sides and
-values may then be given many times. No condition on the border is the natural one (Neumann) of a cotangent Laplacian.
+with f the free rows and c the fixed ones, in which the equations do not hold. What is left is
+factored once; right sides and values may then be given many times. No condition on the border is
+the natural one (Neumann) of a cotangent Laplacian.
 
-With `a` the cotangent Laplacian and `b` zero, x is the harmonic function with these values; with `b` the mass matrix
-times f, the solution of a Poisson problem. With a row of `rows_with_constant_kernel()` fixed at zero it is solved up to a constant in each
-component. The Laplacian of a graph without negative weights is factored without subtraction, see `Laplacian_factorization`: it stays definite, and solutions
-accurate, whatever the weights are. Row sums that rounding may have made, in components where all are such, count as zero. Negative weights, as those of squares of
-Laplacians, carry no promise beyond that of a Cholesky factorization. Rows are those of vertices, `t.input_vertex(v)`, inserted ones included.
+With `a` the cotangent Laplacian and `b` zero, x is the harmonic function with these values; with
+`b` the mass matrix times f, the solution of a Poisson problem. With a row of
+`rows_with_constant_kernel()` fixed at zero it is solved up to a constant in each component. The
+Laplacian of a graph without negative weights is factored without subtraction, see
+`Laplacian_factorization`: it stays definite, and solutions accurate, whatever the weights are. Row
+sums that rounding may have made, in components where all are such, count as zero. Negative weights,
+as those of squares of Laplacians, carry no promise beyond that of a Cholesky factorization. Rows
+are those of vertices, `t.input_vertex(v)`, inserted ones included.
 */
 class Fixed_values_solver {
 public:
@@ -38,9 +43,9 @@ public:
   \brief factors the free part of a matrix.
   \param a the matrix, both triangles of it \pre definite on the free rows: positive, or negative
   \param rows the fixed rows, in any order, repeated or not
-  \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not exist; or if no value is fixed in a
-    component of the free rows on which constants are in the kernel (the message names a row of it), so that there are infinitely many
-    solutions or none
+  \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not
+    exist; or if no value is fixed in a component of the free rows on which constants are in the
+    kernel (the message names a row of it), so that there are infinitely many solutions or none
   \throws Indefinite_matrix if rounding has left no definite matrix
   \complexity that of a sparse factorization
   */
@@ -49,7 +54,8 @@ public:
   /*!
   \brief solves for some right sides.
   \param b right sides, a column each
-  \param values a value per fixed row as they were given, and column of `b`; equal ones for rows that were repeated
+  \param values a value per fixed row as they were given, and column of `b`; equal ones for rows
+    that were repeated
   \return the solutions, a column each; fixed values are there bit by bit
   \throws std::invalid_argument if sizes do not fit, a number is not finite, or a row has two values
   \complexity linear in the entries of the factor, for each column
@@ -69,15 +75,17 @@ private:
 };
 
 /*!
-\brief solves a symmetric linear problem `a x = b` with given values in some rows (Dirichlet conditions), once; see `Fixed_values_solver`.
+\brief solves a symmetric linear problem `a x = b` with given values in some rows (Dirichlet
+conditions), once; see `Fixed_values_solver`.
 
 \param a the matrix, both triangles of it \pre definite on the free rows: positive, or negative
 \param b the right side, a problem per column
 \param rows the fixed rows, in any order; a row may be repeated with the same value
 \param values a value per fixed row, and column of `b`
 \return the solutions, a column each; fixed values are there bit by bit
-\throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not symmetric, a row does not
-  exist or has two values; or if no value is fixed in a component of the free rows on which constants are in the kernel
+\throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not
+  symmetric, a row does not exist or has two values; or if no value is fixed in a component of the
+  free rows on which constants are in the kernel
 \throws Indefinite_matrix if rounding has left no definite matrix
 \complexity that of a sparse factorization, once for all columns
 */
@@ -91,7 +99,8 @@ typename B::PlainObject solve_with_fixed_values(const Eigen::SparseMatrix<double
 }
 
 /*!
-\brief finds a row of each component of a symmetric matrix in which all rows sum to zero up to rounding, so that constants there are in its kernel.
+\brief finds a row of each component of a symmetric matrix in which all rows sum to zero up to
+rounding, so that constants there are in its kernel.
 
 For a cotangent Laplacian that is a vertex of each component of the surface, and every isolated one.
 \return the least row of each, in ascending order

@@ -43,9 +43,11 @@ public:
   \brief factors a matrix.
   \param laplacian the matrix L, compressed, both triangles of it
   \param diagonal D, a number per row
-  \throws std::invalid_argument if L is not square and symmetric in its pattern, sizes do not fit, or an entry is not finite
+  \throws std::invalid_argument if L is not square and symmetric in its pattern, sizes do not fit,
+    or an entry is not finite
   \throws Indefinite_matrix if it is not positive definite; it names a row
-  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n \log n\f$ numbers
+  \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n
+    \log n\f$ numbers
   */
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal);
 

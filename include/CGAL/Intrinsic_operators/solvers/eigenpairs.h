@@ -30,13 +30,16 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
 } // namespace internal
 
 /*!
-\brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the Lanczos method of Spectra, inverted near
-zero, several times until none is missing of eigenvalues that are several times there.
+\brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the
+Lanczos method of Spectra, inverted near zero, several times until none is missing of eigenvalues
+that are several times there.
 
-With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of the surface: zero once for each of its
-components, with constants there. Where `m` is diagonal and rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
-(`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values are right to rounding whatever the weights of
-slivers are. Matrices of up to 64 rows, or of which half of the eigenvalues are asked for, are solved densely, to rounding of the greatest eigenvalue.
+With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of
+the surface: zero once for each of its components, with constants there. Where `m` is diagonal and
+rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
+(`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values
+are right to rounding whatever the weights of slivers are. Matrices of up to 64 rows, or of which
+half of the eigenvalues are asked for, are solved densely, to rounding of the greatest eigenvalue.
 Of a matrix without entries, as of isolated vertices, all eigenvalues are zero, with any vectors.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
@@ -48,8 +51,10 @@ Of a matrix without entries, as of isolated vertices, all eigenvalues are zero, 
 \return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
 \throws std::invalid_argument if sizes do not fit
 \throws Indefinite_matrix if a matrix is not definite up to rounding
-\throws std::runtime_error if the method does not converge within its cap of restarts, or a residual is more than rounding
-\complexity that of a factorization of `a`, and of some solutions for each pair; small matrices are solved densely
+\throws std::runtime_error if the method does not converge within its cap of restarts, or a residual
+  is more than rounding
+\complexity that of a factorization of `a`, and of some solutions for each pair; small matrices are
+  solved densely
 */
 template <NamedParameters NP = parameters::Parameters<>>
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,

@@ -32,7 +32,8 @@ struct Direction_problem {
   std::vector<std::pair<std::size_t, std::complex<double>>> fixed;
 };
 
-// The smoothest field, its values of length 1; zero at isolated vertices. Nothing if it was cancelled.
+// The smoothest field, its values of length 1; zero at isolated vertices. Nothing if it was
+// cancelled.
 std::vector<std::complex<double>> solve(const Direction_problem& problem,
                                         const Connection_graph& graph,
                                         const std::function<bool(Direction_step)>& progress);

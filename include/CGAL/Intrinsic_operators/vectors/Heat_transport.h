@@ -33,7 +33,8 @@ struct Heat;
 class Function_flow;
 class Vector_flow;
 
-// Vectors that start at vertices, or at a point between some: with what is to be diffused of their lengths.
+// Vectors that start at vertices, or at a point between some: with what is to be diffused of their
+// lengths.
 struct Vector_sources {
   explicit Vector_sources(std::size_t size)
       : vectors(Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size))),
@@ -63,8 +64,8 @@ void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
                         const std::vector<Source_corner>& source, double unit,
                         std::vector<std::complex<double>>& log);
 
-// Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and in scaled units. Matrices are
-// factored when they are first needed, and once.
+// Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and
+// in scaled units. Matrices are factored when they are first needed, and once.
 class Heat_transport {
 public:
   // \param time_factor of the time, in squares of the mean length of edges
@@ -72,7 +73,8 @@ public:
 
   const Connection_graph& graph() const { return graph_; }
 
-  // Factors both matrices of heat, unless they are. \param progress is called after each; tells whether to go on \return whether both are
+  // Factors both matrices of heat, unless they are. \param progress is called after each; tells
+  // whether to go on \return whether both are
   bool factor(const std::function<bool(Transport_step)>& progress) const;
 
   // for each vertex, one that stands for all that heat connects it with

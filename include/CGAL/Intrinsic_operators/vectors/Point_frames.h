@@ -33,7 +33,8 @@ inline Surface_point off_vertex(const Surface_point& p) {
   return result;
 }
 
-// The frames in which solvers diffuse vectors: those of a `Tangent_field`, but for border vertices, whose angles are as they are.
+// The frames in which solvers diffuse vectors: those of a `Tangent_field`, but for border vertices,
+// whose angles are as they are.
 template <class Triangulation>
 class Point_frames {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -55,8 +56,8 @@ public:
            boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
   }
 
-  // A vector of a `Tangent_field` in the frame here, and back. On the border half a circle has the vectors that point into the
-  // surface, the other half all others.
+  // A vector of a `Tangent_field` in the frame here, and back. On the border half a circle has the
+  // vectors that point into the surface, the other half all others.
   std::complex<double> from_field(std::uint32_t i, const std::complex<double>& z) const {
     return on_border_[i] == 0 ? z : turned(z, std::numbers::pi, on_border_[i]);
   }
@@ -81,7 +82,8 @@ public:
     return result;
   }
 
-  // A vector at the vertex where a point is, in the frame here: angles from the middle of the corner are scaled.
+  // A vector at the vertex where a point is, in the frame here: angles from the middle of the
+  // corner are scaled.
   std::complex<double> at_corner(const Surface_point& p, const Plane_vector<double>& v) const {
     const Corner c(*this, p);
     const double turn = std::remainder(std::atan2(v[1], v[0]) - c.middle, full_turn);

@@ -42,23 +42,24 @@ enum class Logarithm_method {
 };
 
 /*!
-\brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N. Sharp, Y. Soliman, K. Crane,
-*The Vector Heat Method*, 2019), and finds logarithmic maps.
+\brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N.
+Sharp, Y. Soliman, K. Crane, *The Vector Heat Method*, 2019), and finds logarithmic maps.
 
     (M + t L_1) z = vectors,  (M + t L_0) u = lengths,  (M + t L_0) p = 1 at sources;    result  (z / |z|) (u / p)
 
-with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex, the vector that arrives along
-the shortest path from the nearest source, with its length. On flat surfaces transport is exact. Matrices are factored when
-they are first needed, and once: all further sources cost triangular solves. They have nonnegative weights in Delaunay
-triangulations, which other ones should be made first.
+with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex,
+the vector that arrives along the shortest path from the nearest source, with its length. On flat
+surfaces transport is exact. Matrices are factored when they are first needed, and once: all further
+sources cost triangular solves. They have nonnegative weights in Delaunay triangulations, which
+other ones should be made first.
 
-Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled inside, a vector that points
-out of the surface is kept in the half of the circle beyond the border. Points are places on the triangulation with vectors in the
-frame of their halfedge, as `Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors
-that are not known are not numbers: those on
-components without a source, and those without direction. Heat falls with distance, below what
-doubles hold after some
-hundred edges; values have exponents of their own, so that any distance and lengths of any size will do.
+Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled
+inside, a vector that points out of the surface is kept in the half of the circle beyond the border.
+Points are places on the triangulation with vectors in the frame of their halfedge, as
+`Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors that are not known are not
+numbers: those on components without a source, and those without direction. Heat falls with
+distance, below what doubles hold after some hundred edges; values have exponents of their own, so
+that any distance and lengths of any size will do.
 
 Functions that are const factor matrices at first: threads must not call them at once before.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
@@ -75,7 +76,8 @@ public:
   \brief reads angles, weights and areas of a triangulation.
   \param t the triangulation, which must outlive this and not change
   \param np optional named parameters:
-    - `time_factor(x)`: the time of diffusion is x times the square of the mean length of the edges. Default: 1.
+    - `time_factor(x)`: the time of diffusion is x times the square of the mean length of the edges.
+      Default: 1.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the time is not positive, or so long that heat is even
     everywhere, or the surface is that of a cloud of points, see `Point_cloud_vectors`
@@ -89,7 +91,8 @@ public:
   }
 
   /*!
-  \brief factors the matrices that are factored at the first question otherwise: what takes long, so that it can be followed and stopped.
+  \brief factors the matrices that are factored at the first question otherwise: what takes long, so
+  that it can be followed and stopped.
   \param np optional named parameters:
     - `visitor(v)`: `v.progress(step)` is called with a `Transport_step` after each, and returns
       whether to go on.
@@ -112,21 +115,26 @@ public:
   }
 
   /*!
-  \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes from the nearest of several points.
+  \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes
+  from the nearest of several points.
   \param p the point
-  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity where none arrives: on other components
-  \complexity that of solving with one factored real matrix; once more for each 700 edges or so from the point
+  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity where none
+    arrives: on other components
+  \complexity that of solving with one factored real matrix; once more for each 700 edges or so from
+    the point
   */
   Eigen::VectorXd log_heat(const Surface_point& p) const {
     return heat_.log_heat(frames_.corners(p));
   }
 
-  /// tells whether points are on one component of the surface, so that heat goes from one to the other. \complexity constant
+  /// tells whether points are on one component of the surface, so that heat goes from one to the
+  /// other. \complexity constant
   bool are_connected(const Surface_point& p, const Surface_point& q) const {
     return part(p) == part(q);
   }
 
-  /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`, up to a factor.
+  /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`,
+  /// up to a factor.
   const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
 
   /*!
@@ -134,7 +142,8 @@ public:
   \param sources vertices and their values
   \return values by the numbers of a `Tangent_field`, between the least and the greatest value of
     sources; not numbers on components without a source
-  \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not finite
+  \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not
+    finite
   \complexity that of solving with one factored real matrix
   */
   Eigen::VectorXd
@@ -178,7 +187,8 @@ public:
     return transport(std::vector<std::pair<vertex_descriptor, Complex>>{{v, z}});
   }
 
-  /// transports vectors from points; see above. In a face, a vector is taken to its corners, by their weights.
+  /// transports vectors from points; see above. In a face, a vector is taken to its corners, by
+  /// their weights.
   Tangent_field transport(const std::vector<Tangent_vector>& sources) const {
     internal::Vector_sources s(heat_.graph().size);
     for (const Tangent_vector& v : sources) {
@@ -199,10 +209,10 @@ public:
   }
 
   /*!
-  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the exponential map is there, along
-  the shortest path (see `exponential_map()`). By heat, vectors are no shorter than chords in
-  space, and near the cut locus, where several paths are
-  shortest, not more than that can be said of them.
+  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the
+  exponential map is there, along the shortest path (see `exponential_map()`). By heat, vectors are
+  no shorter than chords in space, and near the cut locus, where several paths are shortest, not
+  more than that can be said of them.
   \param v the vertex, not an isolated one
   \param method how to find it
   \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
@@ -223,7 +233,8 @@ public:
 
   /*!
   \brief finds the logarithmic map of a point; see above.
-  \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are those on the surface
+  \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
+    those on the surface
   */
   std::vector<Complex> logarithmic_map(const Surface_point& p,
                                        Logarithm_method method = Logarithm_method::exact) const {

@@ -92,10 +92,11 @@ private:
 } // namespace internal
 
 /*!
-\brief finds the centre of points on a surface: a point where the mean of the vectors to them vanishes, a local minimum of the mean of squared distances.
+\brief finds the centre of points on a surface: a point where the mean of the vectors to them
+vanishes, a local minimum of the mean of squared distances.
 
-Each step goes along that mean, as far as the energy falls, from the point of greatest weight. Points at vertices are moved by a
-thousandth of an edge.
+Each step goes along that mean, as far as the energy falls, from the point of greatest weight.
+Points at vertices are moved by a thousandth of an edge.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param heat logarithmic maps on the triangulation
 \param points points of it, and their weights
@@ -105,8 +106,8 @@ thousandth of an edge.
   - `visitor(v)`: `v.progress(mean)` is called with the `Karcher_mean` so far after each logarithmic
     map but the last, and returns whether to go on.
 \return the centre
-\throws std::invalid_argument if there are no points, a weight is negative or not finite, or all are zero, or points of positive weight are on different
-  components of the surface
+\throws std::invalid_argument if there are no points, a weight is negative or not finite, or all are
+  zero, or points of positive weight are on different components of the surface
 \complexity for each step, that of a logarithmic map and of tracing a geodesic
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
@@ -153,7 +154,8 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
 */
 struct Voronoi_centres {
   std::vector<Surface_point> sites; ///< the points
-  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` on components without one.
+  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` on
+  /// components without one.
   std::vector<std::uint32_t> cell;
   double largest_move = 0; ///< by which a site moved in the last step
   std::size_t steps = 0;   ///< number of steps
@@ -186,10 +188,11 @@ std::vector<std::uint32_t> voronoi_cells(const Vector_heat_method<Triangulation>
 } // namespace internal
 
 /*!
-\brief moves points on a surface to the centres of their cells (Lloyd's method, as in §8.4 of Sharp et al. 2019): a sampling that is even.
+\brief moves points on a surface to the centres of their cells (Lloyd's method, as in §8.4 of Sharp
+et al. 2019): a sampling that is even.
 
-Each step finds the vertices nearest to each site, and moves the site along the mean of the vectors to them, weighted by area. Sites at vertices are moved by a
-thousandth of an edge.
+Each step finds the vertices nearest to each site, and moves the site along the mean of the vectors
+to them, weighted by area. Sites at vertices are moved by a thousandth of an edge.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param heat logarithmic maps on the triangulation
 \param sites points of it, where to start

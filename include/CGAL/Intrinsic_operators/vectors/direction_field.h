@@ -26,8 +26,8 @@
 #include <vector>
 
 /*!
-\file
-Smoothest fields of directions (F. Knoeppel, K. Crane, U. Pinkall, P. Schroeder, *Globally Optimal Direction Fields*, 2013).
+\file Smoothest fields of directions (F. Knoeppel, K. Crane, U. Pinkall, P. Schroeder, *Globally
+  Optimal Direction Fields*, 2013).
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -38,7 +38,8 @@ namespace CGAL::Intrinsic_triangulations {
 struct Direction_field {
   /// Number of directions: 1 for vectors, 2 for lines, 4 for crosses.
   int degree = 1;
-  /// The powers of the directions, of absolute value 1, by the numbers of a `Tangent_field`; zero at isolated vertices.
+  /// The powers of the directions, of absolute value 1, by the numbers of a `Tangent_field`; zero
+  /// at isolated vertices.
   std::vector<std::complex<double>> powers;
   /// `cancelled` by the caller: there is no power then
   Status status = Status::done;
@@ -106,11 +107,12 @@ Direction_field solved(const Triangulation& t, const Direction_problem& problem,
 
     sum over edges of w_ij |z_j - r_ij^degree z_i|^2
 
-among those whose powers `z` have length 1 in the mean, the eigenvector of the connection Laplacian for the least eigenvalue, in every
-component; values are then divided by their lengths. On the border directions are free.
+among those whose powers `z` have length 1 in the mean, the eigenvector of the connection Laplacian
+for the least eigenvalue, in every component; values are then divided by their lengths. On the
+border directions are free.
 
-With directions fixed somewhere, as along curves (`directions_along_path()`), it is the solution of a linear problem in the
-components where there are any, with the others elsewhere.
+With directions fixed somewhere, as along curves (`directions_along_path()`), it is the solution of
+a linear problem in the components where there are any, with the others elsewhere.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, Delaunay
 \param t the triangulation
 \param degree the number of directions at a vertex that are alike: 1 for vectors, 4 for crosses
@@ -138,16 +140,19 @@ smoothest_direction_field(const Triangulation& t, int degree,
 /*!
 \brief finds a smooth field of directions that is near given ones.
 
-It solves `(L + s M) z = M q` with the connection Laplacian L and the mass matrix M, q the powers of the given directions with their lengths as weights, and
-s the strength divided by the square of the mean length of edges.
+It solves `(L + s M) z = M q` with the connection Laplacian L and the mass matrix M, q the powers of
+the given directions with their lengths as weights, and s the strength divided by the square of the
+mean length of edges.
 \param t the triangulation, see `smoothest_direction_field()`
 \param degree the number of directions at a vertex that are alike
-\param guide vectors in polar coordinates by the numbers of a `Tangent_field`: one of the directions wanted at each vertex, longer where
-  that matters more, zero where there is no wish. Principal directions have degree 2: of either sign.
+\param guide vectors in polar coordinates by the numbers of a `Tangent_field`: one of the directions
+  wanted at each vertex, longer where that matters more, zero where there is no wish. Principal
+  directions have degree 2: of either sign.
 \param strength zero for the smoothest field that is guided at all; the greater, the nearer
 \param fixed as there
 \param np as there
-\throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and as there
+\throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and
+  as there
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Direction_field aligned_direction_field(const Triangulation& t, int degree,
@@ -172,9 +177,11 @@ Direction_field aligned_direction_field(const Triangulation& t, int degree,
 }
 
 /*!
-\brief returns the directions along a path of edges, at its vertices: what fields that follow it are fixed to.
+\brief returns the directions along a path of edges, at its vertices: what fields that follow it are
+fixed to.
 
-At a vertex between two edges of the path it is the middle one. A vertex that the path passes twice has the direction of the first time.
+At a vertex between two edges of the path it is the middle one. A vertex that the path passes twice
+has the direction of the first time.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param path halfedges of `t.mesh()`, each from the target of the one before

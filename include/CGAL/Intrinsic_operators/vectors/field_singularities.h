@@ -27,15 +27,16 @@ namespace CGAL::Intrinsic_triangulations {
 
     sum of the indices of faces = degree * Euler characteristic + sum of the turns along the border
 
-as integers, without rounding: isolated vertices are left out of the characteristic, and vertices that are not manifold count once for
-each of their fans.
+as integers, without rounding: isolated vertices are left out of the characteristic, and vertices
+that are not manifold count once for each of their fans.
 */
 template <ConnectedTriangulation Triangulation>
 struct Field_singularities {
-  /// Of each face, at `t.index(f)`: times 1 / degree, the turns of a direction about it. Zero at most faces.
+  /// Of each face, at `t.index(f)`: times 1 / degree, the turns of a direction about it. Zero at
+  /// most faces.
   std::vector<int> index;
-  /// A halfedge beside the border of each boundary loop, its face on the left, and the turns of the powers relative to the border along the loop: zero
-  /// if the field follows the border.
+  /// A halfedge beside the border of each boundary loop, its face on the left, and the turns of the
+  /// powers relative to the border along the loop: zero if the field follows the border.
   std::vector<std::pair<typename Triangulation::halfedge_descriptor, int>> turns;
 
   /// returns the sum of the indices.
@@ -48,7 +49,8 @@ struct Field_singularities {
 
 namespace internal {
 
-// How a field turns along each edge, besides parallel transport: between -pi and pi, and of opposite sign for opposite halfedges.
+// How a field turns along each edge, besides parallel transport: between -pi and pi, and of
+// opposite sign for opposite halfedges.
 class Field_rotations {
 public:
   template <class Triangulation>
@@ -98,10 +100,11 @@ std::uint32_t next_beside_border(const View& view, std::uint32_t h) {
 /*!
 \brief counts how often a direction field turns about each face: its singularities.
 
-Along an edge the field turns by the least angle, from -pi to pi, of its power relative to parallel transport. Around a face these angles and the
-curvature that polar coordinates put there, `degree` times the sum of the scaled corner angles minus pi, sum up to full turns: the
-index is that number, which rounding to an integer finds as long as it is off by less than half a turn. Angles of edges are met twice, with
-opposite signs, so that the sum of all indices is exact.
+Along an edge the field turns by the least angle, from -pi to pi, of its power relative to parallel
+transport. Around a face these angles and the curvature that polar coordinates put there, `degree`
+times the sum of the scaled corner angles minus pi, sum up to full turns: the index is that number,
+which rounding to an integer finds as long as it is off by less than half a turn. Angles of edges
+are met twice, with opposite signs, so that the sum of all indices is exact.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param field the field; where it is zero, it is taken to be the real axis

@@ -27,8 +27,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the face that it points into; on the border, one
-that points out of the surface to the side of the border that is nearer.
+\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the
+face that it points into; on the border, one that points out of the surface to the side of the
+border that is nearer.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, not an isolated one
@@ -51,8 +52,8 @@ Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::ve
 }
 
 /*!
-\brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the course): the exponential map, which
-logarithmic maps undo.
+\brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the
+course): the exponential map, which logarithmic maps undo.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, not an isolated one

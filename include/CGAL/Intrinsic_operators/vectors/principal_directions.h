@@ -30,7 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The angle between the normals of the faces at an edge, positive where the surface is convex, times the length of the edge.
+// The angle between the normals of the faces at an edge, positive where the surface is convex,
+// times the length of the edge.
 template <class Place>
 double bending(const Input& input, std::uint32_t h, const Place& at) {
   const Eigen::Vector3d i = at(h), j = at(h ^ 1U), k = at(input.next(input.next(h))),
@@ -66,16 +67,18 @@ Tangent_field principal_directions_at(const Triangulation& t, const Place& at) {
 } // namespace internal
 
 /*!
-\brief finds the directions of greatest curvature of the user's mesh, as a guide for fields of lines or crosses.
+\brief finds the directions of greatest curvature of the user's mesh, as a guide for fields of lines
+or crosses.
 
-The curvature of a neighbourhood is the sum over its edges of the angle between their faces (Cohen-Steiner and Morvan 2003); directions are
-orthogonal to convex edges.
+The curvature of a neighbourhood is the sum over its edges of the angle between their faces
+(Cohen-Steiner and Morvan 2003); directions are orthogonal to convex edges.
 \tparam Triangulation a model of `CorrespondingTriangulation`, measured
 \tparam Mesh the type of the user's mesh
 \param t the triangulation
 \param mesh the mesh that `t` was built from, its faces triangles
-\return a vector at each vertex in the coordinates of `t`, either of two opposite ones: as long as half the difference of the principal curvatures, in
-  1 / length; zero at inserted vertices, where fields interpolate
+\return a vector at each vertex in the coordinates of `t`, either of two opposite ones: as long as
+  half the difference of the principal curvatures, in 1 / length; zero at inserted vertices, where
+  fields interpolate
 \throws Invalid_input if the mesh is another one
 \complexity linear, and that of `tangent_field_to_intrinsic()`
 */

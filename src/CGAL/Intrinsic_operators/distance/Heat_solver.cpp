@@ -31,8 +31,8 @@ struct Source_ball {
   double radius;
 };
 
-// Finds the distance in space to the nearest of many balls, which is no longer than any way on the surface: balls in a tree
-// that halves them by coordinates in turn.
+// Finds the distance in space to the nearest of many balls, which is no longer than any way on the
+// surface: balls in a tree that halves them by coordinates in turn.
 class Chord_bound {
 public:
   explicit Chord_bound(std::vector<Source_ball> balls) : balls_(std::move(balls)) {
@@ -124,7 +124,8 @@ static Eigen::VectorXd row_areas(const Face_table& table, std::uint32_t sheets) 
   return areas.unaryExpr([](double m) { return m > 0 ? m : 1; });
 }
 
-// A norm in a third of the time of `std::abs()`, where squares are well within the range of doubles.
+// A norm in a third of the time of `std::abs()`, where squares are well within the range of
+// doubles.
 static double norm_of(const std::complex<double>& x) {
   const double squared = std::norm(x);
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
@@ -145,14 +146,13 @@ Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_tabl
       progress_(std::move(progress)) {
   const Eigen::VectorXd masses = row_areas(table_, sheets);
   insulated_ = std::make_shared<const Function_flow>(poisson_.laplacian(), time_,
-                                                    poisson_.factor_with_multiple(time_, masses));
+                                                     poisson_.factor_with_multiple(time_, masses));
   is_cancelled_ = !progress_(Heat_step::heat_factored);
   if (!is_cancelled_ && options.border == Heat_border::average) make_cold_border(masses);
 }
 
-Eigen::VectorXd
-Heat_solver::distances(const Source_places& sources,
-                       const std::vector<std::array<double, 3>>& positions) {
+Eigen::VectorXd Heat_solver::distances(const Source_places& sources,
+                                       const std::vector<std::array<double, 3>>& positions) {
   const Chord_bound chord(source_balls(table_, sources, positions));
   const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
   const Heat<double> found = heat(sources, pins);
@@ -172,8 +172,7 @@ Heat_solver::distances(const Source_places& sources,
   return d;
 }
 
-void
-Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
+void Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   is_on_border_.assign(table_.number_of_rows, 0);
   table_.for_each_border_side([this](const Table_face& f, std::size_t k) {
     is_on_border_[row_number(f.rows[k])] = is_on_border_[row_number(f.rows[(k + 1) % 3])] = 1;
@@ -186,8 +185,8 @@ Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 
-Heat<double>
-Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const {
+Heat<double> Heat_solver::heat(const Source_places& sources,
+                               const Pinned_laplacian::Pins& pins) const {
   std::vector<char> is_reached(table_.number_of_rows, 0);
   for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
@@ -204,8 +203,7 @@ Heat_solver::heat(const Source_places& sources, const Pinned_laplacian::Pins& pi
   return all;
 }
 
-Eigen::VectorXd
-Heat_solver::initial_heat(const Source_places& sources) const {
+Eigen::VectorXd Heat_solver::initial_heat(const Source_places& sources) const {
   Eigen::VectorXd start = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
   for (const int row : sources.rows) start[row] += 1;
   for (const Source_side& s : sources.sides) {
@@ -224,8 +222,7 @@ Heat_solver::initial_heat(const Source_places& sources) const {
   return start;
 }
 
-Eigen::VectorXd
-Heat_solver::divergence(const Heat<double>& heat) const {
+Eigen::VectorXd Heat_solver::divergence(const Heat<double>& heat) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(heat.value.size());
   for (const Table_face& f : table_.faces) {
     int level = heat.level[row_number(f.rows[0])];
@@ -239,9 +236,8 @@ Heat_solver::divergence(const Heat<double>& heat) const {
   return result;
 }
 
-std::complex<double>
-Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
-                     const std::array<double, 3>& u) {
+std::complex<double> Heat_solver::descent(const std::array<std::complex<double>, 3>& corners,
+                                          const std::array<double, 3>& u) {
   const double first = u[1] - u[0], second = u[2] - u[0];
   const double greatest = std::max(std::abs(first), std::abs(second));
   if (!(greatest > 0)) return 0;

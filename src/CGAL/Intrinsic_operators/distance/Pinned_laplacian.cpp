@@ -17,7 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// a factorization, with an order of its own, takes the time of so many solutions and more: 20 at 26,000 vertices, 50 at 416,000
+// a factorization, with an order of its own, takes the time of so many solutions and more: 20 at
+// 26,000 vertices, 50 at 416,000
 static constexpr std::size_t few_pins = 20;
 
 Eigen::VectorXd Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
@@ -31,8 +32,8 @@ Eigen::VectorXd Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pi
   return x;
 }
 
-// To one diagonal entry per component something is added: for right sides that sum to zero, this fixes a value, zero. Isolated
-// vertices have a row of zeros.
+// To one diagonal entry per component something is added: for right sides that sum to zero, this
+// fixes a value, zero. Isolated vertices have a row of zeros.
 Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
   Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_->cols());
   for (int r = 0; r < laplacian_->cols(); ++r)
@@ -43,8 +44,8 @@ Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
   return added;
 }
 
-Laplacian_factorization
-Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal) {
+Laplacian_factorization Pinned_laplacian::factor_with_multiple(double multiple,
+                                                               const Eigen::VectorXd& diagonal) {
   try {
     auto both =
         Laplacian_factorization::of_both(*laplacian_, pinned_diagonal(), multiple, diagonal);
@@ -55,7 +56,8 @@ Pinned_laplacian::factor_with_multiple(double multiple, const Eigen::VectorXd& d
   }
 }
 
-// What pins of a component add to the solution in column 0; the solutions for their own strengths are from `column` on.
+// What pins of a component add to the solution in column 0; the solutions for their own strengths
+// are from `column` on.
 static Eigen::VectorXd correction_by_strengths(const Eigen::MatrixXd& solved, Eigen::Index column,
                                                const std::vector<int>& rows,
                                                const Pinned_laplacian::Pins& pins) {
@@ -106,7 +108,7 @@ Eigen::VectorXd Pinned_laplacian::solve_for_few(const Eigen::VectorXd& b, const 
 
 // Where there is no pin, any value will do.
 Eigen::VectorXd Pinned_laplacian::solve_for_many(const Eigen::VectorXd& b, const Pins& pins,
-                                                        const std::vector<char>& is_reached) {
+                                                 const std::vector<char>& is_reached) {
   std::vector<std::uint32_t> rows;
   for (const auto& [row, value] : pins) rows.push_back(static_cast<std::uint32_t>(row));
   for (std::uint32_t r = 0; r < component_.size(); ++r)

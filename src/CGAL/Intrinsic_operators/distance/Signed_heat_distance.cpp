@@ -51,8 +51,7 @@ Signed_heat_solver::Signed_heat_solver(Face_table table,
           vector_flow_matrix(table_, time_),
           edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; }))) {}
 
-Eigen::VectorXd
-Signed_heat_solver::distances(const Source_places& curves) {
+Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
   const auto is_point = [](const Source_segment& s) { return s.from == s.to; };
   if (!curves.rows.empty() || std::ranges::any_of(curves.segments, is_point))
     throw std::invalid_argument(
@@ -63,8 +62,8 @@ Signed_heat_solver::distances(const Source_places& curves) {
   return d;
 }
 
-Heat<std::complex<double>>
-Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian::Pins& pins) const {
+Heat<std::complex<double>> Signed_heat_solver::normals(const Source_places& curves,
+                                                       const Pinned_laplacian::Pins& pins) const {
   const Complex to_right(0, -1);
   Eigen::VectorXcd start =
       Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(table_.number_of_edges));
@@ -93,8 +92,7 @@ Signed_heat_solver::normals(const Source_places& curves, const Pinned_laplacian:
   return (*flow_)(start, is_reached);
 }
 
-Eigen::VectorXd
-Signed_heat_solver::divergence(const Heat<Complex>& field) const {
+Eigen::VectorXd Signed_heat_solver::divergence(const Heat<Complex>& field) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table_.number_of_rows));
   for (const Table_face& f : table_.faces) {
     int level = field.level[f.halfedges[0] / 2];

@@ -13,8 +13,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-double distance_to_segment(std::complex<double> p, std::complex<double> a,
-                                  std::complex<double> b) {
+double distance_to_segment(std::complex<double> p, std::complex<double> a, std::complex<double> b) {
   const std::complex<double> along = b - a;
   const double squared = std::norm(along);
   const double x =
@@ -54,7 +53,7 @@ static void lower_along_edges(const Face_table& table, std::map<int, double>& va
 }
 
 std::map<int, double> distances_near_sources(const Face_table& table,
-                                                    const Source_places& sources) {
+                                             const Source_places& sources) {
   std::map<int, double> values;
   for (const Source_segment& s : sources.segments) {
     const Table_face& f = table.faces[s.face];

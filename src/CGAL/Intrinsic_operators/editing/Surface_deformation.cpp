@@ -26,21 +26,26 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 /*!
-Functions d with given values in some rows and L M^-1 L d = 0 in the others, F, without that product, of which no double holds the small eigenvalues once
-weights span eight orders of magnitude or so.
+Functions d with given values in some rows and L M^-1 L d = 0 in the others, F, without that
+product, of which no double holds the small eigenvalues once weights span eight orders of magnitude
+or so.
 
-Let M w = L d. Then w is harmonic in F, and so P w_B: of the values in the fixed rows B beside F, with the harmonic measures P, one in its row of B and zero in the others; and
-where w is known so is d, from L d = M w in F. What is left is M w = L d in B,
+Let M w = L d. Then w is harmonic in F, and so P w_B: of the values in the fixed rows B beside F,
+with the harmonic measures P, one in its row of B and zero in the others; and where w is known so is
+d, from L d = M w in F. What is left is M w = L d in B,
 
     (P^T M P) w_B = S d,    S = L_B + L_BF P
 
-a dense system, definite and of one row per row of B. Measures are not negative and nothing is subtracted in its matrix; S is applied to differences of d. So errors are
-those of the values, where L has no negative weights.
+a dense system, definite and of one row per row of B. Measures are not negative and nothing is
+subtracted in its matrix; S is applied to differences of d. So errors are those of the values, where
+L has no negative weights.
 */
 class Biharmonic_interpolation {
 public:
-  // \param laplacian its rows sum to zero \param mass the diagonal of M \param rows the fixed rows, some in each component
-  // \param beside `rows_beside_free_ones()`; time and memory for that many solutions with L are needed
+  // \param laplacian its rows sum to zero \param mass the diagonal of M \param rows the fixed rows,
+  // some in each component
+  // \param beside `rows_beside_free_ones()`; time and memory for that many solutions with L are
+  // needed
   // \throws Indefinite_matrix if rounding has left no definite matrix; it names a fixed row
   Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
                            std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside);
@@ -64,8 +69,8 @@ private:
 };
 
 // The fixed rows that a matrix joins with free ones, without repetition.
-static std::vector<std::uint32_t>
-rows_beside_free_ones(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> fixed) {
+static std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatrix<double>& a,
+                                                        std::span<const std::uint32_t> fixed) {
   std::vector<char> is_fixed(row_number(a.rows()), 0);
   for (const std::uint32_t r : fixed) is_fixed[r] = 1;
   std::vector<std::uint32_t> beside;
@@ -80,9 +85,10 @@ rows_beside_free_ones(const Eigen::SparseMatrix<double>& a, std::span<const std:
   return beside;
 }
 
-Biharmonic_interpolation::Biharmonic_interpolation(
-    const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
-    std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside)
+Biharmonic_interpolation::Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian,
+                                                   Eigen::VectorXd mass,
+                                                   std::span<const std::uint32_t> rows,
+                                                   std::vector<std::uint32_t> beside)
     : mass_(std::move(mass)), beside_(std::move(beside)),
       is_fixed_(row_number(laplacian.rows()), 0), laplacian_(laplacian),
       harmonic_(laplacian, rows) {
@@ -91,8 +97,7 @@ Biharmonic_interpolation::Biharmonic_interpolation(
   factor_strengths();
 }
 
-void
-Biharmonic_interpolation::find_measures(std::span<const std::uint32_t> rows) {
+void Biharmonic_interpolation::find_measures(std::span<const std::uint32_t> rows) {
   const auto count = static_cast<Eigen::Index>(beside_.size());
   std::vector<Eigen::Index> place(is_fixed_.size(), -1);
   for (Eigen::Index b = 0; b < count; ++b) place[beside_[row_number(b)]] = b;
@@ -110,8 +115,7 @@ Biharmonic_interpolation::find_measures(std::span<const std::uint32_t> rows) {
 }
 
 // Rows and columns are scaled to a diagonal of ones.
-void
-Biharmonic_interpolation::factor_strengths() {
+void Biharmonic_interpolation::factor_strengths() {
   if (beside_.empty()) return;
   Eigen::MatrixXd a = measures_.transpose() * mass_.asDiagonal() * measures_;
   unit_ = a.diagonal().cwiseSqrt().cwiseInverse();
@@ -127,8 +131,7 @@ Biharmonic_interpolation::factor_strengths() {
 }
 
 // L d in the rows beside free ones, of the harmonic function d: by differences to each.
-Eigen::MatrixXd
-Biharmonic_interpolation::laplacian_beside(const Eigen::MatrixXd& harmonic) const {
+Eigen::MatrixXd Biharmonic_interpolation::laplacian_beside(const Eigen::MatrixXd& harmonic) const {
   const auto count = static_cast<Eigen::Index>(beside_.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, harmonic.cols());
   for (Eigen::Index b = 0; b < count; ++b) {
@@ -144,8 +147,7 @@ Biharmonic_interpolation::laplacian_beside(const Eigen::MatrixXd& harmonic) cons
   return result;
 }
 
-Eigen::MatrixXd
-Biharmonic_interpolation::solve(const Eigen::MatrixXd& values) const {
+Eigen::MatrixXd Biharmonic_interpolation::solve(const Eigen::MatrixXd& values) const {
   const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(laplacian_.rows(), values.cols());
   const Eigen::MatrixXd harmonic = harmonic_.solve(zero, values);
   if (beside_.empty()) return harmonic;
@@ -205,9 +207,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
 }
 
 // By handles where that is faster; where the matrix is not definite, if memory allows.
-void
-Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
-                                       const Eigen::VectorXd& mass) {
+void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
+                                            const Eigen::VectorXd& mass) {
   constexpr std::size_t few = 64, many = 2000, numbers = 100000000;
   std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
   // rows without mass, which the product leaves out, would have to be harmonic
@@ -231,8 +232,7 @@ Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplac
   }
 }
 
-Eigen::MatrixXd
-Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
+Eigen::MatrixXd Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
   if (displacements.rows() != static_cast<Eigen::Index>(handles_))
     throw std::invalid_argument(
         "there must be a displacement per handle: " + std::to_string(handles_) + ", not " +

@@ -41,8 +41,7 @@ std::array<std::complex<double>, 3> side_frames(const Table_face& f) {
   return result;
 }
 
-Eigen::SparseMatrix<std::complex<double>>
-edge_connection_laplacian(const Face_table& table) {
+Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table) {
   using Complex = std::complex<double>;
   std::vector<Eigen::Triplet<Complex>> entries;
   entries.reserve(9 * table.faces.size());
@@ -50,7 +49,8 @@ edge_connection_laplacian(const Face_table& table) {
     const auto weights = checked_half_cotangents(f);
     const auto frames = side_frames(f);
     for (std::size_t k = 0; k < 3; ++k) {
-      // the cotangents at the ends of a side sum to this, which is positive whatever rounding makes of them
+      // the cotangents at the ends of a side sum to this, which is positive whatever rounding makes
+      // of them
       const auto side = static_cast<int>(f.halfedges[k] / 2);
       entries.emplace_back(side, side, f.squared_lengths[k] / f.area());
       // two sides meet at the corner opposite the third

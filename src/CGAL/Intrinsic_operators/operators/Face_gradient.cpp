@@ -39,7 +39,7 @@ Face_gradient::Vectors Face_gradient::gradient(const Function& u) const {
     // differences: what is constant leaves nothing, rounding included
     const double base = u[face.row[0]];
     result[internal::face_row(f)] = (u[face.row[1]] - base) * face.hat_gradient[1] +
-                       (u[face.row[2]] - base) * face.hat_gradient[2];
+                                    (u[face.row[2]] - base) * face.hat_gradient[2];
   }
   return result;
 }
@@ -51,8 +51,8 @@ Face_gradient::Function Face_gradient::divergence(const Vectors& x) const {
     const Face& face = faces_[f];
     if (face.area == 0) continue;
     for (std::size_t k = 0; k < 3; ++k)
-      result[face.row[k]] -=
-          face.area / sheets_ * std::real(std::conj(face.hat_gradient[k]) * x[internal::face_row(f)]);
+      result[face.row[k]] -= face.area / sheets_ *
+                             std::real(std::conj(face.hat_gradient[k]) * x[internal::face_row(f)]);
   }
   return result;
 }

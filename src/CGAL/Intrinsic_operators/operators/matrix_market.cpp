@@ -29,7 +29,7 @@ static bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
 } // namespace internal
 
 void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment) {
+                         const std::string& comment) {
   using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
   const bool symmetric = internal::is_symmetric(m);
   std::int64_t count = 0;
@@ -64,9 +64,8 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
   if (!out) throw std::runtime_error("the matrix cannot be written completely");
 }
 
-void write_matrix_market(const std::filesystem::path& path,
-                                const Eigen::SparseMatrix<double>& m,
-                                const std::string& comment) {
+void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,
+                         const std::string& comment) {
   Replacing_file file(path);
   try {
     write_matrix_market(file.stream(), m, comment);

@@ -34,8 +34,8 @@ static void append_row(Weighted_vertices w, Interpolation_matrix& m, Eigen::Inde
 
 // `locate(v)` returns the location of vertex `v` of the subdivision
 template <class Locate>
-static Interpolation_matrix interpolation_matrix(const Common_subdivision& s,
-                                                 std::uint32_t columns, const Locate& locate) {
+static Interpolation_matrix interpolation_matrix(const Common_subdivision& s, std::uint32_t columns,
+                                                 const Locate& locate) {
   const std::size_t rows = s.number_of_vertices();
   expect_countable(3 * rows, "the common subdivision has " + std::to_string(rows) + " vertices");
   Interpolation_matrix m(static_cast<Eigen::Index>(rows), columns);

@@ -28,9 +28,10 @@ inline void regularise_isolated(Complex_matrix& c) {
   c.makeCompressed();
 }
 
-// The eigenvectors of C w = lambda B w of least eigenvalues: by iteration with a few vectors at a time, which are shifted by a
-// small multiple of B, as C may be singular: where the surface is flat, its own shape has the eigenvalue zero. (All holomorphic
-// functions have no conformal energy: the least eigenvalues are those of the smoothest, in the order of squared lengths of edges.)
+// The eigenvectors of C w = lambda B w of least eigenvalues: by iteration with a few vectors at a
+// time, which are shifted by a small multiple of B, as C may be singular: where the surface is
+// flat, its own shape has the eigenvalue zero. (All holomorphic functions have no conformal energy:
+// the least eigenvalues are those of the smoothest, in the order of squared lengths of edges.)
 class Border_spectrum {
 public:
   Border_spectrum(const Complex_matrix& c, const Disk_border& border)
@@ -82,8 +83,8 @@ private:
     }
   }
 
-  // By Gram and Schmidt, twice, in the inner product of B: one solution makes nearly parallel vectors of all, where an
-  // eigenvalue is zero.
+  // By Gram and Schmidt, twice, in the inner product of B: one solution makes nearly parallel
+  // vectors of all, where an eigenvalue is zero.
   Eigen::MatrixXcd orthonormal(Eigen::MatrixXcd w) const {
     for (Eigen::Index k = 0; k < w.cols(); ++k)
       for (int time = 0; time < 2; ++time) {

@@ -23,10 +23,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-Map_certificate
-certify_map(const std::vector<std::array<std::uint32_t, 3>>& faces,
-            const std::vector<std::uint32_t>& face_numbers,
-            const std::vector<std::uint32_t>& border, const Eigen::MatrixX2d& uv) {
+Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& faces,
+                            const std::vector<std::uint32_t>& face_numbers,
+                            const std::vector<std::uint32_t>& border, const Eigen::MatrixX2d& uv) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   if (!uv.allFinite()) throw std::invalid_argument("the coordinates of a map must be finite");
   const auto point = [&uv](std::uint32_t v) {

@@ -23,8 +23,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-Complex_matrix
-conformal_energy(const Eigen::SparseMatrix<double>& laplacian, const Disk_border& border) {
+Complex_matrix conformal_energy(const Eigen::SparseMatrix<double>& laplacian,
+                                const Disk_border& border) {
   Complex_matrix c = (laplacian / 2).cast<std::complex<double>>();
   std::vector<Eigen::Triplet<std::complex<double>>> area;
   for (std::size_t k = 0; k < border.rows.size(); ++k) { // the area is 1/2 Im(conj(w_i) w_j)
@@ -53,9 +53,9 @@ static Eigen::MatrixX2d scaled_to_area(const Face_table& table, const Eigen::Vec
   return result;
 }
 
-Eigen::MatrixX2d
-least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<double>& laplacian,
-                            const Disk_border& border) {
+Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
+                                             const Eigen::SparseMatrix<double>& laplacian,
+                                             const Disk_border& border) {
   Complex_matrix c = conformal_energy(laplacian, border);
   regularise_isolated(c);
   const double half = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0) / 2;
@@ -73,9 +73,9 @@ least_squares_conformal_map(const Face_table& table, const Eigen::SparseMatrix<d
   return scaled_to_area(table, w);
 }
 
-Eigen::MatrixX2d
-spectral_conformal_map(const Face_table& table, const Eigen::SparseMatrix<double>& laplacian,
-                       const Disk_border& border) {
+Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
+                                        const Eigen::SparseMatrix<double>& laplacian,
+                                        const Disk_border& border) {
   Eigen::VectorXcd w = Border_spectrum(conformal_energy(laplacian, border), border).first();
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);

@@ -32,8 +32,7 @@ namespace internal {
                           "; cut it along edges first");
 }
 
-Disk_border disk_border(const Face_table& table,
-                                                             std::uint32_t sheets) {
+Disk_border disk_border(const Face_table& table, std::uint32_t sheets) {
   if (sheets > 1) throw_no_disk("is a cover");
   std::set<int> rows;
   for (const Table_face& f : table.faces) rows.insert(f.rows.begin(), f.rows.end());
@@ -106,7 +105,8 @@ static void expect_convex(const std::vector<std::array<double, 2>>& corners) {
         "the polygon is not convex: it goes around more than once, or has less than three corners");
 }
 
-// The places in the border of the vertices at the corners, increasing: the nearest in proportion to length, of those that leave enough.
+// The places in the border of the vertices at the corners, increasing: the nearest in proportion to
+// length, of those that leave enough.
 static std::vector<std::size_t> vertices_at_corners(const std::vector<double>& places,
                                                     const std::vector<double>& wanted) {
   const std::size_t vertices = places.size() - 1, n = wanted.size();
@@ -121,8 +121,8 @@ static std::vector<std::size_t> vertices_at_corners(const std::vector<double>& p
   return result;
 }
 
-Border_map
-polygonal_border(const Disk_border& border, const std::vector<std::array<double, 2>>& corners) {
+Border_map polygonal_border(const Disk_border& border,
+                            const std::vector<std::array<double, 2>>& corners) {
   expect_convex(corners);
   const std::size_t n = corners.size();
   if (border.rows.size() < n)

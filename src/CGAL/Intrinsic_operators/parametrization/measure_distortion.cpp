@@ -23,7 +23,8 @@ struct Face_distortion {
   double area = 0, image_area = 0; // the latter signed
   std::array<double, 3> angle_changes{};
 
-  // The map is a z + b conj(z) with the vertices in the face as complex numbers, s1, s2 = |a| +- |b|.
+  // The map is a z + b conj(z) with the vertices in the face as complex numbers, s1, s2 = |a| +-
+  // |b|.
   Face_distortion(const Table_face& f, const std::array<std::complex<double>, 3>& w)
       : area(f.area()), image_area(std::imag(std::conj(w[1] - w[0]) * (w[2] - w[0])) / 2) {
     const auto z = f.layout();
@@ -47,7 +48,8 @@ private:
   }
 };
 
-// Multiplies by a power of two that makes the greatest coordinate about 1, so that areas stay in the range of doubles.
+// Multiplies by a power of two that makes the greatest coordinate about 1, so that areas stay in
+// the range of doubles.
 static Eigen::MatrixX2d scaled_to_one(const Eigen::MatrixX2d& uv) {
   const double greatest = uv.size() == 0 ? 0 : uv.cwiseAbs().maxCoeff();
   if (!(greatest > 0)) return uv;

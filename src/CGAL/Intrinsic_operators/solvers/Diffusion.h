@@ -45,8 +45,9 @@ Scalar times_power_of_two(const Scalar& x, int e) {
   return x * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
 }
 
-// Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a large mesh, so that values have
-// an exponent of their own: that of row r is value[r] * 2^(exponent - step * level[r]).
+// Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a
+// large mesh, so that values have an exponent of their own: that of row r is value[r] * 2^(exponent
+// - step * level[r]).
 template <class Scalar>
 struct Heat {
   static constexpr int step = 800;
@@ -62,7 +63,8 @@ struct Heat {
                                                : value[r] * std::ldexp(1.0, step * steps);
   }
 
-  // Makes the greatest about 1, and raises the level of what is 2^-step of it or less, which would not stay a double.
+  // Makes the greatest about 1, and raises the level of what is 2^-step of it or less, which would
+  // not stay a double.
   void normalize() {
     int first = std::numeric_limits<int>::max();
     double greatest = 0;
@@ -107,7 +109,8 @@ inline double log_heat(const Heat<double>& heat, Eigen::Index r) {
          std::numbers::ln2 * (heat.exponent - heat.step * heat.level[static_cast<std::size_t>(r)]);
 }
 
-// Factors M + time L: of functions without subtraction, of vectors, which turn along edges, as well as rounding lets it.
+// Factors M + time L: of functions without subtraction, of vectors, which turn along edges, as well
+// as rounding lets it.
 inline Laplacian_factorization factored_flow(const Eigen::SparseMatrix<double>& laplacian,
                                              const Eigen::VectorXd& masses) {
   return {laplacian, masses};
@@ -160,9 +163,10 @@ public:
 private:
   static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
 
-  // Where heat is below the range of doubles, it is found again from the heat at the limit, as a source: let w be u where it is
-  // known, else zero; then A (u - w) = u0 - A w, which is not zero along the limit and where u0 is below the range. It has the magnitude of the values
-  // there, and so can be scaled.
+  // Where heat is below the range of doubles, it is found again from the heat at the limit, as a
+  // source: let w be u where it is known, else zero; then A (u - w) = u0 - A w, which is not zero
+  // along the limit and where u0 is below the range. It has the magnitude of the values there, and
+  // so can be scaled.
   void find_lost(Heat<Scalar>& heat, const Heat<Scalar>& start,
                  const std::vector<char>& is_reached) const {
     for (int level = 0; mark_lost(heat, start, level, is_reached); ++level) {
@@ -174,8 +178,8 @@ private:
     }
   }
 
-  // Raises the level of what is too small, and not only by cancellation of a source. \return whether there is any, and some has
-  // been found on this level
+  // Raises the level of what is too small, and not only by cancellation of a source. \return
+  // whether there is any, and some has been found on this level
   static bool mark_lost(Heat<Scalar>& heat, const Heat<Scalar>& start, int level,
                         const std::vector<char>& is_reached) {
     const double least = std::ldexp(1.0, -Heat<Scalar>::step);

@@ -88,8 +88,7 @@ static void expect_excess(const Eigen::VectorXd& excess,
 
 } // namespace internal
 
-std::vector<std::uint32_t>
-rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
+std::vector<std::uint32_t> rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
   const std::vector<std::uint32_t> component = components_of_matrix(a);
   return internal::least_rows(component,
                               internal::laplacian_components(internal::Row_sums(a), component));
@@ -116,9 +115,8 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
 
 // With negative weights, as at the border, neither way is free of subtraction; where one fails, the
 // other may do.
-void
-Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
-                                             const Eigen::VectorXd& excess) {
+void Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
+                                                  const Eigen::VectorXd& excess) {
   try {
     factorization_.emplace<Cholesky_factorization<double>>(a);
   } catch (const Indefinite_matrix&) {
@@ -126,8 +124,8 @@ Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& 
   }
 }
 
-Eigen::MatrixXd
-Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+Eigen::MatrixXd Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b,
+                                                const Eigen::MatrixXd& values) const {
   if (b.rows() != matrix_.cols())
     throw std::invalid_argument("b must have a row per row of the matrix, " +
                                 std::to_string(matrix_.cols()) + ", not " +
@@ -148,8 +146,8 @@ Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd&
   return x;
 }
 
-Eigen::MatrixXd
-Fixed_values_solver::solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const {
+Eigen::MatrixXd Fixed_values_solver::solve(const Eigen::MatrixXd& b,
+                                           const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd x = fixed_part(b, values);
   if (std::holds_alternative<std::monostate>(factorization_)) return x;
   Eigen::MatrixXd right = sign_ * b - matrix_ * x;

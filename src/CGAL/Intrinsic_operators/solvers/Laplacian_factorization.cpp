@@ -80,8 +80,7 @@ Eigen::Index Laplacian_factorization::size() const {
   return static_cast<Eigen::Index>(factor_->pivot.size());
 }
 
-Eigen::MatrixXd
-Laplacian_factorization::solved(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
+Eigen::MatrixXd Laplacian_factorization::solved(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
   if (b.rows() != size())
     throw std::invalid_argument("the right side must have a row per row of the matrix, " +
                                 std::to_string(size()) + ", not " + std::to_string(b.rows()));

@@ -47,8 +47,8 @@ private:
   std::size_t solutions_ = 0;
 };
 
-// What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made; eigenvectors that were found may be
-// taken out, so that others come to the fore.
+// What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made;
+// eigenvectors that were found may be taken out, so that others come to the fore.
 class Shifted_inverse {
 public:
   using Scalar = double; // named by Spectra
@@ -114,8 +114,8 @@ static void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& 
   pairs.vectors.col(i) = vector;
 }
 
-// From one vector Lanczos' method finds one eigenvector of each eigenvalue, and others by rounding alone: of a symmetric surface it misses
-// some. They are found when the others are taken out.
+// From one vector Lanczos' method finds one eigenvector of each eigenvalue, and others by rounding
+// alone: of a symmetric surface it misses some. They are found when the others are taken out.
 static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
                               const Spectra::SparseSymMatProd<double>& mass, double shift) {
   constexpr double equal = 1 - 1e-9;
@@ -127,7 +127,8 @@ static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
   }
 }
 
-// Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or noise that Lanczos' method took for a vector.
+// Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or
+// noise that Lanczos' method took for a vector.
 static void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m, const Eigenpairs& pairs) {
   const Eigen::SparseMatrix<double> sizes_a = a.cwiseAbs(), sizes_m = m.cwiseAbs();
@@ -214,8 +215,8 @@ static bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-// Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has nowhere to go. With m = l l^T in the first rows, columns of l^-T are
-// orthonormal.
+// Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has
+// nowhere to go. With m = l l^T in the first rows, columns of l^-T are orthonormal.
 static Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
   const Eigen::LLT<Eigen::MatrixXd> factored(
       Eigen::MatrixXd(Eigen::SparseMatrix<double>(m.topLeftCorner(count, count))));
@@ -226,15 +227,16 @@ static Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen
   return {Eigen::VectorXd::Zero(count), std::move(vectors), Status::done};
 }
 
-// trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or so.
+// trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or
+// so.
 static double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m) {
   const double mean = a.diagonal().sum() / m.diagonal().sum();
   return mean > 0 ? mean : 1;
 }
 
-// `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with few at the border, their inverse with a shift is accurate
-// entry by entry.
+// `m` is a positive diagonal, and `a` the Laplacian of a graph: without negative weights, or with
+// few at the border, their inverse with a shift is accurate entry by entry.
 static bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
                                 const Eigen::SparseMatrix<double>& m) {
   for (int c = 0; c < m.cols(); ++c)
@@ -243,8 +245,9 @@ static bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
   return a.isCompressed() && is_laplacian(a) && m.diagonal().minCoeff() > 0;
 }
 
-// About how many eigenvalues there are below the shift, but those of constants in components: by a random vector x that is orthogonal to these,
-// the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x, the sum of s / (lambda + s).
+// About how many eigenvalues there are below the shift, but those of constants in components: by a
+// random vector x that is orthogonal to these, the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x,
+// the sum of s / (lambda + s).
 static double eigenvalues_below(const Laplacian_factorization& inverse,
                                 const Eigen::VectorXd& masses,
                                 const std::vector<std::uint32_t>& component, double shift) {
@@ -264,8 +267,9 @@ static double eigenvalues_below(const Laplacian_factorization& inverse,
   return shift * x.dot(inverse.solve(x));
 }
 
-// Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must not be much above the eigenvalues that are asked for, as it
-// would be where few large weights make the trace.
+// Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must
+// not be much above the eigenvalues that are asked for, as it would be where few large weights make
+// the trace.
 static Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
                                           const Eigen::VectorXd& masses, Eigen::Index count,
                                           double& shift, Solution_counter& solutions) {
@@ -281,8 +285,9 @@ static Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
   return {std::move(inverse), solutions};
 }
 
-// Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first frequency, and so much that rounding leaves the
-// matrix definite: its smallest eigenvalue is the shift, its condition about the square of the size.
+// Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first
+// frequency, and so much that rounding leaves the matrix definite: its smallest eigenvalue is the
+// shift, its condition about the square of the size.
 static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
                                        const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                        double& shift, Solution_counter& solutions) {
@@ -298,9 +303,9 @@ static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
   return {Cholesky_factorization<double>(a + shift * m), solutions};
 }
 
-Eigenpairs
-smallest_eigenpairs(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& m,
-                    Eigen::Index count, const std::function<bool(std::size_t)>& progress) {
+Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                               const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               const std::function<bool(std::size_t)>& progress) {
   const Eigen::Index size = a.rows();
   if (a.cols() != size || m.rows() != size || m.cols() != size)
     throw std::invalid_argument("both matrices must be square and of one size");

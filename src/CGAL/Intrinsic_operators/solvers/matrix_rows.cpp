@@ -26,7 +26,7 @@ Row_sums::Row_sums(const Eigen::SparseMatrix<double>& a)
 }
 
 std::vector<char> laplacian_components(const Row_sums& sums,
-                                              const std::vector<std::uint32_t>& component) {
+                                       const std::vector<std::uint32_t>& component) {
   std::vector<char> result(component.size(), 1);
   for (std::size_t r = 0; r < component.size(); ++r)
     if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
@@ -46,8 +46,8 @@ bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a) {
 }
 
 Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
-                                                Eigen::VectorXd diagonal,
-                                                const std::vector<char>& is_fixed) {
+                                         Eigen::VectorXd diagonal,
+                                         const std::vector<char>& is_fixed) {
   for (int c = 0; c < laplacian.cols(); ++c)
     if (is_fixed[static_cast<std::size_t>(c)] != 0)
       for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian, c); i; ++i)

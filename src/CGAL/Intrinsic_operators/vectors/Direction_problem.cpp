@@ -25,7 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Smoothest fields in the parts of a surface, some of which have no wishes: there, the eigenvector of the smallest eigenvalue.
+// Smoothest fields in the parts of a surface, some of which have no wishes: there, the eigenvector
+// of the smallest eigenvalue.
 class Direction_solver {
   using Complex = std::complex<double>;
 
@@ -93,7 +94,8 @@ private:
     return z;
   }
 
-  // Replaces vectors by the best ones of what some powers of the inverse make of them; returns whether they are eigenvectors.
+  // Replaces vectors by the best ones of what some powers of the inverse make of them; returns
+  // whether they are eigenvectors.
   bool improve(Eigen::VectorXcd& z) const {
     constexpr int steps = 16;
     Eigen::MatrixXcd basis(z.size(), steps);
@@ -120,7 +122,8 @@ private:
     return combine(basis, diagonal, beside, z);
   }
 
-  // The greatest eigenvectors of tridiagonal matrices, a row of entries for each part, as sums of vectors of the basis.
+  // The greatest eigenvectors of tridiagonal matrices, a row of entries for each part, as sums of
+  // vectors of the basis.
   bool combine(const Eigen::MatrixXcd& basis, const Eigen::MatrixXd& diagonal,
                const Eigen::MatrixXd& beside, Eigen::VectorXcd& z) const {
     const Eigen::Index last = diagonal.cols() - 1;

@@ -84,8 +84,7 @@ Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source
   return w;
 }
 
-Eigen::VectorXd
-Heat_transport::log_heat(const std::vector<Source_corner>& source) const {
+Eigen::VectorXd Heat_transport::log_heat(const std::vector<Source_corner>& source) const {
   const Heat<double> found = heat(source);
   Eigen::VectorXd result(found.value.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(found, i);
@@ -177,8 +176,9 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
   return result;
 }
 
-// Vectors that point away from the source, at the neighbours of its vertices. Weighted by cotangents and lengths of edges they add up to zero in the plane,
-// as linear functions are harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
+// Vectors that point away from the source, at the neighbours of its vertices. Weighted by
+// cotangents and lengths of edges they add up to zero in the plane, as linear functions are
+// harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
 Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd at = weights(source);
   Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
@@ -192,7 +192,8 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
   return b;
 }
 
-// What makes a matrix definite that has constants in its kernel: a vertex in each part that edges connect.
+// What makes a matrix definite that has constants in its kernel: a vertex in each part that edges
+// connect.
 Eigen::VectorXd Heat_transport::pins() const {
   Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
   for (std::size_t i = 0; i < graph_.size; ++i)
@@ -200,7 +201,8 @@ Eigen::VectorXd Heat_transport::pins() const {
   return pins;
 }
 
-// The function whose differences along edges are nearest to those along unit vectors, zero at the source.
+// The function whose differences along edges are nearest to those along unit vectors, zero at the
+// source.
 Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
                                           const Eigen::VectorXcd& radial) const {
   if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
