@@ -70,8 +70,8 @@ struct Orientation_result {
   bool is_orientable = true;
   /// If not: a halfedge whose gluing closes a path of faces that reverses orientation.
   std::uint32_t witness = Gluing::none;
-  /// If so: nonzero for each face to be reversed, of each component at most half of the faces. The first one of a component is
-  /// kept if there are as many of either kind.
+  /// If so: nonzero for each face to be reversed, of each component at most half of the faces. The
+  /// first one of a component is kept if there are as many of either kind.
   std::vector<char> reversed_faces;
 };
 
@@ -114,7 +114,8 @@ Orientation_result find_orientation(const Gluing& g);
 /*!
 \brief reverses faces of a gluing so that all gluings respect the orientation, if that is possible.
 
-A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which faces: see `Orientation_result`.
+A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which faces: see
+`Orientation_result`.
 \param g the gluing, which is changed only if it is orientable
 \return the faces reversed, or a witness that none of the choices works
 \pre `validate(g)` does not throw

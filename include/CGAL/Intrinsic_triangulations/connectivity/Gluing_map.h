@@ -67,7 +67,8 @@ public:
     validate(gluing);
     build(gluing);
   }
-  /// builds the connectivity of a gluing that is known to be valid, as those of `gluing_from_triangles()`.
+  /// builds the connectivity of a gluing that is known to be valid, as those of
+  /// `gluing_from_triangles()`.
   /// \pre `validate(gluing)` does not throw \complexity linear
   static Gluing_map from_valid(const Gluing& gluing) {
     Gluing_map result;
@@ -121,7 +122,8 @@ public:
     return {h, n, next(n)};
   }
 
-  /// returns the border halfedge after `h` around its target, within one umbrella. \pre `is_oriented()`
+  /// returns the border halfedge after `h` around its target, within one umbrella. \pre
+  /// `is_oriented()`
   Halfedge next_on_border(Halfedge h) const {
     Halfedge n = opposite(h);
     while (face(n).index != Gluing::none) n = opposite(next(next(n)));

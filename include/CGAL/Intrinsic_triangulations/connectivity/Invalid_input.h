@@ -24,7 +24,8 @@ public:
   Invalid_input(Element_kind kind, std::size_t index, const std::string& message)
       : std::runtime_error(message), kind_(kind), index_(index) {}
 
-  /// constructs the error with a message that starts with the element at fault: "face 7" and what is said of it.
+  /// constructs the error with a message that starts with the element at fault: "face 7" and what
+  /// is said of it.
   static Invalid_input about(Element_kind kind, std::size_t index, const std::string& what);
 
   /// returns the kind of the element at fault.

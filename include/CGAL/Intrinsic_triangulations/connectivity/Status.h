@@ -11,8 +11,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief tells how an algorithm or a query ended.
 
-All of them use these words. Why a single move was refused, which algorithms meet with and count, is a
-`Move_status`: a question about one edge or vertex, not about an end.
+All of them use these words. Why a single move was refused, which algorithms meet with and count, is
+a `Move_status`: a question about one edge or vertex, not about an end.
 */
 enum class Status : std::uint8_t {
   done,       ///< what was asked for is there, as far as the arithmetic can tell

@@ -18,9 +18,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief writes a gluing map as a list of gluings: the inverse of `Gluing_map(const Gluing&)`.
 
-Side 0 of face `f` is `map.halfedge(f)`; where elements have been removed, the others are numbered in
-the order of iteration. Building a gluing map from the result gives the same faces
-and vertices; edges are numbered anew, in the order in which the faces meet them.
+Side 0 of face `f` is `map.halfedge(f)`; where elements have been removed, the others are numbered
+in the order of iteration. Building a gluing map from the result gives the same faces and vertices;
+edges are numbered anew, in the order in which the faces meet them.
 \param map the gluing map, oriented or not
 \pre the map has the invariants of `MutableDeltaComplex`
 \complexity linear
@@ -30,7 +30,8 @@ Gluing gluing_from_map(const Gluing_map& map);
 namespace internal {
 
 // The connectivity of any mesh as a gluing map with vertices, edges and faces in the order of
-// iteration: the map itself by reference, a copy of anything else and of a map with removed elements.
+// iteration: the map itself by reference, a copy of anything else and of a map with removed
+// elements.
 template <class Mesh>
 class As_gluing_map {
 public:

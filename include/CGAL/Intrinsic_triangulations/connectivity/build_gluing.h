@@ -54,8 +54,8 @@ struct Sides_by_edge {
   }
 };
 
-// Those of triangles that have an edge in common where they have both its ends; it runs from the lower one. The sides at an edge
-// are in the order of halfedges.
+// Those of triangles that have an edge in common where they have both its ends; it runs from the
+// lower one. The sides at an edge are in the order of halfedges.
 Sides_by_edge sides_by_edge(const Gluing& g);
 
 // Triangles of which no side is glued yet.
@@ -83,7 +83,8 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const Triangles& tria
   return g;
 }
 
-// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are parts of a polygon, it is a diagonal.
+// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are
+// parts of a polygon, it is a diagonal.
 std::string edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
                             const std::vector<std::uint32_t>& names);
 
@@ -98,8 +99,8 @@ struct Shared_edges {
   std::size_t conflicts = 0; // number of these edges
 };
 
-// Glues triangles that share edges, whether they agree in orientation or not. Calls `nonmanifold(e)` for each edge with more than
-// two faces, which are not glued.
+// Glues triangles that share edges, whether they agree in orientation or not. Calls
+// `nonmanifold(e)` for each edge with more than two faces, which are not glued.
 template <class Function>
 Shared_edges glue_pairs(Gluing& g, const Sides_by_edge& edges, const Function& nonmanifold) {
   Shared_edges result;
@@ -116,7 +117,8 @@ Shared_edges glue_pairs(Gluing& g, const Sides_by_edge& edges, const Function& n
   return result;
 }
 
-// Glues triangles that nothing is glued to. `conflict` is set to that of `Shared_edges`; `names` are those of faces in messages.
+// Glues triangles that nothing is glued to. `conflict` is set to that of `Shared_edges`; `names`
+// are those of faces in messages.
 Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names);
 
 } // namespace internal
@@ -143,7 +145,8 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const Triangles& 
 \brief glues triangles that share edges, and turns those around that disagree with their neighbours.
 \param number_of_vertices, triangles see `gluing_from_triangles()`; the order of corners may be any
 \param reversed_faces set to nonzero for each face that was turned around, see `Orientation_result`
-\param names what each face is called in messages, as `Triangle_soup::polygon_of_triangle`; empty: by its number
+\param names what each face is called in messages, as `Triangle_soup::polygon_of_triangle`; empty:
+  by its number
 \throws Invalid_input see above; of orientation, only if no choice of it is consistent
 \complexity as above
 */
@@ -238,7 +241,8 @@ Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& pol
     if (sides[f] != 3 && polygon == Gluing::none) polygon = f;
     map.set_halfedge(Gluing_map::Face{f++}, {side(number.halfedge(h))});
   }
-  // where several umbrellas meet at a vertex, meshes may go on in another one; `previous()` does not
+  // where several umbrellas meet at a vertex, meshes may go on in another one; `previous()` does
+  // not
   for (std::uint32_t h = 0; h < map.number_of_halfedges() && polygon == Gluing::none; ++h)
     if (map.face({h}).index == Gluing::none) map.set_next({h}, map.next_on_border({h}));
   return map;
@@ -268,8 +272,8 @@ Gluing_map gluing_map_from_face_graph(const FaceGraph& mesh) {
 \brief builds a mesh of any type from a gluing map, with the same numbering.
 
 Vertex `i`, edge `e` and face `f` of the result, in the order of iteration, are those of `map`, and
-`halfedge(face, mesh)` and the directions of edges agree. Elements that have been removed from `map` are
-left out, and those after them move up.
+`halfedge(face, mesh)` and the directions of edges agree. Elements that have been removed from `map`
+are left out, and those after them move up.
 \tparam Mesh a model of `MutableFaceGraph` that is empty
 \pre `map.is_oriented()`
 \complexity linear

@@ -114,8 +114,9 @@ concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>&
 } // namespace internal
 
 /*!
-\brief asks for the connectivity of a surface of polygons that can be read: BGL's `FaceListGraph` and
-`HalfedgeListGraph`, with a halfedge of each vertex. Elements need not be determined by their vertices.
+\brief asks for the connectivity of a surface of polygons that can be read: BGL's `FaceListGraph`
+and `HalfedgeListGraph`, with a halfedge of each vertex. Elements need not be determined by their
+vertices.
 */
 template <class Mesh>
 concept ReadableFaceGraph = internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh>;

@@ -15,9 +15,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief calls a function with the halfedges that start at a vertex, counterclockwise.
 
-On the border the first has no face on its right, and the last none on its left: the vertex's halfedge is
-on the border there, as in every mesh of this package. At a vertex that is not manifold these are the
-halfedges of one fan. A loop is met in both directions.
+On the border the first has no face on its right, and the last none on its left: the vertex's
+halfedge is on the border there, as in every mesh of this package. At a vertex that is not manifold
+these are the halfedges of one fan. A loop is met in both directions.
 \tparam Mesh a mesh of triangles
 \tparam Function a functor with halfedges as argument, which must not change the mesh
 \param v the vertex \pre it is not isolated

@@ -32,8 +32,8 @@ void connect_face(Halfedge a, Halfedge b, Halfedge c,
   set_halfedge(f, a, mesh);
 }
 
-// Makes `kept` the halfedge of its target if that is `removed` so far. Any other halfedge stays, so that
-// vertices of the border keep theirs on the border.
+// Makes `kept` the halfedge of its target if that is `removed` so far. Any other halfedge stays, so
+// that vertices of the border keep theirs on the border.
 template <class Mesh, class Halfedge = typename boost::graph_traits<Mesh>::halfedge_descriptor>
 void replace_halfedge_of_target(Halfedge removed, Halfedge kept, Mesh& mesh) {
   const auto v = target(kept, mesh);
@@ -46,8 +46,8 @@ Element numbered(Element e, const Mesh& mesh, Numbers& numbers) {
   return e;
 }
 
-// Adds an element that refers to nothing, numbered; one that was removed if the numbering brings it back. An
-// edge is given by its halfedge.
+// Adds an element that refers to nothing, numbered; one that was removed if the numbering brings it
+// back. An edge is given by its halfedge.
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
                                                                           Numbers& numbers) {
@@ -91,9 +91,11 @@ void remove_numbered(Element e, Mesh& mesh, Numbers& numbers) {
 } // namespace internal
 
 /*!
-\brief takes back the flip of an edge: turns it from km in the faces kmj and mki to ij in ijk and jim.
+\brief takes back the flip of an edge: turns it from km in the faces kmj and mki to ij in ijk and
+jim.
 \tparam Mesh a model of `MutableDeltaComplex`
-\param h the halfedge km, which `CGAL::Euler::flip_edge()` has turned; its face and that of its opposite are not the same
+\param h the halfedge km, which `CGAL::Euler::flip_edge()` has turned; its face and that of its
+  opposite are not the same
 \param mesh the complex
 \complexity constant
 */
@@ -112,7 +114,8 @@ void flip_edge_back(typename boost::graph_traits<Mesh>::halfedge_descriptor h, M
 }
 
 /*!
-\brief inserts a vertex p in the face ijk of `h` = ij: `h` is in face ijp then, followed by jp and pi.
+\brief inserts a vertex p in the face ijk of `h` = ij: `h` is in face ijp then, followed by jp and
+pi.
 \tparam Mesh a model of `MutableDeltaComplex`
 \param h a halfedge with a face
 \param mesh the complex
@@ -170,8 +173,8 @@ void remove_degree_3_vertex(typename boost::graph_traits<Mesh>::halfedge_descrip
 }
 
 /*!
-\brief inserts a vertex p on a border edge: `h` = ij, in face ijk, becomes ip in face ipk; pj is in a new
-face pjk.
+\brief inserts a vertex p on a border edge: `h` = ij, in face ijk, becomes ip in face ipk; pj is in
+a new face pjk.
 \tparam Mesh a model of `MutableDeltaComplex`
 \param h a halfedge with a face, its opposite without
 \param mesh the complex

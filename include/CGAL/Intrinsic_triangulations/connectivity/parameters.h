@@ -18,10 +18,10 @@ Named parameters: the one way in which functions of the package take options. Th
 
     delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
 
-What a name means, and its default, is told by the function. A visitor is copied; pass `std::ref(v)` to have
-`v` itself called. One that the function does not have is an
-error of the compiler. `CGAL::parameters` are taken as well; CGAL's chain cannot be continued by names of this
-package, but all of the names are here, those of CGAL among them.
+What a name means, and its default, is told by the function. A visitor is copied; pass `std::ref(v)`
+to have `v` itself called. One that the function does not have is an error of the compiler.
+`CGAL::parameters` are taken as well; CGAL's chain cannot be continued by names of this package, but
+all of the names are here, those of CGAL among them.
 */
 
 /// \cond

@@ -32,8 +32,8 @@ struct Incidence_entry {
 };
 
 /*!
-\brief holds the signed incidence matrices of a triangulated surface (§2.2 of the course) as lists of
-entries.
+\brief holds the signed incidence matrices of a triangulated surface (§2.2 of the course) as lists
+of entries.
 
 Entries at the same place are kept apart, never summed. A loop has both +1 and -1 at its vertex, and
 an edge along which a face is glued to itself has two entries in the row of that face: sums would be

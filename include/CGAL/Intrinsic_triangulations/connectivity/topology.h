@@ -40,7 +40,8 @@ std::vector<std::uint32_t> border_of_loops(const Gluing_map& m);
 } // namespace internal
 
 /*!
-\brief tells whether the faces of a mesh can be oriented consistently; only those of a `Gluing_map` may not.
+\brief tells whether the faces of a mesh can be oriented consistently; only those of a `Gluing_map`
+may not.
 \tparam Mesh a model of `MutableDeltaComplex`
 \complexity constant for meshes whose gluings respect the orientation, else linear
 */

@@ -10,9 +10,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The triangles at the origin in the Delaunay triangulation of it and of points in the plane: those of the hull of the inverted
-// points that face it. Only exact predicates are asked. Of four points on a circle, the diagonal is at the one of least number,
-// whichever point the star is of.
+// The triangles at the origin in the Delaunay triangulation of it and of points in the plane: those
+// of the hull of the inverted points that face it. Only exact predicates are asked. Of four points
+// on a circle, the diagonal is at the one of least number, whichever point the star is of.
 class Delaunay_star {
 public:
   struct Neighbour {
@@ -22,7 +22,8 @@ public:
   };
 
   // \param center the number of the point at the origin
-  // \param neighbours which are sorted and thinned out; those left are the corners of triangles, counterclockwise
+  // \param neighbours which are sorted and thinned out; those left are the corners of triangles,
+  // counterclockwise
   // \return whether the last of them and the first are, too: the star goes all around
   static bool find(std::uint32_t center, std::vector<Neighbour>& neighbours);
 };

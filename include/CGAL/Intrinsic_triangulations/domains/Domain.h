@@ -28,13 +28,15 @@ enum class Domain_kind {
 struct Domain_report {
   /// What was made: never `automatic` or `closed`.
   Domain_kind kind = Domain_kind::manifold;
-  /// What decided, in words that name the edge and its faces, by their numbers before polygons were triangulated.
+  /// What decided, in words that name the edge and its faces, by their numbers before polygons were
+  /// triangulated.
   std::string reason;
   /// Number of sheets over each face: 2 for covers.
   std::uint32_t sheets = 1;
   /// Number of edges with more than two faces.
   std::size_t nonmanifold_edges = 0;
-  /// Number of edges with two faces that run along the edge in the same direction, as they were given.
+  /// Number of edges with two faces that run along the edge in the same direction, as they were
+  /// given.
   std::size_t unoriented_edges = 0;
 };
 
@@ -49,34 +51,35 @@ struct Domain {
 /*!
 \brief makes a surface of any triangles in space (§6.1 of the course).
 
-Edges may have any number of faces, faces any orientation; faces may be repeated, vertices isolated. Edges are
-matched by their end vertices.
+Edges may have any number of faces, faces any orientation; faces may be repeated, vertices isolated.
+Edges are matched by their end vertices.
 
 - If every edge has at most two faces, and they can be oriented consistently, the surface is the triangles.
 - If every edge has at most two faces, but the surface has only one side, as a Moebius strip, it is the orientation
   double cover: a front and a back of each face; two of them are glued where the faces meet.
 - Else it is the tufted cover: around each edge, in the order of their angles, the side of each face that looks at the
-  next face is glued to the side of that which looks back. A single face is glued to its own back. Angles are compared
-  exactly; faces in one half plane follow each other in the order of their numbers, and repeated faces go around once more:
-  faces that are all there r times have r times the Laplacian.
+  next face is glued to the side of that which looks back. A single face is glued to its own back.
+  Angles are compared exactly; faces in one half plane follow each other in the order of their
+  numbers, and repeated faces go around once more: faces that are all there r times have r times the
+  Laplacian.
 
-Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are split into one per
-neighbourhood; matrices have the rows of the user's vertices nevertheless, `Intrinsic_triangulation::input_vertex()`, and
-are divided by the number of sheets, so that they are those of the triangles. `delaunay_refine()` inserts all copies of a point
-together. The front and the back of face `f` of the soup
-are faces `2f` and `2f + 1` by name. A tufted cover has no border: with exact traits, no weight of its Delaunay Laplacian is
-negative.
+Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are
+split into one per neighbourhood; matrices have the rows of the user's vertices nevertheless,
+`Intrinsic_triangulation::input_vertex()`, and are divided by the number of sheets, so that they are
+those of the triangles. `delaunay_refine()` inserts all copies of a point together. The front and
+the back of face `f` of the soup are faces `2f` and `2f + 1` by name. A tufted cover has no border:
+with exact traits, no weight of its Delaunay Laplacian is negative.
 
-Of an oriented surface without border the tufted cover is two copies, so that the surface itself has the same Laplacian and mass
-matrix, in less than half of the time. `Domain_kind::closed` makes what is enough for them: it has no border, and these matrices are
-those of the tufted cover.
+Of an oriented surface without border the tufted cover is two copies, so that the surface itself has
+the same Laplacian and mass matrix, in less than half of the time. `Domain_kind::closed` makes what
+is enough for them: it has no border, and these matrices are those of the tufted cover.
 
 \param soup points and triangles, see `triangle_soup()` and `read_triangle_soup()`
 \param kind what is asked for
 \param mollification treatment of degenerate faces
-\throws Invalid_input naming the element if a face repeats a vertex or has one out of range, a coordinate is not finite,
-  or if the triangles are not what is asked for: `manifold` needs edges of at most two faces that agree, `orientation_cover`
-  edges of at most two faces
+\throws Invalid_input naming the element if a face repeats a vertex or has one out of range, a
+  coordinate is not finite, or if the triangles are not what is asked for: `manifold` needs edges of
+  at most two faces that agree, `orientation_cover` edges of at most two faces
 \complexity linear for edges with a bounded number of faces
 */
 Domain make_domain(Triangle_soup soup, Domain_kind kind = Domain_kind::automatic,
@@ -85,8 +88,8 @@ Domain make_domain(Triangle_soup soup, Domain_kind kind = Domain_kind::automatic
 /*!
 \brief makes a surface of triangles that are glued already: a cover of it, or an orientation for it.
 
-See above. Edges are not matched: they are those of the gluing, which may have squared lengths in place of points. Of a mesh,
-`Intrinsic_input(mesh)` makes such an input, polygons triangulated.
+See above. Edges are not matched: they are those of the gluing, which may have squared lengths in
+place of points. Of a mesh, `Intrinsic_input(mesh)` makes such an input, polygons triangulated.
 \param input what would be the surface otherwise, oriented or not
 \param kind what is asked for
 \throws Invalid_input naming the edge if `manifold` is asked for and the surface has only one side

@@ -18,15 +18,18 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports what was found in a point cloud.
 */
 struct Point_cloud_report {
-  /// How many neighbours of each point were triangulated: fewer than asked for if there are fewer points.
+  /// How many neighbours of each point were triangulated: fewer than asked for if there are fewer
+  /// points.
   std::size_t neighbours = 0;
   /// Number of triangles before covering; most of them are there three times, once for each corner.
   std::size_t triangles = 0;
   /// Number of points at the place of one before them: they are left out, and their rows are zero.
   std::size_t duplicated_points = 0;
-  /// Number of points without triangles, whose neighbours lie on a line, or that have none. Their rows may be zero.
+  /// Number of points without triangles, whose neighbours lie on a line, or that have none. Their
+  /// rows may be zero.
   std::size_t points_without_triangles = 0;
-  /// For each point whether it is on the border: its cell among those of its neighbours is not bounded.
+  /// For each point whether it is on the border: its cell among those of its neighbours is not
+  /// bounded.
   std::vector<char> is_on_border;
 };
 
@@ -54,13 +57,15 @@ struct Point_cloud : Domain {
 The nearest neighbours of each point are turned about it into the plane that fits them best, with
 their distances from it. The triangles at the point in their planar Delaunay triangulation, decided
 exactly, approximate the surface there. The union of these triangles over all points has every
-neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six sheets, and matrices are divided by
-that many: they approximate those of the surface. With exact traits no weight of the Delaunay Laplacian is negative. Rows are points.
+neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six
+sheets, and matrices are divided by that many: they approximate those of the surface. With exact
+traits no weight of the Delaunay Laplacian is negative. Rows are points.
 
 \param points the points, in any order
 \param neighbours how many are triangulated around each point; two at least
 \param mollification treatment of degenerate faces
-\throws Invalid_input naming a point with a coordinate that is not finite; or if there is no triangle, as the points lie on a line
+\throws Invalid_input naming a point with a coordinate that is not finite; or if there is no
+  triangle, as the points lie on a line
 \complexity \f$n (\log n + k \log k)\f$ for n points and k neighbours
 */
 Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,

@@ -22,7 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Collects the vertices and faces of a file, or of arrays, and refuses the first one that is unusable.
+// Collects the vertices and faces of a file, or of arrays, and refuses the first one that is
+// unusable.
 class Soup_builder {
 public:
   // \param file the name of the file, for messages; empty: there is none
@@ -36,7 +37,8 @@ public:
   std::int64_t first_reference = 0;
   // Whether faces may refer to vertices that are still to come.
   bool forward_references = false;
-  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing is asked of faces.
+  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing
+  // is asked of faces.
   bool needs_faces = true, takes_faces = true;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
@@ -80,7 +82,8 @@ private:
 
   void check_reference(std::size_t f, std::int64_t v);
 
-  // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines there and back, without area.
+  // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines
+  // there and back, without area.
   const std::vector<std::int64_t>& without_lines(const std::vector<std::int64_t>& face);
 
   // Several polygons may be a face with a hole, which is no two faces.
@@ -124,16 +127,16 @@ concept FaceRange = requires(const Range& faces) {
 /*!
 \brief makes a soup of points and faces in arrays.
 
-Polygons are triangulated, and repeated vertices left out, as those of files are, see `read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()`
-makes a surface of any.
+Polygons are triangulated, and repeated vertices left out, as those of files are, see
+`read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()` makes a surface of any.
 \tparam Points a model of `PointRange`
 \tparam Faces a model of `FaceRange`: vertices are in their order around the face
 \param points the points
 \param faces the faces
 \param polygons what is made of polygons that are not planar
-\throws Invalid_input naming a point with a coordinate that is not finite; or a face with fewer than three points, with
-  one that does not exist, with area on two sides of one that occurs twice, or that cannot be triangulated; or if there are no
-  faces
+\throws Invalid_input naming a point with a coordinate that is not finite; or a face with fewer than
+  three points, with one that does not exist, with area on two sides of one that occurs twice, or
+  that cannot be triangulated; or if there are no faces
 \complexity linear for polygons of bounded size
 */
 template <PointRange Points, FaceRange Faces>

@@ -15,8 +15,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Sorts points counterclockwise about the line from `a` to `b`, starting in the half plane of one of them; decided exactly.
-// Points in one half plane keep their order, and so do those on the line, which come last.
+// Sorts points counterclockwise about the line from `a` to `b`, starting in the half plane of one
+// of them; decided exactly. Points in one half plane keep their order, and so do those on the line,
+// which come last.
 // \param apices numbers of the points, from 0 in `points`
 // \return places in `apices`, in the new order
 // \pre coordinates are finite
@@ -24,7 +25,8 @@ std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double,
                                             std::uint32_t a, std::uint32_t b,
                                             const std::vector<std::uint32_t>& apices);
 
-// The front and the back of each face of a gluing, as faces 2f and 2f + 1 of another one: the back of ijk is jik.
+// The front and the back of each face of a gluing, as faces 2f and 2f + 1 of another one: the back
+// of ijk is jik.
 class Double_cover {
 public:
   // \param faces of which only the origins are read
@@ -48,8 +50,8 @@ public:
     return 3 * (h / 6) + (h % 6 < 3 ? k : (3 - k) % 3);
   }
 
-  // Glues the faces at an edge (Algorithm 8 of the course): the copy of each that runs along the edge, to the copy of
-  // the next one in the circle that runs against it.
+  // Glues the faces at an edge (Algorithm 8 of the course): the copy of each that runs along the
+  // edge, to the copy of the next one in the circle that runs against it.
   // \param fan counterclockwise about the edge
   void glue(std::span<const Edge_side> fan) {
     for (std::size_t i = 0; i < fan.size(); ++i) {
@@ -68,7 +70,8 @@ private:
   Gluing cover_;
 };
 
-// The tufted cover of triangles, any number of which meet at an edge. Without points, they are in the order around it.
+// The tufted cover of triangles, any number of which meet at an edge. Without points, they are in
+// the order around it.
 Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                           const std::vector<std::array<double, 3>>& points);
 

@@ -19,11 +19,13 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a tree of triangles of a surface, one glued to a side of another, that curves or walks pass.
+\brief is a tree of triangles of a surface, one glued to a side of another, that curves or walks
+pass.
 
-The first side of the first triangle runs from point 0 to point 1, and triangle number n adds point n + 2. Which
-triangles these are is one thing, what is carried along them another: positions in the plane, in any field, or whatever
-else follows at the apex of a triangle from the ends of its first side. Memory stays from tree to tree.
+The first side of the first triangle runs from point 0 to point 1, and triangle number n adds point
+n + 2. Which triangles these are is one thing, what is carried along them another: positions in the
+plane, in any field, or whatever else follows at the apex of a triangle from the ends of its first
+side. Memory stays from tree to tree.
 \tparam Side_ names a side of a triangle of the surface: a halfedge, or a `Face_side`
 */
 template <std::copyable Side_ = std::uint32_t>
@@ -38,7 +40,8 @@ public:
   struct Triangle {
     Side side;                          ///< its first side, over which it is entered
     std::array<std::uint32_t, 3> point; ///< where the first side starts, where it ends, the apex
-    /// the triangles beyond its sides, `none` where there is none; a parent comes before its children
+    /// the triangles beyond its sides, `none` where there is none; a parent comes before its
+    /// children
     std::array<std::uint32_t, 3> beyond;
 
     /// returns the triangle from which it is entered. \pre it is not the first triangle
@@ -97,7 +100,8 @@ public:
   /*!
   \brief carries values from point to point.
   \tparam Values a sequence, such as `std::vector`
-  \tparam Step a functor from a triangle, and the values where its first side starts and ends, to that at its apex
+  \tparam Step a functor from a triangle, and the values where its first side starts and ends, to
+    that at its apex
   \param at values at the first points: two at least; those at others are added
   \param step the functor
   \param count number of triangles whose apex is wanted
@@ -116,7 +120,8 @@ public:
   /*!
   \brief develops the triangles into the plane.
   \tparam Values a functor from a side to the `Face_values<FT>` of its face, from that side on
-  \param z positions of the first two points at least, or none: then they are 0 and 1; those of others are added
+  \param z positions of the first two points at least, or none: then they are 0 and 1; those of
+    others are added
   \param values the functor
   \param count see `carry()`
   */
@@ -148,7 +153,8 @@ struct Straight_line {
   Plane_vector<double> from; ///< where it starts
   Plane_vector<double> to;   ///< where it ends
 
-  /// returns where it crosses the segment between two points, on its left and on its right: 0 at the first of them, 1 at the other.
+  /// returns where it crosses the segment between two points, on its left and on its right: 0 at
+  /// the first of them, 1 at the other.
   double parameter(const Plane_vector<double>& left, const Plane_vector<double>& right) const {
     const double a = cross(to - from, left - from), b = cross(to - from, right - from);
     return a - b > 0 ? std::clamp(a / (a - b), 0.0, 1.0) : 0.5;

@@ -149,8 +149,8 @@ struct Left_area_expression {
 /*!
 \brief computes the squared length and the quadruple areas that a flip makes.
 
-L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are
-(p_k - p_m) / (2 l_ij) apart, their heights (a_f + a_g) / (2 l_ij). A sum of squares loses nothing to
+L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are (p_k
+- p_m) / (2 l_ij) apart, their heights (a_f + a_g) / (2 l_ij). A sum of squares loses nothing to
 cancellation on slivers, unlike L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij). The areas are as in
 `Convexity_at_source_expression` and `Convexity_at_target_expression`.
 \pre the diamond is strictly convex, `d.ij` is not zero
@@ -212,11 +212,11 @@ Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
 }
 
 /*!
-\brief bounds the error of the areas of `flipped()` for values with relative errors below `e`: an area
-that is not larger may have any sign in truth.
+\brief bounds the error of the areas of `flipped()` for values with relative errors below `e`: an
+area that is not larger may have any sign in truth.
 
-Either area is a sum of two products (p a) / (2 L_ij), where p adds three lengths and a is the area of
-a face. When p is small, the error of the lengths remains: `e` times their sum.
+Either area is a sum of two products (p a) / (2 L_ij), where p adds three lengths and a is the area
+of a face. When p is small, the error of the lengths remains: `e` times their sum.
 \tparam FT a floating point type
 */
 template <std::floating_point FT>

@@ -18,10 +18,11 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells of what kind a polynomial in squared lengths and quadruple areas is: some ways to decide a sign are faster,
-and right for some kinds only.
+\brief tells of what kind a polynomial in squared lengths and quadruple areas is: some ways to
+decide a sign are faster, and right for some kinds only.
 
-It is found by evaluating the polynomial on numbers of this type. Sums, differences, negations and products of degrees belong to those of polynomials.
+It is found by evaluating the polynomial on numbers of this type. Sums, differences, negations and
+products of degrees belong to those of polynomials.
 */
 struct Expression_degree {
   unsigned total;  ///< degree of a term in lengths and areas together, which scale alike
@@ -103,7 +104,8 @@ public:
   }
 
   /*!
-  \brief repeats the steps. Results of many are kept until their last use only: numbers may grow with every step.
+  \brief repeats the steps. Results of many are kept until their last use only: numbers may grow
+  with every step.
   \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
   \param values as many as the expression depends on
   */

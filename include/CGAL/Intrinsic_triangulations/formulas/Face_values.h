@@ -106,10 +106,11 @@ struct Long_side_expression {
 };
 
 /*
-The angle of a wedge, which is a sum of corner angles at a vertex, needs no trigonometry. At corner i of a face ijk let z = p + i a,
-p = L_ij + L_ki - L_jk and a the quadruple area; then z = 2 |ij| |ik| exp(i theta), theta the angle there. The product of the z
-of several faces has the sum of their angles as its argument: its imaginary part has the sign of the sine of the sum, its real
-part that of the cosine.
+The angle of a wedge, which is a sum of corner angles at a vertex, needs no trigonometry. At corner
+i of a face ijk let z = p + i a, p = L_ij + L_ki - L_jk and a the quadruple area; then z = 2 |ij|
+|ik| exp(i theta), theta the angle there. The product of the z of several faces has the sum of their
+angles as its argument: its imaginary part has the sign of the sine of the sum, its real part that
+of the cosine.
 */
 namespace internal {
 
@@ -129,7 +130,8 @@ Plane_vector<FT> wedge_product(std::span<const Face_values<FT>> faces,
 } // namespace internal
 
 /*!
-\brief evaluates to a value with the sign of the sine of the sum of angles of faces, each at the source of its first side.
+\brief evaluates to a value with the sign of the sine of the sum of angles of faces, each at the
+source of its first side.
 */
 struct Wedge_sine_expression {
   /// Powers of two, one per face: factors that keep the product from overflow.
@@ -142,7 +144,8 @@ struct Wedge_sine_expression {
 };
 
 /*!
-\brief evaluates to a value with the sign of the cosine of the sum of angles of faces, each at the source of its first side.
+\brief evaluates to a value with the sign of the cosine of the sum of angles of faces, each at the
+source of its first side.
 */
 struct Wedge_cosine_expression {
   /// Powers of two, one per face: factors that keep the product from overflow.

@@ -25,17 +25,18 @@
 \file
 What may be asked of a metric: signs of expressions.
 
-An expression is a functor with a template `operator()`, from the values of a diamond or of a span of faces
-to one value, that computes by the operations of a field, `+ - * /`, constants made of `int` or `double` included. It
-gives the same result in every field, so it neither compares nor branches on values, and has no static numbers and no state
-that changes. Its sign is decided
+An expression is a functor with a template `operator()`, from the values of a diamond or of a span
+of faces to one value, that computes by the operations of a field, `+ - * /`, constants made of
+`int` or `double` included. It gives the same result in every field, so it neither compares nor
+branches on values, and has no static numbers and no state that changes. Its sign is decided
 exactly, whatever its degree.
 
-Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For what they leave open it is
+Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For
+what they leave open it is
 *recorded*: evaluated once on a `Recorded_number`, which keeps the steps. The steps are then repeated in number types that the expression
-knows nothing of, so that their code is compiled once and not for each expression. They also tell of which degree a polynomial is (see
-`Expression_degree`), hence which fast ways of deciding its sign are right: nothing is declared, so nothing can be declared that is
-not true.
+knows nothing of, so that their code is compiled once and not for each expression. They also tell of
+which degree a polynomial is (see `Expression_degree`), hence which fast ways of deciding its sign
+are right: nothing is declared, so nothing can be declared that is not true.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -237,7 +238,8 @@ private:
 
 namespace internal {
 
-// those of the library depend on nothing but the values; another one without data may still read what changes
+// those of the library depend on nothing but the values; another one without data may still read
+// what changes
 template <class Expression>
 inline constexpr bool is_recorded_once =
     std::is_same_v<Expression, Delaunay_expression> ||

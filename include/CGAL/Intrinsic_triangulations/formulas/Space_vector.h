@@ -31,7 +31,8 @@ FT inner_product(const Space_vector<FT>& a, const Space_vector<FT>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// The exponent of the power of two that is near to the largest coordinate, relative to the first point.
+// The exponent of the power of two that is near to the largest coordinate, relative to the first
+// point.
 inline int exponent_of_extent(const std::vector<Space_vector<double>>& points) {
   double extent = 0;
   for (const Space_vector<double>& p : points)

@@ -46,19 +46,20 @@ struct Border_star {
 };
 
 /*!
-\brief rounds barycentric coordinates (down, the first one up) so that they are multiples of 2^-52 that sum to 1 exactly.
+\brief rounds barycentric coordinates (down, the first one up) so that they are multiples of 2^-52
+that sum to 1 exactly.
 
 They define a point exactly then, in any field.
-\return the coordinates, or nothing if one is negative or not finite, all but one vanish, or the sum is
-not near 1
+\return the coordinates, or nothing if one is negative or not finite, all but one vanish, or the sum
+  is not near 1
 */
 std::optional<std::array<double, 3>> representable_weights(const std::array<double, 3>& weights);
 
 /*!
 \brief computes the squared distance of a point of a triangle ijk from its corner i.
 
-With ij on an axis the point is at ((2 L_ij w_j + p_k w_k), a w_k) / (2 l_ij), p_k = L_ij + L_ki - L_jk:
-a sum of squares, which loses nothing to cancellation.
+With ij on an axis the point is at ((2 L_ij w_j + p_k w_k), a w_k) / (2 l_ij), p_k = L_ij + L_ki -
+L_jk: a sum of squares, which loses nothing to cancellation.
 \param ij squared length
 \param jk squared length
 \param ki squared length
@@ -77,8 +78,8 @@ FT squared_distance_from_corner(const FT& ij, const FT& jk, const FT& ki, const 
 }
 
 /*!
-\brief holds the squared lengths of new edges and the quadruple areas of new faces, as far as there are
-any, in the order of `Vertex_star` or `Border_star`.
+\brief holds the squared lengths of new edges and the quadruple areas of new faces, as far as there
+are any, in the order of `Vertex_star` or `Border_star`.
 \tparam FT a model of `FieldNumber`
 */
 template <FieldNumber FT>
@@ -88,8 +89,8 @@ struct Vertex_move_values {
 };
 
 /*!
-\brief computes the values of the face that three faces at a vertex make together, which has their outer
-sides.
+\brief computes the values of the face that three faces at a vertex make together, which has their
+outer sides.
 */
 template <FieldNumber FT>
 Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, const FT& area_h) {
@@ -97,7 +98,8 @@ Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, con
 }
 
 /*!
-\brief computes the values of the border edge and face that are left when a vertex on the border goes.
+\brief computes the values of the border edge and face that are left when a vertex on the border
+goes.
 \param d the diamond of pk, with face kip on its left
 */
 template <FieldNumber FT>
@@ -128,10 +130,12 @@ struct Whole_star_values {
 };
 
 /*!
-\brief computes what a star becomes when its vertex moves by b s_0 + c s_1, with s_k the vectors along its spokes.
+\brief computes what a star becomes when its vertex moves by b s_0 + c s_1, with s_k the vectors
+along its spokes.
 
-With the first spoke as unit all points are in the field: S_k = conj(s_0) s_k as complex numbers, where conj(s_k) s_k+1 =
-(L_k + L_k+1 - R_k + i a_k) / 2. New squared lengths are sums of squares, which lose nothing to cancellation.
+With the first spoke as unit all points are in the field: S_k = conj(s_0) s_k as complex numbers,
+where conj(s_k) s_k+1 = (L_k + L_k+1 - R_k + i a_k) / 2. New squared lengths are sums of squares,
+which lose nothing to cancellation.
 \param v the values
 \param b the part of the first spoke
 \param c the part of the second one

@@ -19,7 +19,8 @@ Triangles ijk in the plane, counterclockwise, from squared lengths and quadruple
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief returns p + i a, p = L_ij + L_ki - L_jk: the vector from i to k in the frame of the vector from i to j, times 2 |ij|.
+\brief returns p + i a, p = L_ij + L_ki - L_jk: the vector from i to k in the frame of the vector
+from i to j, times 2 |ij|.
 
 Its argument is the angle at i.
 */
@@ -31,7 +32,8 @@ Plane_vector<FT> scaled_corner(const FT& ij, const FT& jk, const FT& ki, const F
 /*!
 \brief returns where k is if i is at 0 and j at 1, (p + i a) / (2 L_ij).
 
-Wherever i and j are, k is at z_i + (z_j - z_i) `apex`: field operations place triangle after triangle.
+Wherever i and j are, k is at z_i + (z_j - z_i) `apex`: field operations place triangle after
+triangle.
 \pre `ij` is not zero
 */
 template <FieldNumber FT>
@@ -50,7 +52,8 @@ using Plane_sides = std::array<Plane_vector<double>, 3>;
 /*!
 \brief returns the sides as vectors, with i -> j along the positive x-axis.
 
-Each is computed for itself, and is as accurate as it is long: on needles differences of corners are not.
+Each is computed for itself, and is as accurate as it is long: on needles differences of corners are
+not.
 \pre `ij` is not zero
 */
 Plane_sides planar_sides(double ij, double jk, double ki, double area);
@@ -58,8 +61,8 @@ Plane_sides planar_sides(double ij, double jk, double ki, double area);
 /*!
 \brief computes the barycentric coordinates of a point in the triangle with corners a, b and c.
 
-In a thin triangle the weight of c, a quotient of small heights above ab, is vague. So it only counts
-as far as it lets the weights reproduce where the point is along ab, up to rounding.
+In a thin triangle the weight of c, a quotient of small heights above ab, is vague. So it only
+counts as far as it lets the weights reproduce where the point is along ab, up to rounding.
 \param p the point; moved into the triangle if it is outside
 \param a,b,c the corners; if c is not on the left of ab, the triangle has no area
 \pre a and b differ

@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief multiplies two intervals, of which the second has no negative element.
 
-Whatever the sign of a bound, the outer of its products with both bounds of `b` is the right one; there is
-no branch.
+Whatever the sign of a bound, the outer of its products with both bounds of `b` is the right one;
+there is no branch.
 \pre `b.inf() >= 0`, the bounds are finite
 */
 inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,

@@ -24,10 +24,11 @@
 \file
 Areas and angles of triangles given by squared lengths, and the curvature that angles sum up to.
 
-The three sides of triangle ijk are passed as ij, jk, ki, `L` is a squared length, `a = 4A` the quadruple area. What belongs to
-a corner is that of `i`, between the first and the last side; rotate the arguments for the others.
-Error bounds are for floating point types, relative to the exact value for the *given* numbers, with u = epsilon / 2,
-where nothing over- or underflows. They hold on needles and caps.
+The three sides of triangle ijk are passed as ij, jk, ki, `L` is a squared length, `a = 4A` the
+quadruple area. What belongs to a corner is that of `i`, between the first and the last side; rotate
+the arguments for the others. Error bounds are for floating point types, relative to the exact value
+for the *given* numbers, with u = epsilon / 2, where nothing over- or underflows. They hold on
+needles and caps.
 
 References: N. Sharp, M. Gillespie, K. Crane, *Geometry Processing with Intrinsic Triangulations*,
 2021, §2.3.6 and Appendix A; W. Kahan, *Miscalculating Area and Angles of a Needle-like Triangle*,
@@ -37,9 +38,9 @@ References: N. Sharp, M. Gillespie, K. Crane, *Geometry Processing with Intrinsi
 namespace CGAL::Intrinsic_triangulations {
 
 /*
-Sums and products whose rounding errors are kept: floating point types take the compensated path (Møller and Knuth's sum,
-the product by fused multiply-add). Any other number type computes plainly: it is exact, or encloses, or its user has
-chosen its precision.
+Sums and products whose rounding errors are kept: floating point types take the compensated path
+(Møller and Knuth's sum, the product by fused multiply-add). Any other number type computes plainly:
+it is exact, or encloses, or its user has chosen its precision.
 */
 namespace internal {
 
@@ -100,7 +101,8 @@ Unevaluated_sum<FT> two_product(FT x, FT y) {
   return {p, std::fma(x, y, -p)};
 }
 
-/// computes x + y + z; relative error u + O(u^2 (|x| + |y| + |z|) / |x + y + z|) for floating types.
+/// computes x + y + z; relative error u + O(u^2 (|x| + |y| + |z|) / |x + y + z|) for floating
+/// types.
 template <class FT>
 Unevaluated_sum<FT> two_sum(FT x, FT y, FT z) {
   const Unevaluated_sum<FT> s = two_sum(x, y);
@@ -113,9 +115,9 @@ Unevaluated_sum<FT> two_sum(FT x, FT y, FT z) {
 /*!
 \brief computes (4A)^2 from squared lengths.
 
-4 y z - (y + z - x)^2, with x >= y >= z the squared lengths: the terms are then the smallest, so that
-needles are accurate. Floating point types keep all rounding errors, so that caps are, too. Negative
-iff the square roots of the arguments violate the triangle inequality.
+4 y z - (y + z - x)^2, with x >= y >= z the squared lengths: the terms are then the smallest, so
+that needles are accurate. Floating point types keep all rounding errors, so that caps are, too.
+Negative iff the square roots of the arguments violate the triangle inequality.
 \tparam FT a model of `RingNumber`
 \return the value, with relative error at most 2 u + 20 u^2 4yz / (4A)^2
 */
@@ -184,8 +186,8 @@ auto minus_angles(int n, const Angles& angles) {
 /*!
 \brief computes the angle defect of an interior vertex, 2 pi minus its angles (Eq. 3).
 
-Angles are summed with compensation and 2 pi is held to twice the precision: the result is as good as
-the angles are, whatever the degree.
+Angles are summed with compensation and 2 pi is held to twice the precision: the result is as good
+as the angles are, whatever the degree.
 \tparam Angles a range of the corner angles at the vertex
 \return the defect, zero where the surface is flat, with error u |defect| + O(n^2 u^2)
 \complexity linear

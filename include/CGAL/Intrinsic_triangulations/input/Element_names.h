@@ -13,8 +13,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief maps the numbers of the input's vertices, edges or faces to those in the user's mesh, in the order
-of iteration there, and back.
+\brief maps the numbers of the input's vertices, edges or faces to those in the user's mesh, in the
+order of iteration there, and back.
 
 They differ where elements were renumbered for locality, and where polygons were triangulated, whose
 diagonals have none.
@@ -37,8 +37,8 @@ public:
 
   /// tells whether every number is mapped to itself.
   bool is_identity() const { return user_.empty(); }
-  /// returns the user's number of an element, `Gluing::none` if it has none; elements that were inserted
-  /// keep their number.
+  /// returns the user's number of an element, `Gluing::none` if it has none; elements that were
+  /// inserted keep their number.
   std::uint32_t user(std::uint32_t here) const { return here < user_.size() ? user_[here] : here; }
   /// returns the element with the user's number; `Gluing::none` if that is not known.
   std::uint32_t here(std::uint32_t user) const {
@@ -48,7 +48,8 @@ public:
   /// returns the user's number of each element; empty: the same.
   const std::vector<std::uint32_t>& users() const { return user_; }
 
-  /// returns the names of elements that have been renumbered: those of what `renumbered` calls `user`.
+  /// returns the names of elements that have been renumbered: those of what `renumbered` calls
+  /// `user`.
   Element_names after(const Element_names& renumbered) const;
 
 private:
@@ -61,8 +62,8 @@ private:
 /*!
 \brief names the vertices, edges and faces of the input as the user's mesh does.
 
-Of a cover (see `make_domain()`), names are those of the cover: its vertices are copies of the user's, its faces parts of
-theirs.
+Of a cover (see `make_domain()`), names are those of the cover: its vertices are copies of the
+user's, its faces parts of theirs.
 */
 struct Input_names {
   Element_names vertices; ///< rows of matrices
@@ -71,7 +72,8 @@ struct Input_names {
   /// The user's face that each triangle, by its name, is a part of; empty: all faces are triangles.
   std::vector<std::uint32_t> polygon_of_triangle;
 
-  /// The user's vertex that each vertex, by its name, is a copy of, ascending; empty: all are vertices of the user.
+  /// The user's vertex that each vertex, by its name, is a copy of, ascending; empty: all are
+  /// vertices of the user.
   std::vector<std::uint32_t> row_of_vertex;
   /// How many sheets of the surface lie over each face of the user: 2 if it is a double cover.
   std::uint32_t sheets = 1;

@@ -23,8 +23,8 @@ enum class Mollification {
   automatic,       ///< `squared_lengths`, only where flips cannot remove the degenerate faces
   lengths,         ///< an epsilon is added to all lengths (§4.7 of the course)
   squared_lengths, ///< a delta is added to all squared lengths
-  /// `lengths`, only where a face is so near to having no area that doubles lose most of their digits, see
-  /// `has_nearly_degenerate_face()`: for inexact arithmetic
+  /// `lengths`, only where a face is so near to having no area that doubles lose most of their
+  /// digits, see `has_nearly_degenerate_face()`: for inexact arithmetic
   nearly_degenerate
 };
 
@@ -51,17 +51,19 @@ struct Input_report {
   bool renumbered = false;
   /// Number of polygonal faces that were triangulated; faces of the report are numbered after that.
   std::size_t triangulated_polygons = 0;
-  /// Number of faces of the user that were turned around, since they disagreed with their neighbours.
+  /// Number of faces of the user that were turned around, since they disagreed with their
+  /// neighbours.
   std::size_t reversed_faces = 0;
 };
 
 class Input;
 
 /*!
-\brief is what defines a surface, and what the user calls its elements: all that a triangulation without correspondence keeps
-of its input.
+\brief is what defines a surface, and what the user calls its elements: all that a triangulation
+without correspondence keeps of its input.
 
-It never changes. Numbers of vertices and faces are those of the triangulation before its first move.
+It never changes. Numbers of vertices and faces are those of the triangulation before its first
+move.
 */
 class Input_definition {
 public:
@@ -101,7 +103,8 @@ public:
   int scale_exponent() const { return metric().scale_exponent(); }
   /// returns the number of vertices.
   std::uint32_t number_of_vertices() const { return parts_.number_of_vertices; }
-  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of them.
+  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of
+  /// them.
   std::uint32_t number_of_rows() const { return names().number_of_rows(number_of_vertices()); }
   /// returns the surface, if its connectivity is kept, too; otherwise null.
   virtual const Input* surface() const { return nullptr; }
@@ -111,15 +114,17 @@ private:
 };
 
 /*!
-\brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric, the
-user's names of its elements, and what was done to it.
+\brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric,
+the user's names of its elements, and what was done to it.
 
-A triangulation with correspondence owns it, shared with its copies and with all that reads it: correspondence,
-queries, certificates and files. It never changes. Numbers of vertices, edges and faces are those of the
-triangulation before its first move; halfedges `2e` and `2e + 1` are the sides of edge `e`.
+A triangulation with correspondence owns it, shared with its copies and with all that reads it:
+correspondence, queries, certificates and files. It never changes. Numbers of vertices, edges and
+faces are those of the triangulation before its first move; halfedges `2e` and `2e + 1` are the
+sides of edge `e`.
 
-To copy connectivity, lengths and areas would cost a triangulation without correspondence as much as its flips: that has
-an `Input_definition`, unless it was read from a file that says how it lies on its input.
+To copy connectivity, lengths and areas would cost a triangulation without correspondence as much as
+its flips: that has an `Input_definition`, unless it was read from a file that says how it lies on
+its input.
 \cgalModels{NumberedComplex}
 */
 class Input final : public Input_definition {
@@ -132,14 +137,16 @@ public:
       : Input_definition(std::move(parts)), mesh_(std::move(mesh)) {}
 
   /// takes the parts of the surface.
-  /// \param mesh the connectivity \param metric what defines lengths and areas \param names the numbers in the user's mesh
+  /// \param mesh the connectivity \param metric what defines lengths and areas \param names the
+  /// numbers in the user's mesh
   Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
       : Input_definition(
             Parts{mesh.number_of_vertices(), std::move(metric), std::move(names), {}, {}}),
         mesh_(std::move(mesh)) {}
 
   /*!
-  \brief takes the parts of the surface, and keeps the lengths and areas that a metric has as doubles.
+  \brief takes the parts of the surface, and keeps the lengths and areas that a metric has as
+  doubles.
   \tparam Metric a model of `IntrinsicMetric`
   \param mesh the connectivity
   \param parts all else
@@ -159,8 +166,8 @@ public:
   const Input* surface() const override { return this; }
   /// returns the connectivity.
   const Gluing_map& mesh() const { return mesh_; }
-  /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which it does if there are any but those
-  /// that users put together. \complexity linear
+  /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which it does if there
+  /// are any but those that users put together. \complexity linear
   bool is_defined_by_metric() const {
     if (metric().number_of_faces() != number_of_faces()) return false;
     for (std::uint32_t f = 0; f < number_of_faces(); ++f) {

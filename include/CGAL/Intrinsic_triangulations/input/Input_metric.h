@@ -19,11 +19,12 @@ namespace CGAL::Intrinsic_triangulations {
 \brief defines the cone metric of the input exactly: three rational squared lengths per face.
 
 The lengths come either from points in space, L_ij = |p_i - p_j|^2, or from squared lengths given
-per edge (an abstract metric, which need not embed anywhere). A nonnegative `delta` is added to every
-squared length (squared-length mollification). Where faces in space became planar polygons, their diagonals are not the
-distances of the points: an *excess*, a double of any sign, is added to the squared distance. All values are in scaled units: coordinates are
-multiplied by 2^scale_exponent(), so that the mean edge is near 1 and products of squared lengths
-neither overflow nor underflow. Scaling is exact.
+per edge (an abstract metric, which need not embed anywhere). A nonnegative `delta` is added to
+every squared length (squared-length mollification). Where faces in space became planar polygons,
+their diagonals are not the distances of the points: an *excess*, a double of any sign, is added to
+the squared distance. All values are in scaled units: coordinates are multiplied by
+2^scale_exponent(), so that the mean edge is near 1 and products of squared lengths neither overflow
+nor underflow. Scaling is exact.
 
 Faces and edges are those of the triangulation before its first move, in its own numbering.
 */
@@ -86,7 +87,8 @@ public:
   bool is_in_space() const { return is_embedded() && delta_ == 0 && excess_.empty(); }
   /// tells whether that is so of face `f`.
   bool is_in_space(std::uint32_t f) const { return is_embedded() && delta_ == 0 && !has_excess(f); }
-  /// returns what is added to the squared distance of the ends of side `k` of face `f`, in scaled units.
+  /// returns what is added to the squared distance of the ends of side `k` of face `f`, in scaled
+  /// units.
   double excess(std::uint32_t f, unsigned k) const { return excess_.empty() ? 0 : excess_[f][k]; }
   /// tells whether anything is added to a side of face `f`.
   bool has_excess(std::uint32_t f) const {
@@ -110,7 +112,8 @@ public:
   std::uint32_t name(std::uint32_t source, std::uint32_t edge) const {
     return is_embedded() ? source : edge;
   }
-  /// returns the number of the side of face `f` from which on its sides have given names; nothing if they have others.
+  /// returns the number of the side of face `f` from which on its sides have given names; nothing
+  /// if they have others.
   std::optional<unsigned> slot(std::uint32_t f, const Sides& names) const {
     const auto& [a, b, c] = sides_[f];
     if (names == Sides{a, b, c}) return 0;

@@ -43,7 +43,8 @@ struct Triangle_soup {
   std::size_t input_faces = 0;
   /// Number of input faces with more than three sides.
   std::size_t triangulated_polygons = 0;
-  /// Number of input faces that listed a vertex more than once. Of them, lines and points were left out.
+  /// Number of input faces that listed a vertex more than once. Of them, lines and points were left
+  /// out.
   std::size_t faces_with_repeated_vertices = 0;
   /// Those of them that became planar.
   Planar_polygons planar_polygons;
@@ -58,24 +59,27 @@ struct Intrinsic_input {
   Gluing_map mesh;
   /// One point per vertex; empty for an abstract metric.
   std::vector<std::array<double, 3>> points;
-  /// One squared length per edge of `mesh`, in the order of `edges(mesh)`; empty for a mesh in space.
+  /// One squared length per edge of `mesh`, in the order of `edges(mesh)`; empty for a mesh in
+  /// space.
   std::vector<double> squared_lengths;
   /// Treatment of degenerate faces.
   Mollification mollification = Mollification::automatic;
   /*!
-  How much of it, as a part of the mean length of edges; above 0, at most 1. With `lengths` and `nearly_degenerate` every
-  triangle inequality holds by so much in the end (default: 1e-5); with `squared_lengths` and `automatic` its square is
-  added to all squared lengths, so that a length of zero becomes so much (default: 2^-36).
+  How much of it, as a part of the mean length of edges; above 0, at most 1. With `lengths` and
+  `nearly_degenerate` every triangle inequality holds by so much in the end (default: 1e-5); with
+  `squared_lengths` and `automatic` its square is added to all squared lengths, so that a length of
+  zero becomes so much (default: 2^-36).
   */
   std::optional<double> mollification_amount;
-  /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a mesh
-  /// without polygons, edges keep their numbers in the order of iteration.
+  /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a
+  /// mesh without polygons, edges keep their numbers in the order of iteration.
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
   /// Number of faces that were turned around to orient the surface, for the report.
   std::size_t reversed_faces = 0;
-  /// What the user calls the elements of `mesh`: faces and edges of polygons that were triangulated.
+  /// What the user calls the elements of `mesh`: faces and edges of polygons that were
+  /// triangulated.
   Input_names names;
   /// Faces that became planar: their triangles are in the plane, not between the points.
   Planar_polygons planar_polygons;
@@ -100,8 +104,8 @@ struct Intrinsic_input {
   /*!
   \brief takes points and triples of their numbers, from a file or from arrays.
 
-  Edges are found by their end vertices, see `gluing_from_triangles()`; faces that disagree with their neighbours in
-  orientation are turned around, and counted.
+  Edges are found by their end vertices, see `gluing_from_triangles()`; faces that disagree with
+  their neighbours in orientation are turned around, and counted.
   \throws Invalid_input naming faces that do not fit together, or a vertex that does not exist
   */
   explicit Intrinsic_input(Triangle_soup soup, Mollification m = Mollification::automatic);
@@ -168,21 +172,24 @@ Mollification needed_mollification(Mollification asked, const Gluing_map& mesh,
 std::size_t number_of_reversed(const std::vector<char>& triangles,
                                const std::vector<std::uint32_t>& polygon_of_triangle);
 
-// One point per vertex, or one squared length per edge: numbers of elements are indices without a check.
+// One point per vertex, or one squared length per edge: numbers of elements are indices without a
+// check.
 void check_sizes(const Intrinsic_input& in);
 
-// What is added to the squared distances of points, by sides of faces, to make them those of planar polygons; empty: nothing.
+// What is added to the squared distances of points, by sides of faces, to make them those of planar
+// polygons; empty: nothing.
 // \param points scaled by 2^scale_exponent, which the polygons are not
 std::vector<std::array<double, 3>>
 planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,
               const Input_names& names, const Planar_polygons& polygons, int scale_exponent);
 
-// Makes every triangle inequality strict: changes the metric. The amount is a part of the mean edge.
+// Makes every triangle inequality strict: changes the metric. The amount is a part of the mean
+// edge.
 Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Mollification kind,
                              std::optional<double> amount);
 
-// The input in scaled units and in an order that is fast, but for its connectivity, which stays in `in`; throws if it has no
-// faces, they do not fit, or an option makes no sense.
+// The input in scaled units and in an order that is fast, but for its connectivity, which stays in
+// `in`; throws if it has no faces, they do not fit, or an option makes no sense.
 Input_definition::Parts scaled_and_ordered(Intrinsic_input& in);
 
 template <class Metric, class Kept>

@@ -19,9 +19,10 @@ namespace CGAL::Intrinsic_triangulations {
 enum class Nonplanar_polygons {
   fan, ///< triangles in space, as if the polygon was planar: their diagonals give it a shape
   /*!
-  The planar polygon with the same sides, whose interior angles are nearest to those in space: the sum of the squares of
-  their changes is least ("Nonplanar faces" in chapter 7 of the course). Angles in space are those between the sides, above
-  pi where the polygon turns clockwise, seen along its vector area.
+  The planar polygon with the same sides, whose interior angles are nearest to those in space: the
+  sum of the squares of their changes is least ("Nonplanar faces" in chapter 7 of the course).
+  Angles in space are those between the sides, above pi where the polygon turns clockwise, seen
+  along its vector area.
   */
   planar
 };
@@ -35,8 +36,9 @@ struct Polygon_report {
   std::size_t planar = 0; ///< those that are planar, exactly or but for the rounding of coordinates
   std::size_t flattened = 0; ///< those that became planar
   /*!
-  Those that remain triangles in space: their vector area is zero, a side has no length, a vertex occurs twice, the planar
-  polygon crosses itself, or its diagonals join vertices that another edge joins.
+  Those that remain triangles in space: their vector area is zero, a side has no length, a vertex
+  occurs twice, the planar polygon crosses itself, or its diagonals join vertices that another edge
+  joins.
   */
   std::size_t kept = 0;
   double largest_angle_change = 0; ///< of an interior angle that became another one, in radians
@@ -71,7 +73,8 @@ public:
     }
   };
 
-  /// appends a polygon. \pre `face` is above those before, and no vertex is there twice \complexity n log n
+  /// appends a polygon. \pre `face` is above those before, and no vertex is there twice \complexity
+  /// n log n
   void add(std::uint32_t face, std::span<const std::uint32_t> vertices,
            std::span<const Point> points) {
     face_.push_back(face);
@@ -89,7 +92,8 @@ public:
   std::size_t size() const { return face_.size(); }
   /// returns the user's number of face `i` of those that became planar.
   std::uint32_t face(std::size_t i) const { return face_[i]; }
-  /// returns the planar polygon of the user's face; without points if it has none. \complexity logarithmic
+  /// returns the planar polygon of the user's face; without points if it has none. \complexity
+  /// logarithmic
   Polygon operator()(std::uint32_t face) const {
     const auto found = std::lower_bound(face_.begin(), face_.end(), face);
     if (found == face_.end() || *found != face) return {};

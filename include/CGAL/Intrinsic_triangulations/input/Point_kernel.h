@@ -12,8 +12,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Points with doubles and exact predicates, as those of `CGAL::Exact_predicates_inexact_constructions_kernel`, which takes
-// five times as long to compile. Predicates are named here; global functions such as `CGAL::orientation()` would round.
+// Points with doubles and exact predicates, as those of
+// `CGAL::Exact_predicates_inexact_constructions_kernel`, which takes five times as long to compile.
+// Predicates are named here; global functions such as `CGAL::orientation()` would round.
 struct Point_kernel : Simple_cartesian<double> {
   using Exact_kernel = Simple_cartesian<Gmpq>;
   using Approximate_kernel = Simple_cartesian<Interval_nt<false>>;

@@ -20,7 +20,8 @@ public:
   using Point = std::array<double, 3>;
   using Planar_point = std::array<double, 2>;
 
-  // Whether all points lie in one plane, exactly or so near to it as rounding of coordinates may bring them.
+  // Whether all points lie in one plane, exactly or so near to it as rounding of coordinates may
+  // bring them.
   static bool is_planar(const std::vector<Point>& points);
 
   // Returns whether there is a result. \pre there are at least four points, not all in one plane
@@ -90,8 +91,8 @@ private:
   Point normal_{};
 };
 
-// What is added to the squared distance of two points in space to make it that of two points in a plane. The same for all who
-// ask, whatever power of two coordinates are scaled by.
+// What is added to the squared distance of two points in space to make it that of two points in a
+// plane. The same for all who ask, whatever power of two coordinates are scaled by.
 inline double planar_excess(const std::array<double, 3>& p, const std::array<double, 3>& q,
                             const std::array<double, 2>& a, const std::array<double, 2>& b) {
   const double u = a[0] - b[0], v = a[1] - b[1];
@@ -113,7 +114,8 @@ public:
   // Gives the planar polygon up.
   void keep();
 
-  // Cuts it as `Polygon_triangulator` does; a planar polygon that crosses itself is given up. Returns false if all fails.
+  // Cuts it as `Polygon_triangulator` does; a planar polygon that crosses itself is given up.
+  // Returns false if all fails.
   bool triangulate(std::vector<Triangle>& result);
   // Returns false if there is no triangulation with such diagonals.
   bool triangulate_with(const std::function<bool(std::size_t, std::size_t)>& allowed,

@@ -91,8 +91,8 @@ struct Embedded_area {
     }
   }
 
-  // |u|^2 |v|^2, against which rounding errors are to be compared; not asked for by all, and a third of the work.
-  // The face must have no excess.
+  // |u|^2 |v|^2, against which rounding errors are to be compared; not asked for by all, and a
+  // third of the work. The face must have no excess.
   FT scale() const { return norm(u_) * norm(v_); }
 
 private:

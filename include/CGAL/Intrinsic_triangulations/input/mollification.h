@@ -13,12 +13,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Tells whether the input has degenerate faces that flips cannot remove, by its metric before any flip.
+// Tells whether the input has degenerate faces that flips cannot remove, by its metric before any
+// flip.
 //
-// A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the face
-// across has an area or loses its own degeneracy first. So following longest sides from a cap must end
-// at a proper face. It does not if it meets the border, or two caps across the longest side of both
-// (lengths increase along the way, so there is no other cycle). Zero lengths always stay. Linear.
+// A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the
+// face across has an area or loses its own degeneracy first. So following longest sides from a cap
+// must end at a proper face. It does not if it meets the border, or two caps across the longest
+// side of both (lengths increase along the way, so there is no other cycle). Zero lengths always
+// stay. Linear.
 template <class Metric>
 bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
@@ -45,25 +47,27 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   return false;
 }
 
-// What is added to squared lengths by default, in scaled units, where the mean edge is near 1. A zero length becomes 1.5e-11
-// of the mean edge, so that lengths agree with those in space to 1e-10. In proper faces doubles do not show the
-// difference; a face without area gets one of about 1e-11, well above the rounding of squared lengths.
+// What is added to squared lengths by default, in scaled units, where the mean edge is near 1. A
+// zero length becomes 1.5e-11 of the mean edge, so that lengths agree with those in space to 1e-10.
+// In proper faces doubles do not show the difference; a face without area gets one of about 1e-11,
+// well above the rounding of squared lengths.
 inline constexpr double default_squared_length_delta = 0x1p-72;
 
 // The lengths of the edges, in scaled units.
 std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input);
 
-// The epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes every triangle inequality hold by at
-// least `delta`, for which the course recommends 1e-5 of the mean edge.
+// The epsilon of the course's Eq. 15: the smallest that, added to all lengths, makes every triangle
+// inequality hold by at least `delta`, for which the course recommends 1e-5 of the mean edge.
 double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths, double delta);
 
-// Whether two sides of a face are together longer than the third one by less than 2^-30 of that. The area of such a face is
-// that of a lower number of digits: rounding of lengths, at 2^-53, changes it by more than 2^-23 of itself, and what is
-// computed from it.
+// Whether two sides of a face are together longer than the third one by less than 2^-30 of that.
+// The area of such a face is that of a lower number of digits: rounding of lengths, at 2^-53,
+// changes it by more than 2^-23 of itself, and what is computed from it.
 bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths);
 
-// The metric with the course's epsilon added to all lengths (§4.7). The new squared lengths are rounded to doubles, which
-// define the result exactly. `epsilon` is set to what was added, in scaled units.
+// The metric with the course's epsilon added to all lengths (§4.7). The new squared lengths are
+// rounded to doubles, which define the result exactly. `epsilon` is set to what was added, in
+// scaled units.
 Input_metric mollify_lengths(const Gluing_map& mesh, const Input_metric& input, double delta,
                              double& epsilon);
 

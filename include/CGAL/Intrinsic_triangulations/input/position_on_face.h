@@ -16,10 +16,12 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief computes mean value coordinates of a point in a simple planar polygon (Floater 2003; Hormann and Floater 2006).
+\brief computes mean value coordinates of a point in a simple planar polygon (Floater 2003; Hormann
+and Floater 2006).
 
-They sum to 1, reproduce linear functions, and are smooth inside. On a side they are linear, those of other corners zero, so that
-what is interpolated in two polygons agrees on a common side. In convex polygons they are not negative.
+They sum to 1, reproduce linear functions, and are smooth inside. On a side they are linear, those
+of other corners zero, so that what is interpolated in two polygons agrees on a common side. In
+convex polygons they are not negative.
 \param polygon the corners, counterclockwise
 \param p a point in the polygon or on its boundary
 \return a weight per corner
@@ -44,8 +46,8 @@ Space_point combination(std::span<const std::uint32_t> vertices, std::span<const
   return x;
 }
 
-// Where a combination of corners of one face of the input is in space. A planar polygon that took the place of one in space is mapped
-// there by mean value coordinates, linear on its sides.
+// Where a combination of corners of one face of the input is in space. A planar polygon that took
+// the place of one in space is mapped there by mean value coordinates, linear on its sides.
 // \param vertices numbers of the user's vertices
 template <class Coordinates>
 Space_point position_on_face(const Input& input, std::uint32_t face,

@@ -26,7 +26,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has it.
+// Glues the triangles of polygons: along diagonals within a polygon, along sides as the mesh has
+// it.
 class Polygon_gluing {
 public:
   using Triangle = Polygon_shaper::Triangle;
@@ -94,7 +95,8 @@ void collect_sides(const FaceGraph& mesh,
   } while (h != first);
 }
 
-// Triangulates a face with more than three sides, and keeps the planar polygon that takes its place. Returns false if it fails.
+// Triangulates a face with more than three sides, and keeps the planar polygon that takes its
+// place. Returns false if it fails.
 bool cut_polygon(Polygon_shaper& shaper, std::uint32_t face,
                  const std::vector<std::uint32_t>& corners,
                  const std::vector<std::array<double, 3>>& points,
@@ -108,8 +110,9 @@ Element_names names_of_sides(const Gluing_map& map, const std::vector<std::uint3
 /*!
 \brief copies the connectivity of a mesh with polygonal faces, cut into triangles.
 
-Vertices keep their numbers. Planar polygons keep their shape. Others get one by the choice of triangles, quadrilaterals cut
-where they bend less, others as their projection along their vector area; or they become planar polygons.
+Vertices keep their numbers. Planar polygons keep their shape. Others get one by the choice of
+triangles, quadrilaterals cut where they bend less, others as their projection along their vector
+area; or they become planar polygons.
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \param mesh the mesh
 \param points one point per vertex, in the order of iteration

@@ -35,8 +35,8 @@ struct Side_end {
   }
 };
 
-// marks the corners met by turning from `end` until the border or a marked corner; a corner is named
-// by the halfedge that starts there
+// marks the corners met by turning from `end` until the border or a marked corner; a corner is
+// named by the halfedge that starts there
 static void mark_umbrella(const Gluing_map& m, Side_end end, std::vector<char>& marked) {
   while (!end.is_on_border(m)) {
     const Side_end entered = end.across_edge(m), left = entered.across_corner(m);

@@ -15,7 +15,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Predicates about neighbours of the origin. Where rounded values differ by more than their errors, they decide.
+// Predicates about neighbours of the origin. Where rounded values differ by more than their errors,
+// they decide.
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
@@ -23,7 +24,8 @@ public:
 
   explicit Star_predicates(std::uint32_t center) : center_(center) {}
 
-  // where the direction of a point meets the square of the points with |x| + |y| = 1, along it; with a relative error of 1e-15
+  // where the direction of a point meets the square of the points with |x| + |y| = 1, along it;
+  // with a relative error of 1e-15
   static double direction(const std::array<double, 2>& at) {
     const auto [x, y] = at;
     if (y > 0 || (y == 0 && x > 0)) return x >= 0 ? y / (x + y) : 1 + x / (x - y);
@@ -103,7 +105,8 @@ bool Delaunay_star::find(std::uint32_t center, std::vector<Neighbour>& neighbour
                    neighbours.end()); // those behind another
   const std::size_t n = neighbours.size();
   if (n < 2) return false;
-  // begin after a gap of half a turn, if there is one, else at the nearest, which is always in the star
+  // begin after a gap of half a turn, if there is one, else at the nearest, which is always in the
+  // star
   std::size_t first = 0;
   bool is_closed = true;
   for (std::size_t i = 0; i < n && is_closed; ++i) {

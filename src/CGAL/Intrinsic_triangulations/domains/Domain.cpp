@@ -22,7 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Makes a surface, or a cover of it, of triangles that are glued in pairs, and of what else is known of them.
+// Makes a surface, or a cover of it, of triangles that are glued in pairs, and of what else is
+// known of them.
 class Domain_maker {
 public:
   // \param input what the surface is but for the mesh
@@ -33,7 +34,8 @@ public:
       : result_{std::move(input), std::move(report)}, faces_(std::move(faces)),
         edge_(std::move(edge)) {}
 
-  // If no edge has more than two faces. `conflict` is a side of one at which two of them disagree, if there is one.
+  // If no edge has more than two faces. `conflict` is a side of one at which two of them disagree,
+  // if there is one.
   Domain make(Domain_kind kind, std::uint32_t conflict) {
     if (kind == Domain_kind::tufted_cover || kind == Domain_kind::orientation_cover)
       return cover(kind, "you asked for it");
@@ -154,7 +156,8 @@ void check_size_of_cover(std::size_t faces) {
 
 // Glues faces and makes a domain of them.
 // \param edge the edge of each halfedge, if `input` has squared lengths
-// \param refuse, describe called with an edge that has more than two faces: throws, or returns what it is
+// \param refuse, describe called with an edge that has more than two faces: throws, or returns what
+// it is
 template <class Refuse, class Describe>
 Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_edge& edges,
                        std::vector<std::uint32_t> edge, Domain_kind kind, const Refuse& refuse,

@@ -49,8 +49,8 @@ static void rotate(Symmetric_matrix_3& m, Symmetric_matrix_3& axes, unsigned p, 
   for (unsigned k = 0; k < 3; ++k) turn(axes[p][k], axes[q][k]);
 }
 
-// Two orthonormal vectors in the plane that fits points of this covariance best: eigenvectors of the largest eigenvalues, by
-// Jacobi's method, which squares the error with every round.
+// Two orthonormal vectors in the plane that fits points of this covariance best: eigenvectors of
+// the largest eigenvalues, by Jacobi's method, which squares the error with every round.
 static std::array<std::array<double, 3>, 2> tangent_axes(Symmetric_matrix_3 covariance) {
   Symmetric_matrix_3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int round = 0; round < 8; ++round)
@@ -185,7 +185,8 @@ distinct_points(const std::vector<std::array<double, 3>>& points) {
   return order;
 }
 
-// Some of the points, in units in which squares neither overflow nor vanish: coordinates times a power of two.
+// Some of the points, in units in which squares neither overflow nor vanish: coordinates times a
+// power of two.
 static std::vector<Local_triangulator::Point>
 points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                       const std::vector<std::uint32_t>& members) {

@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Where half planes bounded by a line are, seen from one of them. Only predicates of the kernel on the points as given are
-// asked, which are exact.
+// Where half planes bounded by a line are, seen from one of them. Only predicates of the kernel on
+// the points as given are asked, which are exact.
 class Half_planes {
 public:
   using Point = Point_kernel::Point_3;
@@ -42,7 +42,8 @@ public:
   }
 
 private:
-  // 0: in the half plane of `first`, 1: less than half a turn from there, 2: half a turn, 3: more, 4: on the line
+  // 0: in the half plane of `first`, 1: less than half a turn from there, 2: half a turn, 3: more,
+  // 4: on the line
   int sector(const Point& first, const Point& p) const {
     const CGAL::Orientation side = Point_kernel::Find_orientation()(a_, b_, first, p);
     if (side != CGAL::COPLANAR) return side == CGAL::POSITIVE ? 1 : 3;
@@ -108,8 +109,9 @@ Gluing Double_cover::take(std::vector<std::uint32_t>& row_of_vertex) {
   return std::move(cover_);
 }
 
-// Whether there are at most two different apices: then the faces at them take turns, and no angle is asked, as two go around in
-// one order only. So it is at nearly all edges of a point cloud, where each triangle is there three times.
+// Whether there are at most two different apices: then the faces at them take turns, and no angle
+// is asked, as two go around in one order only. So it is at nearly all edges of a point cloud,
+// where each triangle is there three times.
 static bool take_turns(const std::vector<std::uint32_t>& apices,
                        std::vector<std::uint32_t>& order) {
   const auto count = static_cast<std::uint32_t>(apices.size());
@@ -129,8 +131,8 @@ static bool take_turns(const std::vector<std::uint32_t>& apices,
   return true;
 }
 
-// Orders the faces at an edge by their angles, and lets those that are repeated go around once more: each is then glued to other
-// faces, as if none were repeated, and not to a copy of itself.
+// Orders the faces at an edge by their angles, and lets those that are repeated go around once
+// more: each is then glued to other faces, as if none were repeated, and not to a copy of itself.
 static std::vector<std::uint32_t>
 order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
                   std::uint32_t b, const std::vector<std::uint32_t>& apices) {

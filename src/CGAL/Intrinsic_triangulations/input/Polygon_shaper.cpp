@@ -30,14 +30,16 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 /*
-Finds the closed polygon in the plane with given lengths of sides whose exterior angles t_i are nearest to given ones: it
-minimizes the sum of (theta_i - theta_{i-1} - t_i)^2 / 2 over the directions theta_i of the sides, where
+Finds the closed polygon in the plane with given lengths of sides whose exterior angles t_i are
+nearest to given ones: it minimizes the sum of (theta_i - theta_{i-1} - t_i)^2 / 2 over the
+directions theta_i of the sides, where
 
     sum l_i (cos theta_i, sin theta_i) = 0,
 
-and directions turn by 2 pi in all. Newton's method on the Lagrangian function: with one direction fixed, its matrix is tridiagonal
-but for the two multipliers. Where that is not positive definite, the part of the multipliers is left out, and steps are
-shortened until an exact penalty function decreases. \complexity linear in the number of sides, for each step
+and directions turn by 2 pi in all. Newton's method on the Lagrangian function: with one direction
+fixed, its matrix is tridiagonal but for the two multipliers. Where that is not positive definite,
+the part of the multipliers is left out, and steps are shortened until an exact penalty function
+decreases. \complexity linear in the number of sides, for each step
 */
 class Nearest_angles {
 public:
@@ -67,7 +69,8 @@ private:
 
   const std::vector<double>&lengths_, &targets_;
   std::vector<double> directions_, step_;
-  // right sides of the tridiagonal system, and solutions: of the gradient, and of the two constraints
+  // right sides of the tridiagonal system, and solutions: of the gradient, and of the two
+  // constraints
   std::vector<std::array<double, 3>> columns_;
   std::vector<double> upper_;
   Pair multiplier_{};
@@ -96,8 +99,8 @@ double Nearest_angles::merit() const {
   return sum + penalty_ * (std::abs(c[0]) + std::abs(c[1]));
 }
 
-// The rows of directions 1 to n - 1 are -x_{i-1} + (2 + w_i) x_i - x_{i+1}, with w_i = -l_i (m . e^(i theta_i)) for the
-// multipliers m.
+// The rows of directions 1 to n - 1 are -x_{i-1} + (2 + w_i) x_i - x_{i+1}, with w_i = -l_i (m .
+// e^(i theta_i)) for the multipliers m.
 bool Nearest_angles::eliminate(bool is_newton) {
   const std::size_t n = lengths_.size();
   columns_.assign(n, {0, 0, 0});
@@ -155,7 +158,8 @@ double Nearest_angles::take_step() {
   double part = 1;
   for (int halvings = 0; halvings <= maximal_halvings; ++halvings, part /= 2) {
     for (std::size_t i = 0; i < step_.size(); ++i) directions_[i] = before[i] + part * step_[i];
-    // short steps are Newton's: they need no shortening, and rounding would not let the penalty decrease
+    // short steps are Newton's: they need no shortening, and rounding would not let the penalty
+    // decrease
     if (longest < 1e-3 || merit() <= old + 1e-4 * part * slope) break;
   }
   return longest;

@@ -34,16 +34,16 @@ static Interval_nt<false> determinant_interval(double a, double b, double c, dou
   return {-(-a * b + c * d), a * b + -c * d};
 }
 
-// The same if the error of one product is found, so that nothing is lost where they cancel; a wide interval if that may be
-// no double. Products must be finite.
+// The same if the error of one product is found, so that nothing is lost where they cancel; a wide
+// interval if that may be no double. Products must be finite.
 static Interval_nt<false> sharp_determinant(double a, double b, double c, double d) {
   const double product = c * d, error = std::fma(-c, d, product);
   if (std::abs(product) < 0x1p-900 && c != 0 && d != 0) return determinant_interval(a, b, c, d);
   return {-(std::fma(-a, b, product) - error), std::fma(a, b, -product) + error};
 }
 
-// a = 2 |u x v| of a face in space to a few units, when rounding upwards, or an interval below zero where sides are no doubles.
-// This is where most of the errors of all other values come from.
+// a = 2 |u x v| of a face in space to a few units, when rounding upwards, or an interval below zero
+// where sides are no doubles. This is where most of the errors of all other values come from.
 static Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uint32_t f) {
   using FT = Interval_nt<false>;
   const Input_metric::Sides& s = m.sides(f);

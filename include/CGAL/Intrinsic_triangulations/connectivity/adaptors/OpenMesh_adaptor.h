@@ -47,8 +47,8 @@ struct OpenMesh_coordinate_map {
 \brief numbers the elements of an OpenMesh triangle or polygon mesh by their handles.
 
 OpenMesh marks elements as deleted and leaves them until `garbage_collection()`; BGL's ranges skip
-them. `reuse_vertex()`, ... bring them back, so that a mesh in which vertices are inserted and removed in
-turn does not grow.
+them. `reuse_vertex()`, ... bring them back, so that a mesh in which vertices are inserted and
+removed in turn does not grow.
 \tparam Mesh an OpenMesh mesh
 */
 template <class Mesh>

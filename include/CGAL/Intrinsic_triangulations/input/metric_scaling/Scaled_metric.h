@@ -30,7 +30,8 @@ which its owner knows its vertices and faces.
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a triangulation with a metric of its own; its points, if it ever had any, say nothing of its edges.
+\brief asks for a triangulation with a metric of its own; its points, if it ever had any, say
+nothing of its edges.
 */
 template <class Mesh>
 concept TriangulationWithMetric = requires(const Mesh& t) {
@@ -87,8 +88,8 @@ Metric_source read_metric(const Triangulation& t) {
 
 } // namespace internal
 
-/// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces without area
-/// may do so by rounding already: meshes that have some need `repair`.
+/// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces
+/// without area may do so by rounding already: meshes that have some need `repair`.
 enum class Triangle_inequality {
   refuse, ///< an exception names the first face
   repair, ///< edges are shortened, see `shorten_edges()`

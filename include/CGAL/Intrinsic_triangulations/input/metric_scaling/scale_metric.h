@@ -34,22 +34,23 @@ New lengths for the edges of a surface: metric scaling (§4.8 of the course).
 The input is a mesh in space (any that `Intrinsic_input` takes), an `Intrinsic_input` (for gluings
 with squared lengths, triangle soups, and other point maps), or an `Intrinsic_triangulation`, whose
 current edges count. The result is an abstract metric on the same triangles: element number n of the
-result, of reports and of errors is the n-th vertex, edge or face in the order of iteration of the mesh
-(of `mesh()`, if a triangulation is given).
+result, of reports and of errors is the n-th vertex, edge or face in the order of iteration of the
+mesh (of `mesh()`, if a triangulation is given).
 
 The new surface is *not* the old one: it has other areas, distances and cone angles. A triangulation
-that is built from it is its own input, and its correspondence is with the triangles of that; no point
-of it has coordinates in space. What both surfaces share are the triangles of the mesh: a point of the
-new input, as a face and barycentric coordinates, names one of the old surface.
+that is built from it is its own input, and its correspondence is with the triangles of that; no
+point of it has coordinates in space. What both surfaces share are the triangles of the mesh: a
+point of the new input, as a face and barycentric coordinates, names one of the old surface.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The sides of a triangle as vectors of the plane, whatever lengths there are. They sum to zero only up to rounding: each
-// coordinate has an error of a few u times the length of its side. Where ij has length zero, jk lies on the x-axis; where
-// lengths violate the triangle inequality, or there is no area, the height of k is zero.
+// The sides of a triangle as vectors of the plane, whatever lengths there are. They sum to zero
+// only up to rounding: each coordinate has an error of a few u times the length of its side. Where
+// ij has length zero, jk lies on the x-axis; where lengths violate the triangle inequality, or
+// there is no area, the height of k is zero.
 Plane_sides planar_sides(double L_ij, double L_jk, double L_ki);
 
 // The same of the sides i -> j, j -> k, k -> i as vectors of space.
@@ -72,8 +73,8 @@ Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_l
 Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
                                 const Metric_scaling_options& options);
 
-// The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face number)`
-// are the vectors; it may refer to `s`, which is left as it is until the last line.
+// The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face
+// number)` are the vectors; it may refer to `s`, which is left as it is until the last line.
 template <class Mesh, class Sides, class Norm>
 Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& sides,
                             const Norm& norm, const Metric_scaling_options& options) {
@@ -126,8 +127,8 @@ Metric_source read_triangles(const Mesh& mesh) {
 } // namespace internal
 
 /*!
-\brief asks for a surface whose metric can be scaled: a mesh of triangles or polygons in space, an `Intrinsic_input`,
-or a triangulation.
+\brief asks for a surface whose metric can be scaled: a mesh of triangles or polygons in space, an
+`Intrinsic_input`, or a triangulation.
 */
 template <class Mesh>
 concept ScalableSurface =
@@ -150,7 +151,8 @@ concept FaceNorm = requires(const Norm& norm, internal::Named_face<Mesh> f, cons
 };
 
 /*!
-\brief scales the metric of a surface by a factor e^u_i per vertex, l'_ij = exp((u_i + u_j) / 2) l_ij.
+\brief scales the metric of a surface by a factor e^u_i per vertex, l'_ij = exp((u_i + u_j) / 2)
+l_ij.
 
 A constant u multiplies lengths by e^u and areas by e^2u. With u_i = -2 log |x_i| the result has the
 lengths between the points x_i inverted in the unit sphere: their distances are
@@ -159,7 +161,8 @@ lengths between the points x_i inverted in the unit sphere: their distances are
 Polygonal faces are triangulated first, as `Intrinsic_input` does.
 \tparam Mesh see the file's description
 \tparam Factors a functor or a readable property map from vertex descriptors (those of `mesh`, of
-  `mesh.mesh()` for an `Intrinsic_triangulation`, of `Gluing_map` for an `Intrinsic_input`) to numbers
+  `mesh.mesh()` for an `Intrinsic_triangulation`, of `Gluing_map` for an `Intrinsic_input`) to
+  numbers
 \param mesh the surface
 \param u the logarithmic factors
 \param np optional named parameters:
@@ -192,14 +195,14 @@ Scaled_metric scale_conformally(const Mesh& mesh, const Factors& u,
 \brief scales the metric of a surface by a norm per face, which may depend on the direction: the new
 length of an edge is that of its vector, averaged over the faces at the edge (§4.8 of the course).
 
-In the frame of a face i and j are source and target of
-`halfedge(face, mesh)`, k is the third corner; i is the origin, j lies on the positive x-axis, k above
-it. If i and j are in the same place, k lies on the x-axis.
+In the frame of a face i and j are source and target of `halfedge(face, mesh)`, k is the third
+corner; i is the origin, j lies on the positive x-axis, k above it. If i and j are in the same
+place, k lies on the x-axis.
 
 The norm is asked once for each side of each face that has a length, for the vector that runs along
-the side with the face on its left: i -> j, j -> k, k -> i. On the border one face counts; where both
-sides of an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm`
-makes norms from tensors and from stretches.
+the side with the face on its left: i -> j, j -> k, k -> i. On the border one face counts; where
+both sides of an edge are in one face, the norms of two vectors of that face are averaged.
+`Tensor_norm` makes norms from tensors and from stretches.
 \tparam Mesh see the file's description; faces must be triangles
 \tparam Norm a functor: `norm(face_descriptor, Plane_vector<double>)` is a length, positive and
   homogeneous in the vector; descriptors as for `scale_conformally()`
@@ -207,8 +210,8 @@ makes norms from tensors and from stretches.
 \param norm the norms
 \param np optional named parameters, see `scale_conformally()`
 \return the new metric and a report
-\throws Invalid_input naming a face with a norm that is not positive or not finite, a face that is no
-  triangle, or as `scale_conformally()`
+\throws Invalid_input naming a face with a norm that is not positive or not finite, a face that is
+  no triangle, or as `scale_conformally()`
 \complexity linear, and that of `shorten_edges()`
 */
 template <ScalableSurface Mesh, FaceNorm<Mesh, Plane_vector<double>> Norm,

@@ -37,8 +37,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief tells whether the square roots of three numbers satisfy the triangle inequality: no side is
 longer than the other two together. Exact.
 
-They do iff (4A)^2 >= 0. `squared_quadruple_area()` in doubles errs by less than 2^-98 of 4yz, with y and z
-the two shortest, unless something over- or underflows; what it leaves open is computed in rationals.
+They do iff (4A)^2 >= 0. `squared_quadruple_area()` in doubles errs by less than 2^-98 of 4yz, with
+y and z the two shortest, unless something over- or underflows; what it leaves open is computed in
+rationals.
 \pre all are finite and not negative
 \complexity constant
 */
@@ -55,7 +56,8 @@ inline std::array<std::uint32_t, 3> edges_of_face(const Gluing_map& mesh, std::u
 } // namespace internal
 
 /*!
-\brief lists the faces whose sides violate the triangle inequality. Exact; faces of zero area satisfy it.
+\brief lists the faces whose sides violate the triangle inequality. Exact; faces of zero area
+satisfy it.
 \param mesh the connectivity, oriented or not
 \param squared_lengths one squared length per edge of `mesh`, finite and not negative
 \return the numbers of the faces, increasing
@@ -80,9 +82,9 @@ struct Shortening_report {
 lengths, none above the given one, of which every side is at most the longer of the other two and
 (1 - `margin`) times the shorter.
 
-Needles are left alone, however thin, as the margin is relative to the shorter side. Strict means exactly so, for
-the squares of the result as they are rounded: all faces have an area, but those with a side of length zero,
-whose other sides become equally long.
+Needles are left alone, however thin, as the margin is relative to the shorter side. Strict means
+exactly so, for the squares of the result as they are rounded: all faces have an area, but those
+with a side of length zero, whose other sides become equally long.
 \param mesh the connectivity, oriented or not
 \param squared_lengths one squared length per edge of `mesh`, finite and not negative; replaced
 \param margin above 0, at most 1
