@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -59,7 +60,7 @@ Predicates and moves are members for single calls. Many of them in a row run fas
 */
 template <MutableDeltaComplex Mesh_ = Gluing_map,
           IntrinsicTriangulationTraits Traits_ = Exact_euclidean_traits,
-          class Correspondence_ = No_correspondence>
+          std::default_initializable Correspondence_ = No_correspondence>
 class Intrinsic_triangulation
     : public Metric_values<Intrinsic_triangulation<Mesh_, Traits_, Correspondence_>, Mesh_,
                            typename Traits_::Metric> {
@@ -274,8 +275,7 @@ public:
 
   /*!
   \brief removes a vertex that was inserted: edges are flipped away from it first.
-  \return `done`, or why it cannot be removed; nothing has changed then but the direction of
-  halfedges
+  \return `done`, or why it cannot be removed: nothing has changed then but directions of halfedges
   */
   Move_status remove_vertex(vertex_descriptor v) requires RefinableMetric<Metric> {
     return Session(*this).remove_vertex(v);
@@ -324,11 +324,11 @@ private:
   internal::Vertex_rows<Integer_coordinates> rows_;
 };
 
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_initializable C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_input input)
     : Intrinsic_triangulation(internal::prepare<Metric, Kept_input>(std::move(input))) {}
 
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, class C>
+template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_initializable C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
                                                           std::shared_ptr<const Kept_input> input)
     : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),

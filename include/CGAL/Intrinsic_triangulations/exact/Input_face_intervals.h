@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <array>
@@ -28,7 +29,7 @@ Where all differences of coordinates are doubles, as they are of points near eac
 106 bits are sums of exact products, whose errors are known beforehand.
 \tparam FT a `Ball`; rounding is to the nearest
 */
-template <class FT>
+template <FieldNumber FT>
 class Input_side_values {
 public:
   /// takes the input, which must outlive this object.
@@ -52,7 +53,7 @@ private:
 \tparam FT `Interval_nt<false>` or a `Ball`, of the same precision in all calls; rounding is as the
 type asks for
 */
-template <class FT>
+template <FieldNumber FT>
 class Input_face_intervals {
 public:
   /// Encloses a number.

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -42,7 +43,7 @@ finite.
 \tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
 \cgalModels{IntrinsicMetric}
 */
-template <class FT_>
+template <FieldNumber FT_>
 class Euclidean_metric {
 public:
   /// Number type of the stored values.
@@ -329,7 +330,7 @@ private:
 \tparam FT_ see `Euclidean_metric`
 \cgalModels{IntrinsicTriangulationTraits}
 */
-template <class FT_>
+template <FieldNumber FT_>
 struct Euclidean_traits {
   /// Number type of the stored values.
   using FT = FT_;

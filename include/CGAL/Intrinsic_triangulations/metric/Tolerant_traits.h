@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_TOLERANT_TRAITS_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 
 #include <ratio>
@@ -20,14 +21,13 @@ the mesh does not matter. This is what programs in floating point commonly do in
 ties back and forth. The result may have edges that are not Delaunay; `sign()` and
 `check_delaunay()`, which do not tolerate anything, tell how many, as far as `FT` can.
 \tparam FT_ see `Euclidean_metric`
-\tparam Tolerance the tolerance, a positive `std::ratio`
+\tparam Tolerance the tolerance, a positive `std::ratio`; without one, take `Euclidean_metric`
 \cgalModels{IntrinsicMetric}
 */
-template <class FT_, class Tolerance>
+template <FieldNumber FT_, class Tolerance>
+  requires std::ratio_greater_v<Tolerance, std::ratio<0>>
 class Tolerant_metric : public Euclidean_metric<FT_> {
   using Base = Euclidean_metric<FT_>;
-  static_assert(std::ratio_greater_v<Tolerance, std::ratio<0>>,
-                "use Euclidean_traits to decide without a tolerance");
 
 public:
   /// Number type of the stored values.
@@ -62,7 +62,8 @@ quite Delaunay.
 \tparam Tolerance see `Tolerant_metric`; `std::micro` is what several programs take
 \cgalModels{IntrinsicTriangulationTraits}
 */
-template <class FT_, class Tolerance>
+template <FieldNumber FT_, class Tolerance>
+  requires std::ratio_greater_v<Tolerance, std::ratio<0>>
 struct Tolerant_traits {
   /// Number type of the stored values.
   using FT = FT_;

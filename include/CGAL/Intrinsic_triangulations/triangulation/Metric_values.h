@@ -109,7 +109,7 @@ Functions that take numbers of faces and edges ask for a live session.
 \tparam Triangulation derives from this class; with a metric that decides by the input it has
 `exact_values()`
 */
-template <class Triangulation, class Mesh, class Metric>
+template <class Triangulation, MutableDeltaComplex Mesh, IntrinsicMetric Metric>
 class Metric_values {
 public:
   /// returns the sign of an expression in the values of a diamond, exact with exact traits.

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -90,7 +91,7 @@ Interval_nt<false> narrow_area(const Input_metric& input, std::uint32_t f) {
 
 } // namespace internal
 
-template <class FT>
+template <FieldNumber FT>
 FT Input_side_values<FT>::squared_length(Face_side s) const {
   if constexpr (std::is_same_v<FT, internal::Short_ball>)
     if (is_plain_ && !input_.has_excess(s.face))
@@ -100,7 +101,7 @@ FT Input_side_values<FT>::squared_length(Face_side s) const {
   return input_.squared_length<FT>(s.face, s.slot);
 }
 
-template <class FT>
+template <FieldNumber FT>
 FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
   if constexpr (std::is_same_v<FT, internal::Short_ball>)
     if (is_plain_ && !input_.has_excess(f))
@@ -117,7 +118,7 @@ FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
 template class Input_side_values<internal::Short_ball>;
 template class Input_side_values<internal::Long_ball>;
 
-template <class FT>
+template <FieldNumber FT>
 typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Input_metric& input,
                                                                        std::uint32_t f) {
   if constexpr (std::is_same_v<FT, Interval_nt<false>>)

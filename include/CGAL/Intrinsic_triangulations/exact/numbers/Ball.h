@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
@@ -28,7 +29,7 @@ exponents as `Center::Magnitude`: centers of thousands of bits have errors that 
 \tparam Center `Double_double` or `Mpfr_number`
 \cgalModels{Field}
 */
-template <class Center>
+template <FieldNumber Center>
 class Ball {
 public:
   /// Number type of radii.
@@ -138,7 +139,7 @@ infinite: the same one from whatever ball decides it, so that results do not dep
 which they were computed.
 \pre rounding is to the nearest
 */
-template <class Center>
+template <FieldNumber Center>
 std::optional<double> nearest_double(const Ball<Center>& x) {
   const double c = x.to_double();
   const Ball<Center> rest = x - Ball<Center>(c);
@@ -201,7 +202,7 @@ error grows linearly along a chain of rotations. Between intervals of real and i
 grows exponentially.
 \tparam FT encloses real numbers: `Interval_nt<false>` or a `Ball`; rounding is as it asks for
 */
-template <class FT>
+template <FieldNumber FT>
 class Complex_ball {
   using Parts = internal::Enclosure_parts<FT>;
   using Center = typename Parts::Center;

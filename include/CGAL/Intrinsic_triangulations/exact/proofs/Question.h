@@ -22,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 \tparam Figure_ says how values follow from the input, see `Exact_ladder`
 \tparam Expression_ `Recorded_diamond_expression` or `Recorded_face_expression`
 */
-template <class Figure_, class Expression_>
+template <std::copyable Figure_, std::copyable Expression_>
 struct Question {
   /// Type of the figure.
   using Figure = Figure_;
@@ -35,7 +35,7 @@ struct Question {
 };
 
 /// deduces the types.
-template <class Figure, class Expression>
+template <std::copyable Figure, std::copyable Expression>
 Question(const Input_metric&, const Figure&, const Expression&) -> Question<Figure, Expression>;
 
 /// What is proven of a value.

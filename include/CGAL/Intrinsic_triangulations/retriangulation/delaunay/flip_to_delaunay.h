@@ -181,8 +181,7 @@ flips makes it end.
 \param edges the edges to start from
 \param np optional named parameters:
   - `edge_is_constrained_map(m)`: a readable property map from edges to `bool`; constrained edges
-    are
-    never flipped. Default: none is.
+    are never flipped. Default: none is.
   - `visitor(v)`: see `Flip_to_delaunay_visitor`
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
     per edge and a million.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -76,7 +77,8 @@ void measure_faces(const Triangulation& t, Quality& q) {
 would have to prove again
 \complexity linear
 */
-template <MeasuredTriangulation Triangulation, class Is_tie>
+template <MeasuredTriangulation Triangulation,
+          std::predicate<typename Triangulation::edge_descriptor> Is_tie>
 Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   Quality q;
   internal::measure_faces(t, q);

@@ -70,8 +70,7 @@ edges. Moved vertices get new descriptors. With inexact traits the result is che
   - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per
     face.
   - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than
-    this
-    fraction. Default: 1e-3.
+    this fraction. Default: 1e-3.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Odt_visitor`
 \return status, counts, energies, the least angle that there is

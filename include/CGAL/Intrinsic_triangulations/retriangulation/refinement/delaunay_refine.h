@@ -44,17 +44,15 @@ status.
 \param t the triangulation
 \param np optional named parameters:
   - `minimum_angle(x)`: least angle of faces, in degrees; 0: any. Up to 30 degrees refinement ends
-    by
-    Chew's argument; beyond, up to about 34 as a rule, by experience. Default: 25.
+    by Chew's argument; beyond, up to about 34 as a rule, by experience. Default: 25.
   - `maximum_circumradius(x)`: largest circumradius of faces, in the units of the input. Default:
     any.
   - `maximum_edge_length(x)`: largest length of edges, in the units of the input. Default: any.
   - `maximum_insertions(n)`: cap on the number of insertions. Default: a million and ten per face.
   - `order(o)`: which face comes next, a `Refinement_order`. Default: `first_come`.
   - `conforming(b)`: whether constrained edges that are not locally Delaunay are split, so that all
-    edges
-    become locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of the
-    course). Default: false.
+    edges become locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of
+    the course). Default: false.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`, or to labels that convert to
     it; constrained edges are never flipped. If it is writable, the parts of a constrained edge have
     its value in the end, and other edges that are new are not constrained. Default: none is.
