@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 
 #include <CGAL/Gmpq.h>
 
@@ -19,9 +21,11 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using CGAL::Gmpq;
+using Interval = CGAL::Interval_nt<false>;
 
+Interval interval(const Interval& x) { return x; }
 template <class Center>
-CGAL::Interval_nt<false> interval(const IT::Ball<Center>& x) {
+Interval interval(const IT::Ball<Center>& x) {
   const CGAL::Protect_FPU_rounding<true> upwards;
   return x.interval();
 }
@@ -76,7 +80,8 @@ TYPED_TEST(Ball_of, contains_what_rational_numbers_give) {
   EXPECT_GT(certain, 1900U);
 }
 
-// (a + b) - a - b is zero, whatever was lost; with c added at the end it is c, which shows if enough bits are kept
+// (a + b) - a - b is zero, whatever was lost; with c added at the end it is c, which shows if enough
+// bits are kept
 TYPED_TEST(Ball_of, keeps_its_bits_through_cancellation) {
   for (const int bits : {40, 60, 90, 110, 200, 240}) {
     const double small = std::ldexp(1.0, -bits);
@@ -139,6 +144,145 @@ TEST(Ball, keeps_as_many_bits_as_the_precision_of_the_thread_says) {
     EXPECT_TRUE(copy.is_identical(fine));
   }
   EXPECT_TRUE(is_seen(0x1p-1000));
+}
+
+// Chains of rotations by rational angles: balls contain the exact complex number, and grow at most
+// linearly.
+
+template <class FT>
+class Complex_ball_of : public testing::Test {};
+using Numbers = testing::Types<Interval, IT::Ball<IT::Double_double>, IT::Ball<IT::Mpfr_number>>;
+TYPED_TEST_SUITE(Complex_ball_of, Numbers);
+
+template <class FT>
+auto rounding() {
+  return CGAL::Protect_FPU_rounding<true>(std::is_same_v<FT, Interval> ? CGAL_FE_UPWARD
+                                                                       : CGAL_FE_TONEAREST);
+}
+
+double radius(const Interval& x) { return (x.sup() - x.inf()) / 2; }
+template <class Center>
+double radius(const IT::Ball<Center>& x) {
+  return static_cast<double>(x.radius());
+}
+
+template <class FT>
+double unit() {
+  if constexpr (std::is_same_v<FT, Interval>)
+    return 0x1p-52;
+  else
+    return std::is_same_v<FT, IT::Ball<IT::Double_double>> ? 0x1p-102 : 0x1p-254;
+}
+
+template <class FT>
+void expect_contains(const FT& x, const Gmpq& exact) {
+  const Interval i = interval(x);
+  EXPECT_LE(Gmpq(i.inf()), exact);
+  EXPECT_GE(Gmpq(i.sup()), exact);
+}
+
+TYPED_TEST(Complex_ball_of, contains_products_of_quotients) {
+  const auto mode = rounding<TypeParam>();
+  std::mt19937 random(1);
+  const auto number = [&random] { return static_cast<double>(random() % 2001) - 1000; };
+  for (int round = 0; round < 50; ++round) {
+    IT::Complex_ball<TypeParam> z;
+    Gmpq x = 1, y = 0;
+    for (int step = 0; step < 20; ++step) {
+      const double p = number(), q = number() + 0.5, d = 1 + std::abs(number());
+      const IT::Complex_ball<TypeParam> w{TypeParam(p), TypeParam(q), TypeParam(d)};
+      z = step % 2 == 0 ? z * w : -(z * w);
+      const Gmpq r = (x * Gmpq(p) - y * Gmpq(q)) / Gmpq(d);
+      y = (x * Gmpq(q) + y * Gmpq(p)) / Gmpq(d);
+      x = r;
+      if (step % 2 != 0) x = -x, y = -y;
+      expect_contains(z.real(), x);
+      expect_contains(z.imaginary(), y);
+    }
+  }
+}
+
+TYPED_TEST(Complex_ball_of, grows_linearly) {
+  const auto mode = rounding<TypeParam>();
+  const IT::Complex_ball<TypeParam> turn{TypeParam(3.), TypeParam(4.), TypeParam(5.)};
+  IT::Complex_ball<TypeParam> z;
+  const int n = 1000;
+  for (int i = 0; i < n; ++i) z = z * turn;
+  // a factor and a product have 3 units each; |x| + |y| is at most sqrt(2)
+  EXPECT_LE(radius(z.real()), 6.1 * n * unit<TypeParam>() * std::sqrt(2.) + 0x1p-1050);
+}
+
+TYPED_TEST(Complex_ball_of, knows_nothing_of_what_underflows_or_is_divided_by_zero) {
+  const auto mode = rounding<TypeParam>();
+  IT::Complex_ball<TypeParam> z;
+  const IT::Complex_ball<TypeParam> tiny{TypeParam(0x1p-500), TypeParam(0.), TypeParam(1.)};
+  z = tiny * tiny;
+  EXPECT_TRUE(std::isinf(interval(z.real()).sup()));
+  const TypeParam around_zero = TypeParam(1.) - TypeParam(1.);
+  const IT::Complex_ball<TypeParam> quotient{TypeParam(1.), TypeParam(1.), around_zero};
+  EXPECT_TRUE(std::isinf(interval(quotient.imaginary()).sup()));
+}
+
+TYPED_TEST(Complex_ball_of, has_the_errors_of_its_parts) {
+  const auto mode = rounding<TypeParam>();
+  const TypeParam third = TypeParam(1.) / TypeParam(3.), seventh = TypeParam(1.) / TypeParam(7.);
+  const IT::Complex_ball<TypeParam> z{third, seventh, TypeParam(3.) * third * third};
+  expect_contains(z.real(), Gmpq(1));
+  expect_contains(z.imaginary(), Gmpq(3) / Gmpq(7));
+}
+
+using Short = IT::Ball<IT::Double_double>;
+using Long = IT::Ball<IT::Mpfr_number>;
+
+// high + low, where low is some part of a unit of high in the last place
+template <class FT>
+FT sum(double high, double low) {
+  return FT(high) + FT(low);
+}
+
+bool is_nearest(double x, const Gmpq& exact) {
+  const Gmpq error = CGAL::abs(Gmpq(x) - exact);
+  return error <= CGAL::abs(Gmpq(std::nextafter(x, HUGE_VAL)) - exact) &&
+         error <= CGAL::abs(Gmpq(std::nextafter(x, -HUGE_VAL)) - exact);
+}
+
+TEST(Nearest_double, is_the_same_for_all_numbers_and_nearest) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> mantissa(1, 2), part(-0.5, 0.5);
+  std::uniform_int_distribution<int> exponent(-200, 200), sign(0, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const int k = i % 50 == 0 ? 0 : exponent(random);
+    const double high = (sign(random) != 0 ? 1 : -1) *
+                        std::ldexp(i % 7 == 0 ? 1. : mantissa(random), k),
+                 low = std::ldexp(part(random), k - 52);
+    const Gmpq exact = Gmpq(high) + Gmpq(low);
+    const auto a = IT::nearest_double(sum<Short>(high, low)),
+               b = IT::nearest_double(sum<Long>(high, low));
+    const IT::Mpfr_precision precision(4096);
+    const auto c = IT::nearest_double(sum<Long>(high, low));
+    ASSERT_TRUE(a && b && c);
+    EXPECT_TRUE(is_nearest(*a, exact));
+    EXPECT_EQ(*a, *b);
+    EXPECT_EQ(*a, *c);
+  }
+}
+
+TEST(Nearest_double, is_not_told_near_the_middle_nor_of_zero) {
+  for (const double high : {1., 1.5, -3., 1e-30, 1e200}) {
+    const double unit = std::nextafter(std::abs(high), HUGE_VAL) - std::abs(high);
+    const Gmpq middle = Gmpq(high) + Gmpq(unit / 2);
+    EXPECT_FALSE(IT::nearest_double(sum<Short>(high, unit / 2))) << high;
+    EXPECT_FALSE(IT::nearest_double(sum<Long>(high, unit / 2))) << high;
+    for (const double beside : {1 - 0x1p-40, 1 + 0x1p-40}) {
+      const auto x = IT::nearest_double(sum<Short>(high, beside * unit / 2));
+      ASSERT_TRUE(x) << high;
+      EXPECT_EQ(CGAL::compare(Gmpq(*x), middle), beside > 1 ? CGAL::LARGER : CGAL::SMALLER);
+    }
+  }
+  EXPECT_FALSE(IT::nearest_double(Short(0)));
+  EXPECT_FALSE(IT::nearest_double(Short(1) / Short(0)));
+  EXPECT_FALSE(IT::nearest_double(Short::around(IT::Double_double(1), 0x1p-53)));
+  EXPECT_FALSE(IT::nearest_double(Short(1) / Short(3) * Short(3) - Short(1)));
 }
 
 } // namespace

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <random>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -23,57 +22,6 @@ namespace {
 using CGAL::Gmpq;
 using Short = IT::Ball<IT::Double_double>;
 using Long = IT::Ball<IT::Mpfr_number>;
-
-// high + low, where low is some part of a unit of high in the last place
-template <class FT>
-FT sum(double high, double low) {
-  return FT(high) + FT(low);
-}
-
-bool is_nearest(double x, const Gmpq& exact) {
-  const Gmpq error = CGAL::abs(Gmpq(x) - exact);
-  return error <= CGAL::abs(Gmpq(std::nextafter(x, HUGE_VAL)) - exact) &&
-         error <= CGAL::abs(Gmpq(std::nextafter(x, -HUGE_VAL)) - exact);
-}
-
-TEST(Nearest_double, is_the_same_for_all_numbers_and_nearest) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> mantissa(1, 2), part(-0.5, 0.5);
-  std::uniform_int_distribution<int> exponent(-200, 200), sign(0, 1);
-  for (int i = 0; i < 20000; ++i) {
-    const int k = i % 50 == 0 ? 0 : exponent(random);
-    const double high = (sign(random) != 0 ? 1 : -1) *
-                        std::ldexp(i % 7 == 0 ? 1. : mantissa(random), k),
-                 low = std::ldexp(part(random), k - 52);
-    const Gmpq exact = Gmpq(high) + Gmpq(low);
-    const auto a = IT::nearest_double(sum<Short>(high, low)),
-               b = IT::nearest_double(sum<Long>(high, low));
-    const IT::Mpfr_precision precision(4096);
-    const auto c = IT::nearest_double(sum<Long>(high, low));
-    ASSERT_TRUE(a && b && c);
-    EXPECT_TRUE(is_nearest(*a, exact));
-    EXPECT_EQ(*a, *b);
-    EXPECT_EQ(*a, *c);
-  }
-}
-
-TEST(Nearest_double, is_not_told_near_the_middle_nor_of_zero) {
-  for (const double high : {1., 1.5, -3., 1e-30, 1e200}) {
-    const double unit = std::nextafter(std::abs(high), HUGE_VAL) - std::abs(high);
-    const Gmpq middle = Gmpq(high) + Gmpq(unit / 2);
-    EXPECT_FALSE(IT::nearest_double(sum<Short>(high, unit / 2))) << high;
-    EXPECT_FALSE(IT::nearest_double(sum<Long>(high, unit / 2))) << high;
-    for (const double beside : {1 - 0x1p-40, 1 + 0x1p-40}) {
-      const auto x = IT::nearest_double(sum<Short>(high, beside * unit / 2));
-      ASSERT_TRUE(x) << high;
-      EXPECT_EQ(CGAL::compare(Gmpq(*x), middle), beside > 1 ? CGAL::LARGER : CGAL::SMALLER);
-    }
-  }
-  EXPECT_FALSE(IT::nearest_double(Short(0)));
-  EXPECT_FALSE(IT::nearest_double(Short(1) / Short(0)));
-  EXPECT_FALSE(IT::nearest_double(Short::around(IT::Double_double(1), 0x1p-53)));
-  EXPECT_FALSE(IT::nearest_double(Short(1) / Short(3) * Short(3) - Short(1)));
-}
 
 // slivers, and points so far from each other that their differences are no doubles
 IT::Input_metric of_random_points(std::size_t n) {
@@ -97,15 +45,16 @@ IT::Input_metric of_random_points(std::size_t n) {
 
 template <class Center>
 void expect_contains(const IT::Ball<Center>& ball, const Gmpq& exact, double precision) {
-  const CGAL::Protect_FPU_rounding<true> upwards;
-  const CGAL::Interval_nt<false> i = ball.interval();
+  const CGAL::Interval_nt<false> i = [&ball] {
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    return ball.interval();
+  }();
   EXPECT_LE(Gmpq(i.inf()), exact);
   EXPECT_GE(Gmpq(i.sup()), exact);
   EXPECT_LE(ball.radius(), precision * std::abs(ball.to_double()));
   // of more digits than an interval has
   const Gmpq rest = exact - Gmpq(ball.to_double());
-  const auto remainder =
-      IT::internal::to_nearest([&] { return ball - IT::Ball<Center>(ball.to_double()); });
+  const IT::Ball<Center> remainder = ball - IT::Ball<Center>(ball.to_double());
   EXPECT_LE(CGAL::abs(rest - Gmpq(remainder.to_double())),
             Gmpq(static_cast<double>(remainder.radius())) + CGAL::abs(rest) * Gmpq(0x1p-51));
 }
