@@ -3,6 +3,7 @@
 
 // Finds the distances from a vertex by the flow of heat: on the mesh, on its Delaunay triangulation, on a refinement of that.
 
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_triangulations.h>
 
