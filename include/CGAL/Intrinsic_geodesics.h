@@ -15,6 +15,7 @@ and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>

@@ -14,6 +14,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/curves/Curve_order.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/batches.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.cpp>

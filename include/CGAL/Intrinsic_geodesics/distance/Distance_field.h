@@ -129,6 +129,7 @@ struct Distance_field {
   /// forgets what was found, and has sources no more.
   void clear() {
     vertices.assign(vertices.size(), {});
+    windows = {};
     face_sources.clear();
     sources_by_face.clear();
     radius = 0;

@@ -24,7 +24,9 @@
 #include <cstdint>
 #include <limits>
 #include <ranges>
+#include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -108,9 +110,29 @@ public:
   template <class Sources, NamedParameters NP = parameters::Parameters<>>
   Polyhedral_distance(const Triangulation& t, const Sources& sources,
                       const NP& np = parameters::default_values())
-      : t_(&t), field_(internal::corner_table(t)) {
+      : Polyhedral_distance(t) {
+    search(sources, np);
+  }
+
+  /// reads the triangulation, and has no sources yet: all distances are infinite.
+  /// \complexity linear
+  explicit Polyhedral_distance(const Triangulation& t)
+      : Polyhedral_distance(t, internal::corner_table(t)) {}
+
+  /// returns an object for the same surface that has no sources, such as for another thread.
+  Polyhedral_distance without_sources() const { return Polyhedral_distance(*t_, field_.table); }
+
+  /*!
+  \brief finds the distances from other sources, in the memory that is there.
+  \param sources,np see the constructor
+  \return `status()`
+  */
+  template <class Sources, NamedParameters NP = parameters::Parameters<>>
+  Status search(const Sources& sources, const NP& np = parameters::default_values()) {
     using namespace internal::tags;
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
+    field_.clear();
+    sources_ = {};
     for_each_place(sources, [&](const auto& p) { sources_.add(p); });
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
@@ -124,6 +146,7 @@ public:
         spread_windows(field_, sources_, limits, [&](std::uint64_t windows, double distance) {
           return observed.progress(windows, distance * field_.table.unit);
         });
+    return status_;
   }
 
   /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are final in any
@@ -133,6 +156,8 @@ public:
   double reached_distance() const { return field_.radius * field_.table.unit; }
   /// returns the number of windows that were looked through.
   std::uint64_t number_of_windows() const { return number_of_windows_; }
+  /// returns the number of windows to look through at most, if none is given.
+  std::uint64_t default_cap() const { return field_.default_cap(); }
   /// returns the number of bytes held, but for those of constant number.
   std::size_t bytes() const { return field_.bytes(); }
 
@@ -149,12 +174,20 @@ public:
   /// returns the distances of all vertices, by their rows, see
   /// `Intrinsic_triangulation::input_vertex()`.
   std::vector<double> distances() const {
-    std::vector<double> result(t_->number_of_vertices(), std::numeric_limits<double>::infinity());
-    for (const vertex_descriptor v : vertices(t_->mesh())) {
-      double& least = result[t_->input_vertex(v)];
-      least = std::min(least, distance(v));
-    }
+    std::vector<double> result(t_->number_of_vertices());
+    copy_distances(std::span(result));
     return result;
+  }
+  /// writes the same to where the caller says, as `float` or `double`.
+  /// \pre there is place for a number per vertex
+  template <std::floating_point Number>
+  void copy_distances(std::span<Number> out) const {
+    CGAL_precondition(out.size() == t_->number_of_vertices());
+    std::ranges::fill(out, std::numeric_limits<Number>::infinity());
+    for (const vertex_descriptor v : vertices(t_->mesh())) {
+      Number& least = out[t_->input_vertex(v)];
+      least = std::min(least, static_cast<Number>(distance(v)));
+    }
   }
 
   /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number
@@ -185,6 +218,9 @@ public:
   }
 
 private:
+  Polyhedral_distance(const Triangulation& t, internal::Corner_table table)
+      : t_(&t), field_(std::move(table)) {}
+
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
   // What a search with windows finds, as far as the first search went.

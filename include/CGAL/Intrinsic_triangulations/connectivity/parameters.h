@@ -33,7 +33,7 @@ all of the names are here, those of CGAL among them.
                   name(maximum_faces) name(snaps_to_vertices) name(border_condition)               \
                       name(use_binary_mode) name(lines) name(relative_length)                      \
                           name(minimum_joint_angle) name(maximum_distance) name(targets)           \
-                              name(shortest) name(time_factor)
+                              name(shortest) name(time_factor) name(number_of_threads)
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {
