@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_INTRINSIC_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
@@ -61,7 +62,7 @@ std::optional<Curve_end> find_curve_around(const View& view, const Coordinates& 
 first side itself; nothing if no curve along `x` starts there
 \complexity linear in the degree of the vertex; where several fans of faces meet, linear
 */
-template <class View, CurveCoordinates Coordinates>
+template <NumberedComplex View, CurveCoordinates Coordinates>
 std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordinates,
                                     std::uint32_t vertex, std::uint32_t x) {
   const auto found =

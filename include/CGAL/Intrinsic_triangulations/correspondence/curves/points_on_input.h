@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_POINTS_ON_INPUT_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
@@ -14,6 +15,7 @@
 
 #include <CGAL/enum.h>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -112,6 +114,10 @@ target.
 \param starts whether a part of it starts from the vertex
 */
 template <class Coordinates>
+  requires requires(const Coordinates& c, std::uint32_t v) {
+    { c.is_inserted(v) } -> std::same_as<bool>;
+    { c.location(v) } -> std::convertible_to<Surface_point>;
+  }
 double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t vertex,
                              std::uint32_t halfedge, bool starts) {
   if (!coordinates.is_inserted(vertex)) return starts ? 0 : 1;
@@ -120,8 +126,8 @@ double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t verte
 }
 
 /// returns the vector from a point of the input to another one of the same face, in the frame of the first.
-template <class Input>
-Plane_vector<double> vector_between(const Input& input, const Surface_point& from,
+template <NumberedComplex Complex>
+Plane_vector<double> vector_between(const Complex& input, const Surface_point& from,
                                     const Surface_point& to) {
   const Geodesic_face face(input, from.halfedge);
   return face.to_corner(from.weights, 0) -
@@ -135,7 +141,7 @@ corner begins, counterclockwise from its first side.
 \param coordinates the correspondence
 \param side first side of the corner
 */
-template <class View, CurveCoordinates Coordinates>
+template <NumberedComplex View, CurveCoordinates Coordinates>
 Surface_point corner_on_input(const View& view, const Coordinates& coordinates,
                               std::uint32_t side) {
   const std::uint32_t slot = coordinates.roundabout(side), vertex = view.source(side);
@@ -154,7 +160,7 @@ Surface_point corner_on_input(const View& view, const Coordinates& coordinates,
 \param parameter 0 at the source of `h`, 1 at its target
 \return a point on a halfedge of the input with the direction of `h`
 */
-template <class View, CurveCoordinates Coordinates>
+template <NumberedComplex View, CurveCoordinates Coordinates>
 Surface_point location_on_side(const View& view, const Coordinates& coordinates, std::uint32_t h,
                                double parameter) {
   const std::uint32_t x = coordinates.fans().halfedge(coordinates.roundabout(h));

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -208,7 +209,7 @@ input face that the edges start in.
 \return the first edge that is found to be wrong; none if there is none
 \complexity linear in the number of edges and crossings; memory linear in the number of edges
 */
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates& coordinates) {
   return internal::Curve_check<Triangulation, Coordinates>(t, coordinates).first_bad_edge();
 }
@@ -221,7 +222,7 @@ over which it runs by coordinates.
 \return the first edge whose length differs by more than 1e-8 of the mean length of all edges; none if there is none
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, class Coordinates>
+template <class Triangulation, CurveCoordinates Coordinates>
 std::uint32_t first_wrong_length(const Triangulation& t, const Coordinates& coordinates) {
   const auto& input = coordinates.input();
   const Intrinsic_view<Triangulation> view(t);

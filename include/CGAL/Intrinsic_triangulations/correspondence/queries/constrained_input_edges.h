@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -14,6 +15,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,7 +37,7 @@ and edges that are new have the value false.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam Mark `bool`, or the type of labels, of which 0 is none
 */
-template <NumberedTriangulation Triangulation, class Mark = bool>
+template <NumberedTriangulation Triangulation, std::copyable Mark = bool>
 class Marked_edges {
   using Stored = std::conditional_t<std::is_same_v<Mark, bool>, char, Mark>;
 
@@ -100,7 +102,11 @@ To be passed as named parameter `edge_is_constrained_map`. Edges that refinement
 \throws Invalid_input if the mesh is another one
 \complexity linear; with `Signposts`, all edges are traced
 */
-template <NumberedTriangulation Triangulation, class Mesh, class EdgeIsConstrained>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh, class EdgeIsConstrained>
+  requires requires(const EdgeIsConstrained& map,
+                    typename boost::graph_traits<Mesh>::edge_descriptor e) {
+    { get(map, e) } -> std::convertible_to<bool>;
+  }
 Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, const Mesh& mesh,
                                                     EdgeIsConstrained map) {
   std::vector<char> is_constrained(t.numbers().edge_capacity(t.mesh()), 0);

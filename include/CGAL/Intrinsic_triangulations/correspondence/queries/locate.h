@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_LOCATE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -57,7 +58,7 @@ std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const S
 \return see the overload without mesh
 \throws Invalid_input if the place is in a polygon, or the mesh is another one
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::optional<Face_location<Mesh>>
 locate_on_input(const Triangulation& t, const Face_location<typename Triangulation::Mesh>& p,
                 const Mesh& mesh) {
@@ -70,7 +71,7 @@ locate_on_input(const Triangulation& t, const Face_location<typename Triangulati
 
 See `locate_on_input()`, which it undoes.
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::optional<Face_location<typename Triangulation::Mesh>>
 locate_on_intrinsic(const Triangulation& t, const Face_location<std::type_identity_t<Mesh>>& p,
                     const Mesh& mesh) {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -165,7 +167,7 @@ them.
 \param weights weights of its corners
 \complexity constant
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 Face_location<Mesh> place_in_face(typename boost::graph_traits<Mesh>::face_descriptor f,
                                   const std::array<double, 3>& weights, const Mesh&) {
   return {f, {weights[2], weights[0], weights[1]}};
@@ -173,7 +175,7 @@ Face_location<Mesh> place_in_face(typename boost::graph_traits<Mesh>::face_descr
 
 /// returns the weights of a place in the order in which its face lists its vertices;
 /// `place_in_face()` undoes it.
-template <class Face>
+template <std::copyable Face>
 std::array<double, 3> weights_in_face(const std::pair<Face, std::array<double, 3>>& place) {
   return {place.second[1], place.second[2], place.second[0]};
 }
@@ -231,7 +233,7 @@ typename Triangulation::vertex_descriptor vertex_of_row(const Triangulation& t, 
 \throws Invalid_input if the face is a polygon, the mesh is another one, or `t` has no correspondence
 \complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Surface_point surface_point(const Triangulation& t,
                             const Face_location<std::type_identity_t<Mesh>>& p, const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).on_input(p);
@@ -253,7 +255,7 @@ Surface_point surface_point(const Triangulation& t,
 \throws Invalid_input if the mesh is another one
 \complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 typename Triangulation::vertex_descriptor
 vertex_on_intrinsic(const Triangulation& t, typename boost::graph_traits<Mesh>::vertex_descriptor v,
                     const Mesh& mesh) {
@@ -267,7 +269,7 @@ vertex_on_intrinsic(const Triangulation& t, typename boost::graph_traits<Mesh>::
 
 See `surface_point()`, which it undoes.
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p,
                                   const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).on_mesh(p);
@@ -292,7 +294,7 @@ Face_location<typename Triangulation::Mesh> face_location(const Triangulation& t
 \param mesh the mesh that `t` was built from; its faces may be polygons
 \complexity as `surface_point()`
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 auto point_in_space(const Triangulation& t, const Surface_point& p, const Mesh& mesh) {
   return internal::Named_mesh_elements<Mesh>(internal::kept_input(t), mesh).point(p);
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
@@ -130,7 +131,7 @@ in the face of the input: the vectors at its corners are taken into its frame, a
 \throws Invalid_input if the mesh is another one
 \complexity linear, and for each vertex that of `tangent_to_input()`
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field,
                                          const Mesh& mesh) {
   return internal::Field_transfer(t, internal::axes_of_mesh(t.input(), mesh)).to_intrinsic(field);
@@ -141,7 +142,7 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 
 See `tangent_field_to_intrinsic()`, which it undoes: vectors at inserted vertices are left out.
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field& field,
                                      const Mesh& mesh) {
   return internal::Field_transfer(t, internal::axes_of_mesh(t.input(), mesh)).to_input(field);

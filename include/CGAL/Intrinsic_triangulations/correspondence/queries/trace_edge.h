@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_EDGE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
@@ -59,7 +60,7 @@ Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
 \throws Invalid_input if the mesh is another one
 \complexity see the overload without mesh
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Edge_path trace_input_edge(const Triangulation& t,
                            typename boost::graph_traits<Mesh>::edge_descriptor e,
                            const Mesh& mesh) {
@@ -75,7 +76,7 @@ Edge_path trace_input_edge(const Triangulation& t,
 \throws Invalid_input if the mesh is another one
 \complexity linear
 */
-template <NumberedTriangulation Triangulation, class Mesh>
+template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 auto polyline(const Triangulation& t, const Edge_path& path, const Mesh& mesh) {
   const internal::Named_mesh_elements<Mesh> named(t.input(), mesh);
   std::vector<decltype(named.point({}))> points;

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_TRACE_GEODESIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -119,7 +120,7 @@ See `trace_geodesic()`; points are those of the input, and `face_location(t, poi
 \param np as there
 \throws Invalid_input if the start is in a polygon, or the mesh is another one
 */
-template <QueriedTriangulation Triangulation, class Mesh,
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh,
           NamedParameters NP = parameters::Parameters<>>
   requires(!NamedParameters<Mesh>)
 Geodesic trace_geodesic(const Triangulation& t,

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
@@ -152,7 +153,7 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
 \pre the faces of the mesh have an area
 \complexity that of `tangent_to_input()` for each vertex
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
   return internal::vertex_vectors_in_space(t, field,
@@ -190,7 +191,7 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \pre the faces of the mesh have an area
 \complexity linear in the size of the subdivision
 */
-template <QueriedTriangulation Triangulation, class Mesh>
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
                  const Mesh& mesh, unsigned degree = 1) {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,7 +39,7 @@ triangulation, are whole intrinsic edges, of which the first side is visited.
 \pre `s` is the common subdivision of two triangulations
 \complexity linear
 */
-template <class Visitor>
+template <std::invocable<std::uint32_t, std::uint32_t, const Common_subdivision::Side&> Visitor>
 void for_each_subdivision_edge(const Common_subdivision& s, Visitor visit) {
   std::vector<bool> visited(internal::intrinsic_edge_bound(s), false);
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
