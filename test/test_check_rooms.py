@@ -27,7 +27,7 @@ def path(name, package=0):
 
 class Rooms(unittest.TestCase):
     def setUp(self):
-        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES"):
+        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES", "ALLOWED_COLUMNS"):
             patch = unittest.mock.patch.object(check_rooms, name, {})
             patch.start()
             self.addCleanup(patch.stop)
@@ -105,6 +105,14 @@ class Rooms(unittest.TestCase):
         name, page = path("low/c.h"), path("low/page.html")
         self.assert_one_error("not the full path", {name: header(name, page)})
         self.assertEqual(self.errors({name: header(name, page), f"../src/{page}": 'R"(text)"\n'}), [])
+
+    def test_lines_must_not_be_too_long(self):
+        name = path("low/c.h")
+        text = header(name) + "//" + "x" * 99 + "\n"
+        self.assert_one_error("more than 100 columns: 4", {name: text})
+        with unittest.mock.patch.object(check_rooms, "ALLOWED_COLUMNS", {check_rooms.short(name): "reason"}):
+            self.assertEqual(self.errors({name: text}), [])
+            self.assert_one_error("not needed any more")
 
     def test_sources_are_listed_in_their_order(self):
         one, two = (f"{SOURCES}/{name}" for name in ("high/inner/b.cpp", "low/a.cpp"))
