@@ -46,21 +46,22 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is an intrinsic triangulation without a metric of its own: connectivity, integer coordinates and the
-input, from which each predicate rebuilds what it needs (ch. 7 of the course: "truly integer-only").
+\brief is an intrinsic triangulation without a metric of its own: connectivity, integer coordinates
+and the input, from which each predicate rebuilds what it needs (ch. 7 of the course: "truly
+integer-only").
 
-To test an edge, the input triangles over which its diamond lies are found by integers alone (see
-`Diamond_unfolder`) and unfolded in interval arithmetic. Where that leaves the sign open, the same triangles
-decide exactly (see `Exact_ladder`). No length is stored, so no error is carried from one flip to the
-next, and nothing is remembered of the flips: memory does not grow with them.
+Integers alone find the input triangles over which the diamond of an edge lies (see
+`Diamond_unfolder`), and intervals unfold them. If the sign stays open, the same triangles decide
+exactly (see `Exact_ladder`). Lengths and flips are not stored, so that errors do not add up.
 
-With exact traits the moves have made the values that predicates read; here a predicate reads nothing that
-moves have made, except integers. Hence it is an independent check of a triangulation, whatever arithmetic
-it was made with: see `certify_delaunay()`.
+With exact traits the moves have made the values that predicates read; here a predicate reads
+nothing that moves have made, except integers. Hence it is an independent check of a triangulation,
+whatever arithmetic it was made with: see `certify_delaunay()`.
 
-Only edges are flipped: vertices may have been inserted before the integer coordinates came here. These are where
-`Integer_coordinates::location()` says. With exact traits that is what defined them; what other arithmetic has
-measured in intrinsic faces is within rounding of it, and areas of that size may come out negative.
+Only edges are flipped: vertices may have been inserted before the integer coordinates came here.
+These are where `Integer_coordinates::location()` says. With exact traits that is what defined them;
+what other arithmetic has measured in intrinsic faces is within rounding of it, and areas of that
+size may come out negative.
 
 A flip is refused (`Move_status::crossings`) that makes an edge with more than
 `Diamond_unfolder::maximal_crossings`; `flip_to_delaunay()` counts it as refused.
@@ -108,7 +109,7 @@ public:
     Sign delaunay_sign(halfedge_descriptor h) const {
       return t_.geometry().sign(t_.diamond(h), Delaunay_expression());
     }
-    /// returns the sign of the area of the face of a halfedge, which is positive in a triangulation.
+    /// returns the sign of the area of the face of a halfedge: positive in a triangulation.
     Sign orientation(halfedge_descriptor h) const {
       return t_.geometry().orientation(t_.indexed_face(h));
     }
@@ -120,7 +121,7 @@ public:
         return true; // in one face, or along its side
       return t_.geometry().is_straight(t_.indexed_face(h));
     }
-    /// compares an angle with pi; see `Predicate_session::compare_angle_to_pi()`. \pre no border is in between
+    /// compares an angle with pi as `Predicate_session` does. \pre no border is in between
     Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
       return t_.compare_angle_to_pi(h, g);
     }
@@ -136,7 +137,7 @@ public:
                           geometry.sign(d, Convexity_at_target_expression()) == POSITIVE;
       return convex ? Move_status::done : Move_status::not_convex;
     }
-    /// returns intervals that contain the values of the diamond of an edge with two faces, in scaled units.
+    /// returns intervals of the values of the diamond of an edge with two faces, in scaled units.
     Diamond_values<FT> diamond_values(halfedge_descriptor h) const {
       return t_.geometry().values(t_.diamond(h));
     }
@@ -152,7 +153,7 @@ public:
     Protect_FPU_rounding<true> scope_;
   };
 
-  /// decides many predicates and makes many flips in one floating point environment; see `Move_session`.
+  /// makes many calls in one floating point environment; see `Move_session`.
   class Session : public Const_session {
   public:
     /// opens a session on `t`, which must outlive it.
@@ -166,8 +167,9 @@ public:
     /*!
     \brief flips an edge that is known not to be locally Delaunay.
 
-    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another arithmetic
-    has turned faces over, nothing is known of it: such an edge is refused, so that flipping ends.
+    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another
+    arithmetic has turned faces over, nothing is known of it: such an edge is refused, so that
+    flipping ends.
     \pre `!is_locally_delaunay(h)`
     */
     Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
@@ -200,12 +202,12 @@ public:
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Integer_only_triangulation)
 
   /*!
-  \brief takes connectivity, input, and where edges run on it of a triangulation in any arithmetic, and leaves its metric
-  and the history of its moves.
+  \brief takes connectivity, input, and where edges run on it of a triangulation in any arithmetic,
+  and leaves its metric and the history of its moves.
   \tparam Traits the arithmetic
   \tparam Correspondence says where edges run, see `common_subdivision()`
-  \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a corner than
-  2^-52, or the input does not define the lengths of its faces, see `Input::is_defined_by_metric()`
+  \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a
+  corner than 2^-52, or `Input::is_defined_by_metric()` is false
   \throws std::length_error if an edge has more than `Diamond_unfolder::maximal_crossings`
   \complexity linear
   */

@@ -7,9 +7,9 @@
 /*!
 \file
 Declares the templates that the library has instantiated for the usual triangulations.
-`CGAL/Intrinsic_triangulation.h` includes this file for programs that link the library. A macro below
-lists the instances of each group after a prefix: `extern template` here, `template` in the sources of
-the library, see `src/instances/`.
+`CGAL/Intrinsic_triangulation.h` includes this file for programs that link the library. A macro
+below lists the instances of each group after a prefix: `extern template` here, `template` in the
+sources of the library, see `src/instances/`.
 */
 
 #include <CGAL/Intrinsic_triangulation.h>

@@ -17,7 +17,8 @@
 #include <cstdint>
 
 /*!
-\file The elements of Crouzeix and Raviart: functions and tangent vector fields with values at the
+\file
+The elements of Crouzeix and Raviart: functions and tangent vector fields with values at the
   midpoints of edges, linear in each face. A vector at an edge is a complex number in the frame of
   the edge, whose real axis runs along `halfedge(e, t.mesh())` and whose imaginary axis points to
   its left. An edge lies in the planes of both its faces, so that vectors come into them without any

@@ -20,7 +20,8 @@
 #include <vector>
 
 /*!
-\file Parallel transport of tangent vectors along edges, and the Laplacian of fields of them (§2.4
+\file
+Parallel transport of tangent vectors along edges, and the Laplacian of fields of them (§2.4
   of the course; Knoeppel, Crane, Pinkall and Schroeder 2013). Vectors are those of a
   `Tangent_field`.
 */

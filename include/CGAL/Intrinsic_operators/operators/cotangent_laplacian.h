@@ -102,7 +102,7 @@ void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero
 /*!
 \brief assembles the cotangent Laplacian of an intrinsic triangulation (§2.5 of the course, Eq. 4):
 
-    L_ij = -w_ij,    L_ii = sum_j w_ij,    w_ij = sum over the faces at ij of 1/2 cot(angle opposite ij)
+L_ij = -w_ij,    L_ii = sum_j w_ij,    w_ij = sum over the faces at ij of 1/2 cot(angle opposite ij)
 
 The matrix is symmetric bit by bit and positive semidefinite, with constants in its kernel: x^T L x
 = integral of |grad x|^2 for the piecewise linear function x. (Many papers use the opposite sign.)

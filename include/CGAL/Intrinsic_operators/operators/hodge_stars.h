@@ -15,7 +15,8 @@
 #include <vector>
 
 /*!
-\file Exterior derivatives and Hodge stars of discrete differential forms on an intrinsic
+\file
+Exterior derivatives and Hodge stars of discrete differential forms on an intrinsic
   triangulation (Desbrun, Kanso and Tong 2008).
 
 A 0-form has a value per vertex `v`, at `t.input_vertex(v)`; a 1-form a value per number of an edge,

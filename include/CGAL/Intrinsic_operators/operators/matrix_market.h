@@ -11,7 +11,8 @@
 #include <string>
 
 /*!
-\file Sparse matrices in the Matrix Market exchange format, which Matlab, Julia, SciPy, PETSc and
+\file
+Sparse matrices in the Matrix Market exchange format, which Matlab, Julia, SciPy, PETSc and
   Eigen read.
 
 Eigen's own `saveMarket()` is not used: for a symmetric matrix it writes both triangles under a

@@ -24,7 +24,8 @@
 #include <vector>
 
 /*!
-\file Integrals over the faces of a common subdivision. Areas need no positions in space: they come
+\file
+Integrals over the faces of a common subdivision. Areas need no positions in space: they come
   from the places of the corners in one of the two faces that contain them.
 
 And the way from values at the vertices of the input, or of the intrinsic triangulation, to values

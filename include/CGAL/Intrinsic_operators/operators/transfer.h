@@ -27,7 +27,8 @@
 #include <vector>
 
 /*!
-\file Transfer of piecewise linear functions between an intrinsic triangulation and its input
+\file
+Transfer of piecewise linear functions between an intrinsic triangulation and its input
   (§4.11.1 of the course). Functions are given by their values at vertices, numbered as in all
   operators: vertices of the input as there, then the inserted ones; one function per column.
 */

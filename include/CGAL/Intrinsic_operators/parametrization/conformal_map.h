@@ -16,7 +16,8 @@
 #include <complex>
 
 /*!
-\file Maps to the plane with a free border that are as conformal as may be: they minimise the
+\file
+Maps to the plane with a free border that are as conformal as may be: they minimise the
   conformal energy
 
     E = 1/2 integral of |grad w|^2 - area of the image = w^H C w,    w = x + i y

@@ -45,7 +45,8 @@ enum class Logarithm_method {
 \brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N.
 Sharp, Y. Soliman, K. Crane, *The Vector Heat Method*, 2019), and finds logarithmic maps.
 
-    (M + t L_1) z = vectors,  (M + t L_0) u = lengths,  (M + t L_0) p = 1 at sources;    result  (z / |z|) (u / p)
+(M + t L_1) z = vectors,  (M + t L_0) u = lengths,  (M + t L_0) p = 1 at sources;    result  (z /
+|z|) (u / p)
 
 with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex,
 the vector that arrives along the shortest path from the nearest source, with its length. On flat

@@ -26,7 +26,8 @@
 #include <vector>
 
 /*!
-\file Smoothest fields of directions (F. Knoeppel, K. Crane, U. Pinkall, P. Schroeder, *Globally
+\file
+Smoothest fields of directions (F. Knoeppel, K. Crane, U. Pinkall, P. Schroeder, *Globally
   Optimal Direction Fields*, 2013).
 */
 

@@ -15,27 +15,27 @@ All of them use these words. Why a single move was refused, which algorithms mee
 a `Move_status`: a question about one edge or vertex, not about an end.
 */
 enum class Status : std::uint8_t {
-  done,       ///< what was asked for is there, as far as the arithmetic can tell
-  stopped,    ///< the length or the angle to stop at was reached
-  contracted, ///< a loop has shrunk to a vertex
-  cap,        ///< a cap that was given, or that makes inexact arithmetic end, was reached before
-  stalled,    ///< nothing that is left to do could be done
-  cancelled,  ///< the visitor asked to stop
-  inaccurate, ///< rounding has spoilt the triangulation, which exact traits do not: see `Inaccuracy`; or may have misled
-              ///< the query: see `Edge_path`
-  border,     ///< the border was reached before
+  done,         ///< what was asked for is there, as far as the arithmetic can tell
+  stopped,      ///< the length or the angle to stop at was reached
+  contracted,   ///< a loop has shrunk to a vertex
+  cap,          ///< a cap that was given, or that makes inexact arithmetic end, was reached before
+  stalled,      ///< nothing that is left to do could be done
+  cancelled,    ///< the visitor asked to stop
+  inaccurate,   ///< rounding has spoilt the triangulation (never with exact traits): see
+                ///< `Inaccuracy`; or it may have misled the query: see `Edge_path`
+  border,       ///< the border was reached before
   not_traceable ///< the correspondence cannot tell where it is: only by rounding, with `Signposts`
 };
 
 /// What became of a move.
 enum class Move_status {
-  done,       ///< the move was made
-  border,     ///< refused: the edge is on the border
-  same_face,  ///< refused: both sides of the edge are in one face (an end has degree one)
-  not_convex, ///< refused: the faces at the edge do not make a strictly convex quadrilateral
-  crossings,  ///< refused: the edge would cross more input edges than can be counted
-  arithmetic, ///< refused: the number type made an area that is not positive; never with exact types
-  weights, ///< refused: barycentric coordinates that are not those of a point in a face or on a side
+  done,          ///< the move was made
+  border,        ///< refused: the edge is on the border
+  same_face,     ///< refused: both sides of the edge are in one face (an end has degree one)
+  not_convex,    ///< refused: the faces at the edge do not make a strictly convex quadrilateral
+  crossings,     ///< refused: the edge would cross more input edges than can be counted
+  arithmetic,    ///< refused: rounding made an area that is not positive; never with exact types
+  weights,       ///< refused: barycentric coordinates of no point in the face or on its sides
   not_inserted,  ///< refused: a vertex of the input cannot be removed
   not_removable, ///< refused: flips do not reduce the degree of the vertex
   not_traceable  ///< refused: the correspondence cannot find the point on the input

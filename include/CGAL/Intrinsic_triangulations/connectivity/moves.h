@@ -13,8 +13,9 @@
 
 /*!
 \file
-Insertion and removal of vertices of a Delta-complex, and flips taken back, connectivity only. Halfedges that stay keep their
-names; no edge is looked up by its ends, so that loops and faces glued to themselves do no harm.
+Insertion and removal of vertices of a Delta-complex, and flips taken back, connectivity only.
+Halfedges that stay keep their names; no edge is looked up by its ends, so that loops and faces
+glued to themselves do no harm.
 */
 
 namespace CGAL::Intrinsic_triangulations {

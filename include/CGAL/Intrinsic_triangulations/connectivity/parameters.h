@@ -14,9 +14,10 @@
 
 /*!
 \file
-Named parameters: the one way in which functions of the package take options. They are chained in any order,
+Named parameters: the one way in which functions of the package take options. They are chained in
+any order,
 
-    delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
+delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
 
 What a name means, and its default, is told by the function. A visitor is copied; pass `std::ref(v)`
 to have `v` itself called. One that the function does not have is an error of the compiler.

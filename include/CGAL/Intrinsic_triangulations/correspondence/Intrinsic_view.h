@@ -76,8 +76,8 @@ public:
   std::uint32_t halfedge_of_face(std::uint32_t f) const {
     return number(internal::graph_halfedge(t_->numbers().face_at(f), t_->mesh()));
   }
-  /// returns a halfedge that starts at vertex `v`, the one whose right side is the border if there is
-  /// one. \pre `v` is not isolated
+  /// returns a halfedge that starts at vertex `v`, the one whose right side is the border if there
+  /// is one. \pre `v` is not isolated
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {
     return number(internal::graph_halfedge(t_->numbers().vertex_at(v), t_->mesh())) ^ 1U;
   }
@@ -110,8 +110,9 @@ private:
 
 namespace internal {
 
-// Views a triangulation; what it says of a thin face is as accurate as of any other, if traits are exact. In a face beside a
-// very short edge the middle of the interval of an area may be far off, and the angle between the edge and a line with it.
+// Views a triangulation; what it says of a thin face is as accurate as of any other, if traits are
+// exact. In a face beside a very short edge the middle of the interval of an area may be far off,
+// and the angle between the edge and a line with it.
 template <class Triangulation>
 class Accurate_view : public Intrinsic_view<Triangulation> {
   using Base = Intrinsic_view<Triangulation>;

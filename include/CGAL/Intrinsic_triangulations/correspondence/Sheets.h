@@ -28,13 +28,15 @@ concept Knows_places = Triangulation::has_correspondence && requires(const Trian
 };
 
 /*!
-Knows which points of a double cover are copies of one point of the user's faces: the front and the back of a face, by
-name 2f and 2f + 1, and all edges of the cover that lie over one edge of the user.
+Knows which points of a double cover are copies of one point of the user's faces: the front and the
+back of a face, by name 2f and 2f + 1, and all edges of the cover that lie over one edge of the
+user.
 
-To change sides is an isometry of the cover away from *seams*: front and back of two faces that meet at an edge are
-glued by front to front and back to back. Where k > 2 faces meet, the front of the first is glued to the second, but
-its back to the last. So edges that have not two faces are seams: those with one, over which a tufted cover turns to the other
-side, too, as there a point and its copy are as near to each other as they are to the edge.
+To change sides is an isometry of the cover away from *seams*: front and back of two faces that meet
+at an edge are glued by front to front and back to back. Where k > 2 faces meet, the front of the
+first is glued to the second, but its back to the last. So edges that have not two faces are seams:
+those with one, over which a tufted cover turns to the other side, too, as there a point and its
+copy are as near to each other as they are to the edge.
 */
 class Sheets {
 public:
@@ -55,7 +57,8 @@ public:
   std::pair<std::uint32_t, std::array<double, 3>> name(const Surface_point& p) const;
 
 private:
-  // the same side of the back of a face as that of its front, and the other way round: it runs against it
+  // the same side of the back of a face as that of its front, and the other way round: it runs
+  // against it
   std::uint32_t other_side(std::uint32_t h) const;
   std::uint32_t other_face(std::uint32_t f) const;
   std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
@@ -64,8 +67,8 @@ private:
   // seam
   bool is_seam(std::uint32_t edge) const;
 
-  // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all run along it in one
-  // direction.
+  // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all
+  // run along it in one direction.
   // \param most how many are wanted at most
   std::vector<std::uint32_t>
   edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
@@ -82,7 +85,8 @@ private:
 };
 
 /*!
-Finds out which inserted vertices lie over one point of the user's faces; they are told one after the other.
+Finds out which inserted vertices lie over one point of the user's faces; they are told one after
+the other.
 \tparam Coordinates know where vertices are
 */
 template <class Coordinates>
@@ -116,9 +120,10 @@ private:
   std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place_;
 };
 
-// Counts the inserted vertices without the gaps that removals leave in their numbers: rows of matrices, in the order
-// of the numbers. On a cover, the copies of a vertex have one row, that of the first of them. What was inserted last is counted
-// when somebody asks; after a removal those after it are, on a cover all.
+// Counts the inserted vertices without the gaps that removals leave in their numbers: rows of
+// matrices, in the order of the numbers. On a cover, the copies of a vertex have one row, that of
+// the first of them. What was inserted last is counted when somebody asks; after a removal those
+// after it are, on a cover all.
 // \tparam Coordinates know where inserted vertices are
 template <class Coordinates>
 class Vertex_rows {
@@ -173,7 +178,8 @@ private:
     }
   };
 
-  // The row of this vertex and of all after it may be another now. Whether another copy is the first now takes all of them.
+  // The row of this vertex and of all after it may be another now. Whether another copy is the
+  // first now takes all of them.
   void forget_from(std::size_t i) {
     if (i >= row_.size()) return;
     if (is_cover_) i = 0;

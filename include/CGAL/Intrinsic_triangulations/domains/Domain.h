@@ -17,8 +17,8 @@ namespace CGAL::Intrinsic_triangulations {
 enum class Domain_kind {
   automatic,         ///< the first of the others that the triangles allow
   manifold,          ///< the triangles themselves, oriented
-  orientation_cover, ///< both sides of every triangle, glued where two triangles meet; border stays border
-  tufted_cover, ///< both sides of every triangle, glued around every edge, in one surface without border
+  orientation_cover, ///< both sides of every triangle, glued where two triangles meet
+  tufted_cover,      ///< both sides of every triangle, glued around every edge, without border
   closed ///< the first of `manifold`, `orientation_cover` and `tufted_cover` that has no border
 };
 
@@ -54,14 +54,16 @@ struct Domain {
 Edges may have any number of faces, faces any orientation; faces may be repeated, vertices isolated.
 Edges are matched by their end vertices.
 
-- If every edge has at most two faces, and they can be oriented consistently, the surface is the triangles.
-- If every edge has at most two faces, but the surface has only one side, as a Moebius strip, it is the orientation
-  double cover: a front and a back of each face; two of them are glued where the faces meet.
-- Else it is the tufted cover: around each edge, in the order of their angles, the side of each face that looks at the
-  next face is glued to the side of that which looks back. A single face is glued to its own back.
-  Angles are compared exactly; faces in one half plane follow each other in the order of their
-  numbers, and repeated faces go around once more: faces that are all there r times have r times the
-  Laplacian.
+- If every edge has at most two faces, and they can be oriented consistently, the surface is the
+  triangles.
+- If every edge has at most two faces, but the surface has only one side, as a Moebius strip, it is
+  the orientation double cover: a front and a back of each face; two of them are glued where the
+  faces meet.
+- Else it is the tufted cover: around each edge, in the order of their angles, the side of each face
+  that looks at the next face is glued to the side of that which looks back. A single face is glued
+  to its own back. Angles are compared exactly; faces in one half plane follow each other in the
+  order of their numbers, and repeated faces go around once more: faces that are all there r times
+  have r times the Laplacian.
 
 Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are
 split into one per neighbourhood; matrices have the rows of the user's vertices nevertheless,

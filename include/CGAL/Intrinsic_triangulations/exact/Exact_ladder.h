@@ -36,7 +36,7 @@ All is evaluated on a *figure*, which says how values follow from the faces of t
 | `Flat_diamond` | corners in a plane in space | of a diamond |
 | `Unfolded_diamond` | input triangles under a diamond, unfolded | of a diamond |
 | `Unfolded_faces` | those under faces | of faces |
-| `Replayed_diamond`, `Replayed_faces` | flips, made again, where edges cross too many triangles | of both |
+| `Replayed_diamond`, `Replayed_faces` | repeated flips, if edges cross too many faces | of both |
 
 `Exact_ladder.cpp` says what decides, in which order and why.
 

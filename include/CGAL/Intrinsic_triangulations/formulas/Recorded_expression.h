@@ -32,11 +32,11 @@ branches on values, and has no static numbers and no state that changes. Its sig
 exactly, whatever its degree.
 
 Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For
-what they leave open it is
-*recorded*: evaluated once on a `Recorded_number`, which keeps the steps. The steps are then repeated in number types that the expression
-knows nothing of, so that their code is compiled once and not for each expression. They also tell of
-which degree a polynomial is (see `Expression_degree`), hence which fast ways of deciding its sign
-are right: nothing is declared, so nothing can be declared that is not true.
+what they leave open it is *recorded*: evaluated once on a `Recorded_number`, which keeps the steps.
+The steps are then repeated in number types that the expression knows nothing of, so that their code
+is compiled once and not for each expression. They also tell of which degree a polynomial is (see
+`Expression_degree`), hence which fast ways of deciding its sign are right: nothing is declared, so
+nothing can be declared that is not true.
 */
 
 namespace CGAL::Intrinsic_triangulations {

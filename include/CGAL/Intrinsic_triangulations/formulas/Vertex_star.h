@@ -17,8 +17,8 @@
 
 /*!
 \file
-What insertions, removals and moves of vertices make: squared lengths and quadruple areas in any field (Eq. 23 of the
-course).
+What insertions, removals and moves of vertices make: squared lengths and quadruple areas in any
+field (Eq. 23 of the course).
 */
 
 namespace CGAL::Intrinsic_triangulations {

@@ -13,7 +13,8 @@
 
 /*!
 \file
-Triangles ijk in the plane, counterclockwise, from squared lengths and quadruple areas; points in them.
+Triangles ijk in the plane, counterclockwise, from squared lengths and quadruple areas; points in
+them.
 */
 
 namespace CGAL::Intrinsic_triangulations {

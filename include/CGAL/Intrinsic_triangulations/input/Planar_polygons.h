@@ -59,7 +59,8 @@ public:
     std::span<const Point> points; ///< their places in the plane; empty: there is no such polygon
     std::span<const std::uint32_t>
         sorted; ///< numbers of the corners, in the order of their vertices
-    /// returns the number of the corner at a vertex; the number of corners if there is none. \complexity logarithmic
+    /// returns the number of the corner at a vertex; the number of corners if there is none.
+    /// \complexity logarithmic
     std::size_t corner(std::uint32_t vertex) const {
       const auto found =
           std::lower_bound(sorted.begin(), sorted.end(), vertex,

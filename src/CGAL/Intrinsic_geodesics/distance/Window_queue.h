@@ -74,8 +74,8 @@ public:
     element = least.element;
     return least.is_vertex;
   }
-  /// takes all windows of a side off it. \return the first, which has the next one; none if the side
-  /// came before
+  /// takes all windows of a side off it. \return the first, which has the next one; none if the
+  /// side came before
   std::uint32_t take_windows(std::uint32_t side) {
     const std::uint32_t first = sides_[side].first;
     sides_[side] = {};

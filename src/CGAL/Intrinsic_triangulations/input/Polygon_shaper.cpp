@@ -190,7 +190,8 @@ double Nearest_angles::largest_change() const {
 }
 
 // from the first point, scaled
-std::vector<Polygon_flattener::Point> moved(const std::vector<Polygon_flattener::Point>& points, int exponent) {
+std::vector<Polygon_flattener::Point> moved(const std::vector<Polygon_flattener::Point>& points,
+                                            int exponent) {
   std::vector<Polygon_flattener::Point> result(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)

@@ -39,8 +39,8 @@ struct Edge_crossings {
   std::vector<std::uint32_t> begin;
   /// For each crossing the input halfedge of the face that halfedge `2e` enters there.
   std::vector<std::uint32_t> entered;
-  /// First entry in `on_curve` of each curve that is crossed, and one entry more. A curve is an input
-  /// edge, or a part of one between inserted vertices, in the direction of its even halfedge.
+  /// First entry in `on_curve` of each curve that is crossed, and one entry more. A curve is an
+  /// input edge, or a part of one between inserted vertices, in the direction of its even halfedge.
   std::vector<std::uint32_t> curve_begin{0};
   /// Crossings on each curve, in order.
   std::vector<std::uint32_t> on_curve;
@@ -65,7 +65,8 @@ struct Edge_crossings {
 
 namespace internal {
 
-// The crossings as faces see them: their numbers twice, and the last bit of the halfedge of the face.
+// The crossings as faces see them: their numbers twice, and the last bit of the halfedge of the
+// face.
 template <class Triangulation, CurveCoordinates Coordinates>
 struct Linked_crossings {
   std::vector<std::uint32_t>
@@ -211,8 +212,8 @@ void make_monotone(const Edge_crossings& crossings, Crossing_parameters& p);
 \brief computes where crossings are: for each intrinsic edge the input triangles that it passes are
 unfolded, and its ends joined by a straight line.
 
-Nothing but the input and the connectivity of the crossings enters, so that errors do not grow with the
-number of moves.
+Nothing but the input and the connectivity of the crossings enters, so that errors do not grow with
+the number of moves.
 \param t the triangulation
 \param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \param crossings what `edge_crossings()` returned

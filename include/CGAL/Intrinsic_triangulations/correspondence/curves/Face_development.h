@@ -34,15 +34,17 @@ struct Place_in_face {
 };
 
 /*!
-\brief finds the input triangles over which an intrinsic face lies, and which region of the face is in which.
+\brief finds the input triangles over which an intrinsic face lies, and which region of the face is
+in which.
 
-The curves (input edges) in a face ijk cut off corners or emanate from one corner. In the first case a middle
-region is left, from which the regions at each corner are reached across the curves that cut it off; in the second
-the regions form one strip along the side opposite that corner. Each lies in one input triangle. All are known from
-the lists of the curves that cross one or two sides (§3.5 of the course).
+The curves (input edges) in a face ijk cut off corners or emanate from one corner. In the first case
+a middle region is left, from which the regions at each corner are reached across the curves that
+cut it off; in the second the regions form one strip along the side opposite that corner. Each lies
+in one input triangle. All are known from the lists of the curves that cross one or two sides (§3.5
+of the course).
 
-Nothing but the input and integers enters: errors do not depend on the moves that made the face. Memory stays from
-face to face.
+Nothing but the input and integers enters: errors do not depend on the moves that made the face.
+Memory stays from face to face.
 */
 class Face_development {
 public:
@@ -96,7 +98,8 @@ public:
   /// returns how many steps were taken so far along curves.
   std::size_t steps() const { return steps_; }
 
-  /// returns the point of the triangles at a corner of one of them, if that point is a corner of a triangle, too: its corner.
+  /// returns the point of the triangles at a corner of one of them, if that point is a corner of a
+  /// triangle, too: its corner.
   std::optional<unsigned> shared_corner(std::uint32_t triangle, const Corner& c) const;
 
   /// returns a side of the triangle of the first region beside the first side of the face.
@@ -110,7 +113,8 @@ public:
 
   /*!
   \brief finds the region of a point.
-  \param is_beyond tells of a triangle but the first whether the point is beyond the side over which it is entered
+  \param is_beyond tells of a triangle but the first whether the point is beyond the side over which
+    it is entered
   \param region becomes the region
   \return the triangle
   */
@@ -139,7 +143,8 @@ public:
     return result;
   }
 
-  /// returns the triangle that is entered over the side of a triangle opposite a corner: itself, another one, or `none`.
+  /// returns the triangle that is entered over the side of a triangle opposite a corner: itself,
+  /// another one, or `none`.
   std::uint32_t entered_over(std::uint32_t t, unsigned opposite) const {
     return t > 0 && opposite == 2 ? t : triangles_[t].beyond[(opposite + 1) % 3];
   }
@@ -148,8 +153,8 @@ public:
 
   /*!
   \brief names the curve over which a triangle is entered.
-  \return whether the triangle is on the left of the curve as it leaves the face through the side that starts from the
-  corner it cuts off, or as it starts from its corner
+  \return whether the triangle is on the left of the curve as it leaves the face through the side
+  that starts from the corner it cuts off, or as it starts from its corner
   */
   bool name_curve(std::uint32_t child, Face_region& r) const;
 

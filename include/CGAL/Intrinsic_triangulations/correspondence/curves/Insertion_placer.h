@@ -72,11 +72,12 @@ std::optional<Place_in_face> place_in(const Face& face, const View& view,
 } // namespace internal
 
 /*!
-\brief finds a place on the input for a vertex that is to be inserted in an intrinsic face, and what lengths and areas
-that place makes.
+\brief finds a place on the input for a vertex that is to be inserted in an intrinsic face, and what
+lengths and areas that place makes.
 
-Barycentric coordinates in an input face are rounded to multiples of 2^-52, which then *define* the vertex: all that
-follows from it, in whatever arithmetic, depends on the input alone. See `Unfolded_face`.
+Barycentric coordinates in an input face are rounded to multiples of 2^-52, which then *define* the
+vertex: all that follows from it, in whatever arithmetic, depends on the input alone. See
+`Unfolded_face`.
 */
 class Insertion_placer {
 public:
@@ -88,13 +89,15 @@ public:
   \param t the triangulation; if its metric is exact, its scope is live
   \param coordinates a model of `CurveCoordinates`
   \param h a halfedge of the face
-  \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be on the side, if
-  that runs along an input edge, else within rounding of it, inside the face
+  \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be
+    on the side, if that runs along an input edge, else within rounding of it, inside the face
   \param wanted the place, if it is not to be found
-  \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and a point that
-  rounding puts outside of the face is moved inwards, by a part of the height that is below 2^-28 or, in thin faces, of which
-  few points can be represented, by less than 2^-44 of the longest side.
-  \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven to be in the face
+  \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and
+  a point that rounding puts outside of the face is moved inwards, by a part of the height that is
+  below 2^-28 or, in thin faces, of which few points can be represented, by less than 2^-44 of the
+  longest side.
+  \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven
+  to be in the face
   */
   template <class Triangulation, CurveCoordinates Coordinates>
   std::optional<Placed_insertion> operator()(const Triangulation& t, const Coordinates& coordinates,
@@ -111,8 +114,8 @@ public:
         const auto p = place_near(face_, t, coordinates, h, weights, along_side, wanted);
         if (p || along_side) return p;
       }
-      // intervals grow with the number of triangles that are unfolded one from another, and what is in the middle of them
-      // means less and less; centers of balls lose no more than rounding does
+      // intervals grow with the number of triangles that are unfolded one from another, and what is
+      // in the middle of them means less and less; centers of balls lose no more than rounding does
       return internal::to_nearest([&] {
         unfold(short_, coordinates.input());
         return place_near(short_.face, t, coordinates, h, weights, along_side, wanted);
@@ -128,11 +131,13 @@ public:
   /// returns how many steps were taken so far along curves that cross faces.
   std::size_t steps() const { return rough_.development().steps() + face_.development().steps(); }
 
-  /// returns the values at the vertex that was placed last, if the metric of its triangulation is exact.
+  /// returns the values at the vertex that was placed last, if the metric of its triangulation is
+  /// exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 
-  /// returns the corner of the face that is seen best from the place that was found last, for such a metric; nothing if
-  /// intervals are too wide to tell its direction, and were not needed in more bits.
+  /// returns the corner of the face that is seen best from the place that was found last, for such
+  /// a metric; nothing if intervals are too wide to tell its direction, and were not needed in more
+  /// bits.
   /// \pre rounding is upwards, and the face has not changed
   std::optional<Seen_corner> seen_corner(const Input& input) const;
 
@@ -152,7 +157,8 @@ private:
                                               : farthest_of_all;
   }
 
-  // The point moved inwards: in a thin face, where that is a large part of the height, at right angles to the side.
+  // The point moved inwards: in a thin face, where that is a large part of the height, at right
+  // angles to the side.
   template <class View>
   static std::array<double, 3> beside(const View& view, std::uint32_t h,
                                       const std::array<double, 3>& w, double distance) {
@@ -176,7 +182,8 @@ private:
       const bool is_there = p && is_in_face(t, coordinates.input(), *p, along_side);
       return is_there ? placed(p, along_side) : std::nullopt;
     }
-    // a point of a side that runs across input faces cannot be represented, as a rule: one beside it can
+    // a point of a side that runs across input faces cannot be represented, as a rule: one beside
+    // it can
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
     const auto place_at_distance = [&] {
       return place_in_face(face, t, coordinates, h, beside(view, h, weights, distance), along_side);

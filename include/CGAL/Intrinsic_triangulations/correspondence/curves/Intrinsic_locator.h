@@ -58,8 +58,8 @@ std::optional<Curve_end> find_curve_around(const View& view, const Coordinates& 
 \param coordinates its normal coordinates and roundabouts
 \param vertex the vertex
 \param x the input halfedge along which the curve runs
-\return the corner from which it starts and the number of curves from there before it, -1 if it is the
-first side itself; nothing if no curve along `x` starts there
+\return the corner from which it starts and the number of curves from there before it, -1 if it is
+the first side itself; nothing if no curve along `x` starts there
 \complexity linear in the degree of the vertex; where several fans of faces meet, linear
 */
 template <NumberedComplex View, CurveCoordinates Coordinates>
@@ -85,7 +85,8 @@ std::optional<Curve_end> find_curve(const View& view, const Coordinates& coordin
 
 namespace internal {
 
-/// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began with.
+/// A point of an intrinsic face, and the direction of its halfedge in the frame that the walk began
+/// with.
 struct Walked {
   Surface_point point;
   Plane_vector<double> direction; // not a unit vector
@@ -168,12 +169,12 @@ private:
     return walk(strip.faces[n].side, {point(0), point(1), point(2)}, from, p);
   }
 
-  // Walks straight from a point of the face of a halfedge to another point, and returns the latter's face. `z`: where the
-  // face is in the plane.
+  // Walks straight from a point of the face of a halfedge to another point, and returns the
+  // latter's face. `z`: where the face is in the plane.
   //
-  // The walk never goes back over the side by which it came, and ends where the point is outside by no
-  // more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for ever.
-  // Where rounding leads over the border, the last point before it is returned.
+  // The walk never goes back over the side by which it came, and ends where the point is outside by
+  // no more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for
+  // ever. Where rounding leads over the border, the last point before it is returned.
   Walked walk(std::uint32_t halfedge, std::vector<Point> z, const Point& from,
               const Point& to) const {
     Development<> faces;

@@ -25,9 +25,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 \brief keeps a short list of numbers per edge.
 
-A list of up to three is kept in its record, which is all that most edges need; a longer one in a block
-of one array, whose size is a power of two and follows from the length. Blocks that are given back are
-linked per size. Thus a change of a list seldom allocates memory, and a copy is that of two arrays.
+A list of up to three is kept in its record, which is all that most edges need; a longer one in a
+block of one array, whose size is a power of two and follows from the length. Blocks that are given
+back are linked per size. Thus a change of a list seldom allocates memory, and a copy is that of two
+arrays.
 */
 class Crossing_lists {
 public:
@@ -110,17 +111,17 @@ private:
 /*!
 \brief finds the curves that cross the edge from a corner of a face to a vertex inserted in it.
 
-These are the curves between the corner and the region of the vertex: first the arcs about the corner,
-then curves that emanate from another one, then the arcs about another corner which cut off the region,
-from the outermost one.
+These are the curves between the corner and the region of the vertex: first the arcs about the
+corner, then curves that emanate from another one, then the arcs about another corner which cut off
+the region, from the outermost one.
 \param k the corner
 \param sides the sides of the face
 \param normal their normal coordinates
 \param c how curves run in the face
 \param r the region of the vertex
-\param append called as `append(h, first, last)` for ranges of curves that cross halfedge `h`, counted from its
-source, in the order in which the edge crosses them, and so that they cross both from the same side: then the input
-halfedges of the faces entered are those of `h`
+\param append called as `append(h, first, last)` for ranges of curves that cross halfedge `h`,
+  counted from its source, in the order in which the edge crosses them, and so that they cross both
+  from the same side: then the input halfedges of the faces entered are those of `h`
 */
 template <class Append>
 void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sides,
@@ -144,8 +145,9 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
 }
 
 /*!
-\brief keeps the input halfedges that each intrinsic edge crosses, through moves that its owner, which has the normal
-coordinates, announces: see `Explicit_crossings`; or nothing, as long as that is faster.
+\brief keeps the input halfedges that each intrinsic edge crosses, through moves that its owner,
+which has the normal coordinates, announces: see `Explicit_crossings`; or nothing, as long as that
+is faster.
 */
 class Kept_crossings {
 public:
@@ -163,9 +165,9 @@ public:
   /*!
   \brief decides whether to keep crossings.
 
-  Where input edges that cross many intrinsic ones were followed again and again, for as long as it takes to note down what
-  crosses each edge, that is done: else the time of insertions would grow with the length of the edges followed. Lists that
-  get long are worse than that: moves change them.
+  Where input edges that cross many intrinsic ones were followed again and again, for as long as it
+  takes to note down what crosses each edge, that is done: else the time of insertions would grow
+  with the length of the edges followed. Lists that get long are worse than that: moves change them.
   \param t, coordinates the triangulation, its coordinates
   \param steps number of steps taken along curves since the last call
   \complexity constant, amortized over these steps
@@ -192,12 +194,14 @@ public:
     if (all <= most) keep(edge_crossings(t, coordinates));
   }
 
-  /// forgets crossings that need not be kept, if there are too many together with `more` of them on an edge to come.
+  /// forgets crossings that need not be kept, if there are too many together with `more` of them on
+  /// an edge to come.
   void forget_beyond(std::size_t edges, Normal_coordinate more);
 
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
   std::span<const std::uint32_t> entered_on(std::uint32_t edge) const { return lists_[edge]; }
-  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others.
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position`
+  /// others.
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     const std::span<const std::uint32_t> list = lists_[h / 2];
     const auto p = static_cast<std::size_t>(position);
@@ -218,7 +222,8 @@ public:
   /// finds the crossings of the edges from the corners of a face to a region of it.
   void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
                 const Face_region& region);
-  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there, with `n` crossings.
+  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there, with
+  /// `n` crossings.
   void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
     store(halfedge, n, announced_[k]);
   }

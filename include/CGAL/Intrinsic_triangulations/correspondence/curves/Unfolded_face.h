@@ -42,7 +42,7 @@ public:
   using Point = Plane_vector<FT>;
   /// A point of the face.
   using Place = Place_in_face;
-  /// Relative distance from a curve within which a point is put on it: a few roundings of a circumcenter.
+  /// Relative distance within which a point is put on a curve: a few roundings of a circumcenter.
   static constexpr double usual_nearness = 0x1p-40;
   /// The unit of weights.
   static constexpr double least_nearness = 0x1p-52;
@@ -51,7 +51,7 @@ public:
   \brief unfolds the face of a halfedge.
   \tparam Complex `Intrinsic_view`
   \tparam Coordinates a model of `CurveCoordinates`
-  \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face, from the halfedge on
+  \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face from it
   \complexity see `Face_development`
   */
   template <class Complex, CurveCoordinates Coordinates, class Input_values>
@@ -71,11 +71,12 @@ public:
   const Face_development& development() const { return face_; }
 
   /*!
-  \brief places a point of the face on the input: finds the triangle that contains it, and rounds its barycentric
-  coordinates there, which then define it. A point within rounding of a curve is put on it.
+  \brief places a point of the face on the input: finds the triangle that contains it, and rounds
+  its barycentric coordinates there, which then define it. A point within rounding of a curve is put
+  on it.
   \param weights barycentric coordinates of the point in the face, approximately
-  \param nearness distance from a curve within which a point is put on it, relative to the height of the triangle;
-  what is represented beside it is at least `least_nearness` away
+  \param nearness distance from a curve within which a point is put on it, relative to the height of
+    the triangle; what is represented beside it is at least `least_nearness` away
   \return the place; nothing if it is within rounding of a vertex of the input
   */
   std::optional<Place> place(const std::array<double, 3>& weights,
@@ -109,9 +110,10 @@ public:
   \brief places a point whose place on the input is known.
   \param input the input
   \param wanted the place: multiples of 2^-52; on an edge if the last weight is zero
-  \param weights barycentric coordinates of the point in the face, approximately: where the face lies twice over an
-  input triangle, they tell which is meant
-  \return the place; nothing if the face lies over no triangle with that place, or the edge runs along a side of the face
+  \param weights barycentric coordinates of the point in the face, approximately: where the face
+    lies twice over an input triangle, they tell which is meant
+  \return the place; nothing if the face lies over no triangle with that place, or the edge runs
+  along a side of the face
   */
   std::optional<Place> place_at(const Input& input, const Surface_point& wanted,
                                 const std::array<double, 3>& weights) const {
@@ -131,7 +133,7 @@ public:
     return at(result.triangle, result.location);
   }
 
-  /// tells whether errors of points grow so large that what is in the middle of them may be anywhere.
+  /// tells whether errors of points are so large that the middle of their intervals means nothing.
   template <class Interval = FT> // other numbers have no bounds
   bool is_vague() const {
     const auto is_vague = [](const Interval& x) {
@@ -143,8 +145,8 @@ public:
 
   /*!
   \brief computes the values at a vertex that is inserted at a place.
-  \return squared lengths of ip, jp, kp and quadruple areas of ijp, jkp, kip, which are positive if and only if the
-  place is in the face
+  \return squared lengths of ip, jp, kp and quadruple areas of ijp, jkp, kip, which are positive if
+  and only if the place is in the face
   */
   Vertex_move_values<FT> values(const Place& p) const {
     std::array<Point, 3> to;
@@ -158,7 +160,7 @@ public:
     return result;
   }
 
-  /// returns the corner of the face that is farthest from a place: its direction is the most accurate one.
+  /// returns the corner that is farthest from a place: its direction is the most accurate one.
   Seen_corner farthest_corner(const Input& input, const Place& p) const {
     const Rounded axis = along(input, p);
     Seen_corner result;
@@ -293,8 +295,7 @@ private:
     return result;
   }
 
-  // the direction of the halfedge of the location; where the triangle has both sides of its edge, at the one that the
-  // place is on
+  // the direction of the halfedge of the location, on the side of the edge where the place is
   Rounded along(const Input& input, const Place& p) const {
     const bool is_on_edge = p.location.weights[2] == 0;
     const auto is_side = [&](std::uint32_t side, std::size_t k) {
@@ -321,7 +322,7 @@ private:
     return true;
   }
 
-  // on the curve over which a triangle is entered; it is opposite a corner of the triangle of the place
+  // on the curve over which a triangle is entered, opposite a corner of the triangle of the place
   bool put_on_curve(std::uint32_t child, unsigned opposite, std::array<double, 3> w,
                     Place& result) const {
     const unsigned from = (opposite + 1) % 3, to = (opposite + 2) % 3;

@@ -19,9 +19,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief numbers the curves that start from each vertex, counterclockwise: the order that roundabouts
 count in (§3.5.2 of the course).
 
-A *slot* is a number of a curve at its start. Slots of one fan of faces at a vertex are consecutive; a
-nonmanifold vertex has several fans. A vertex that was inserted on an input edge has a fan of the two
-parts of that edge.
+A *slot* is a number of a curve at its start. Slots of one fan of faces at a vertex are consecutive;
+a nonmanifold vertex has several fans. A vertex that was inserted on an input edge has a fan of the
+two parts of that edge.
 */
 class Vertex_fans {
 public:
@@ -52,8 +52,8 @@ public:
     return fan.begin + place;
   }
 
-  /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of the
-  /// fan or more if they are in different fans.
+  /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of
+  /// the fan or more if they are in different fans.
   std::uint32_t distance(std::uint32_t from, std::uint32_t to) const {
     const Fan &f = fan_[from], &g = fan_[to];
     if (f.begin != g.begin) return Gluing::none;
@@ -62,7 +62,8 @@ public:
 
   /*!
   \brief adds the fan of a vertex on an edge.
-  \param halfedge the input halfedge of which the first slot is a part; the other one runs the other way
+  \param halfedge the input halfedge of which the first slot is a part; the other one runs the other
+    way
   \return the first slot; the other one is the next number
   */
   std::uint32_t add_fan_on_edge(std::uint32_t halfedge);

@@ -16,8 +16,8 @@
 
 /*!
 \file
-Normal coordinates: what they tell of curves in one or two triangles, and curves followed from face to face
-(§3.5.1 of the course). Integers only.
+Normal coordinates: what they tell of curves in one or two triangles, and curves followed from face
+to face (§3.5.1 of the course). Integers only.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -52,8 +52,8 @@ struct Corner_coordinates {
 };
 
 /*!
-\brief computes how curves run in a face from the normal coordinates of its sides, Eq. 9 and 10 of the
-course.
+\brief computes how curves run in a face from the normal coordinates of its sides, Eq. 9 and 10 of
+the course.
 */
 inline Corner_coordinates corner_coordinates(const std::array<Normal_coordinate, 3>& normal) {
   const std::array<Normal_coordinate, 3> n{crossings(normal[0]), crossings(normal[1]),
@@ -156,8 +156,8 @@ struct Curve_bundle {
 };
 
 /*!
-\brief follows curves that leave a face side by side to their ends. As long as they run side by side, they
-take one step together.
+\brief follows curves that leave a face side by side to their ends. As long as they run side by
+side, they take one step together.
 \param complex the intrinsic triangulation
 \param coordinates the normal coordinates
 \param bundle the curves
@@ -255,8 +255,8 @@ std::array<Normal_coordinate, 3> inserted_normal_coordinates(const Corner_coordi
                                                              const Face_region& r);
 
 /*!
-\brief tells whether the edges to a vertex in a face are crossed as they are if the vertex is in one of
-the regions of the face: then the face can do without it.
+\brief tells whether the edges to a vertex in a face are crossed as they are if the vertex is in one
+of the regions of the face: then the face can do without it.
 \param c how curves run in the face without the vertex
 \param normal normal coordinates of the edges from the corners to the vertex
 \param is_on_curve whether the vertex is on a curve
@@ -265,7 +265,8 @@ bool has_region(const Corner_coordinates& c, const std::array<Normal_coordinate,
                 bool is_on_curve);
 
 /*!
-\brief tells whether a vertex of degree three lies in a region of the face around it, or on a curve along a side of that.
+\brief tells whether a vertex of degree three lies in a region of the face around it, or on a curve
+along a side of that.
 \param sides normal coordinates of the sides of the face
 \param to normal coordinates of the edges from its corners to the vertex
 \param is_on_curve whether the vertex is on a curve

@@ -39,7 +39,8 @@ std::uint32_t input_halfedge(const Coordinates& coordinates, const Curve_end& st
 namespace internal {
 
 /*!
-\brief finds the input halfedges of the faces that an intrinsic halfedge enters: reads them, or follows the curves.
+\brief finds the input halfedges of the faces that an intrinsic halfedge enters: reads them, or
+follows the curves.
 \param view, coordinates the triangulation
 \param h the halfedge
 \param from, to number of the first one, and of that behind the last one
@@ -60,7 +61,8 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
     }
   return follow_curves(view, coordinates, {h, from, to - from, from}, stack,
                        [&](Normal_coordinate i, const Curve_end& end) {
-                         // the curve crosses from left to right; the way back starts along its opposite
+                         // the curve crosses from left to right; the way back starts along its
+                         // opposite
                          entered[static_cast<std::size_t>(i)] =
                              input_halfedge(coordinates, end) ^ 1U;
                        });
@@ -125,7 +127,8 @@ double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t verte
   return p.halfedge == halfedge ? p.weights[1] : p.weights[0];
 }
 
-/// returns the vector from a point of the input to another one of the same face, in the frame of the first.
+/// returns the vector from a point of the input to another one of the same face, in the frame of
+/// the first.
 template <NumberedComplex Complex>
 Plane_vector<double> vector_between(const Complex& input, const Surface_point& from,
                                     const Surface_point& to) {
@@ -135,8 +138,8 @@ Plane_vector<double> vector_between(const Complex& input, const Surface_point& f
 }
 
 /*!
-\brief returns the point of the input at a corner of an intrinsic face, in the input face in which the
-corner begins, counterclockwise from its first side.
+\brief returns the point of the input at a corner of an intrinsic face, in the input face in which
+the corner begins, counterclockwise from its first side.
 \param view the intrinsic triangulation
 \param coordinates the correspondence
 \param side first side of the corner

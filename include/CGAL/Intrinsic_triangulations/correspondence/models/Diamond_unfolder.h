@@ -22,32 +22,33 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief finds the input triangles over which a diamond of an intrinsic triangulation lies, from normal
-coordinates, roundabouts and the input alone (ch. 7 of the course): integers only.
+\brief finds the input triangles over which a diamond of an intrinsic triangulation lies, from
+normal coordinates, roundabouts and the input alone (ch. 7 of the course): integers only.
 
-Let ij be the edge, with faces ijk on its left and jim on its right. The corners are reached from the input
-face in which ij starts: j by crossing the curves (input edges) that cross ij; k by turning about i
-across the curves that emanate from i into the face ijk, and then crossing those that cross ik; and m
-likewise. The curves that cross an edge are found in three ways:
+Let ij be the edge, with faces ijk on its left and jim on its right. The corners are reached from
+the input face in which ij starts: j by crossing the curves (input edges) that cross ij; k by
+turning about i across the curves that emanate from i into the face ijk, and then crossing those
+that cross ik; and m likewise. The curves that cross an edge are found in three ways:
 
 - those that emanate from a corner of one of the two faces are told by the roundabouts there;
 - those that cut off the corner i cross ij and ik in the same order;
 - others are followed to their end, over the faces around; side by side as long as they run so.
 
-Paths are reduced words in crossings: one followed by its inverse cancels. As a diamond holds no vertex inside, the
-paths to its corners make one tree of triangles, whatever the order in which they were found.
+Paths are reduced words in crossings: one followed by its inverse cancels. As a diamond holds no
+vertex inside, the paths to its corners make one tree of triangles, whatever the order in which they
+were found.
 
 Its memory stays from call to call.
 */
 class Diamond_unfolder {
 public:
-  /// Most crossings of an edge that are worth unfolding, with a megabyte of triangles; `Integer_only_triangulation`, which knows
-  /// nothing else, refuses flips that make more.
+  /// Most crossings of an edge that are worth unfolding, with a megabyte of triangles;
+  /// `Integer_only_triangulation`, which knows nothing else, refuses flips that make more.
   static constexpr Normal_coordinate maximal_crossings = Normal_coordinate(1) << 15;
 
   /*!
-  \brief unfolds the diamond of an edge, or the face on its left if there is none on its right: then corner
-  m is corner i.
+  \brief unfolds the diamond of an edge, or the face on its left if there is none on its right: then
+  corner m is corner i.
   \tparam View `Intrinsic_view`
   \param view the triangulation
   \param coordinates its coordinates; no edge has more than `maximal_crossings`
@@ -82,8 +83,9 @@ public:
 
   /*!
   \brief unfolds the input triangles through which an edge runs.
-  \return the strip: corners 0 and 1 are the ends of the edge, and so are 2 and 3. Each triangle but the first is
-  entered across a curve, from left to right as seen from the edge. Valid until the next call
+  \return the strip: corners 0 and 1 are the ends of the edge, and so are 2 and 3. Each triangle but
+  the first is entered across a curve, from left to right as seen from the edge. Valid until the
+  next call
   \param view, coordinates, h see the other function; `h` must have a face
   \complexity linear in the number of crossings, and in those of the curves that are followed
   */
@@ -100,7 +102,8 @@ public:
   std::size_t take_steps() { return std::exchange(steps_, 0); }
 
 private:
-  // Crossings of input edges from face to face, each named by the input halfedge of the face that is entered.
+  // Crossings of input edges from face to face, each named by the input halfedge of the face that
+  // is entered.
   using Path = std::vector<std::uint32_t>;
 
   // where a vertex is in the plane into which the input is unfolded along a path
@@ -114,7 +117,8 @@ private:
     bool is_end_of(const Input& input, std::uint32_t h) const {
       return !is_inserted() && (halfedge == h || halfedge == input.next(h));
     }
-    // makes the path as short as it can be: an end of the last edge crossed is seen before crossing it
+    // makes the path as short as it can be: an end of the last edge crossed is seen before crossing
+    // it
     void trim(const Input& input) {
       while (!path.empty() && is_end_of(input, path.back())) {
         const std::uint32_t to = path.back(), from = to ^ 1U;
@@ -128,8 +132,8 @@ private:
 
   const Unfolded_diamond& unfold_from_common_base();
 
-  // Moves the base of paths, given by how many crossings it has passed, across an edge that all cross, but for those to
-  // ends of that edge, if there is one.
+  // Moves the base of paths, given by how many crossings it has passed, across an edge that all
+  // cross, but for those to ends of that edge, if there is one.
   bool moves_base(std::size_t base);
 
   // joins the paths from the base on into one tree
@@ -147,8 +151,8 @@ private:
 
   bool is_along_curve(std::uint32_t h) const { return coordinates_->normal_coordinate(h / 2) < 0; }
 
-  // the input halfedge that is `count` curves counterclockwise of those that start in a corner, whose
-  // first side is `h`
+  // the input halfedge that is `count` curves counterclockwise of those that start in a corner,
+  // whose first side is `h`
   std::uint32_t curve(std::uint32_t h, Normal_coordinate count) const {
     return input_halfedge(*coordinates_, Curve_end{h, count});
   }
@@ -165,8 +169,8 @@ private:
       path.push_back(entered);
   }
 
-  // The source of an intrinsic halfedge, in the input face in which it starts; beside the halfedge, on its
-  // left or right, if it runs along a curve.
+  // The source of an intrinsic halfedge, in the input face in which it starts; beside the halfedge,
+  // on its left or right, if it runs along a curve.
   template <class View>
   Corner corner(const View& view, std::uint32_t h, bool on_left) const {
     const std::uint32_t v = view.source(h), slot = coordinates_->roundabout(h);
@@ -214,7 +218,8 @@ private:
     for (Normal_coordinate i = from; i < n; ++i) append(path, others_[index(i)]);
   }
 
-  // finds k: turns counterclockwise about i, crosses the curves that cut off i, emanate from j, cut off k
+  // finds k: turns counterclockwise about i, crosses the curves that cut off i, emanate from j, cut
+  // off k
   template <class View>
   void reach_left(const View& view, std::uint32_t h, std::uint32_t ki) {
     Corner& k = corners_[2];

@@ -29,9 +29,11 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-Knows the values of a triangulation exactly, by where its edges run on the input: finds the figure from which an `Exact_ladder`
-evaluates. That is the input under a diamond, or the flips since the input, if these are few and edges cross very many triangles, or
-nothing can be unfolded: over an edge without length, about a face that is glued to itself, or where crossings are not counted.
+Computes the values of a triangulation exactly, by where its edges run on the input: finds the
+figure from which an `Exact_ladder` evaluates. This is the input under a diamond. It is the list of
+flips instead if they are few and edges cross very many triangles, or if nothing can be unfolded:
+over an edge without length, about a face that is glued to itself, or where crossings are not
+counted.
 */
 template <class Triangulation, class Places = Vertex_places<Triangulation>>
 class Exact_values {
@@ -61,8 +63,9 @@ public:
     });
   }
 
-  // Calls a function with the number of each face and intervals that contain its values, computed in
-  // so many bits, or more: in 53 flips have gone into stored intervals already. Returns the bits.
+  // Calls a function with the number of each face and intervals that contain its values, computed
+  // in so many bits, or more: in 53 flips have gone into stored intervals already. Returns the
+  // bits.
   template <class Visit>
   unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
                               const Visit& visit) const {
@@ -261,8 +264,8 @@ private:
     return memory_.unfolder(view_, coordinates(), halfedge(d.f, d.ij, d.jk));
   }
 
-  // Two faces of the input, if flips alone were made and none of an edge of the diamond. Nothing else has to be known:
-  // on many meshes all ties are of this kind.
+  // Two faces of the input, if flips alone were made and none of an edge of the diamond. Nothing
+  // else has to be known: on many meshes all ties are of this kind.
   std::optional<Input_diamond> untouched_diamond(const Diamond& d) const {
     const Flip_list* flips = places_.flips();
     if (flips == nullptr) return std::nullopt;
@@ -303,7 +306,8 @@ private:
     const Input& input = coordinates().input();
     std::optional<Flat_parts>& parts = memory_.flat_parts;
     if (!parts) parts.emplace(input);
-    // where flips have gone on among faces that are not known, those that they made are not known either
+    // where flips have gone on among faces that are not known, those that they made are not known
+    // either
     if (parts->number_of_searches() == input.number_of_faces() / 8) find_all_parts(input, *parts);
     return parts->part(input, d.f, d.g, [&]() -> const Unfolded_diamond& { return unfolded(d); });
   }

@@ -35,9 +35,10 @@ halfedge the first input halfedge counterclockwise from it (roundabouts).
 No rounding can make these inconsistent: the common subdivision always has the right connectivity. A
 vertex that is inserted on an input edge cuts it into two curves.
 
-Where a vertex that is inserted lies is found by following the input edges that cross its face. If that has taken long,
-because input edges cross very many intrinsic ones, coordinates note down what crosses each edge, as `Explicit_crossings` do,
-and keep it through all moves to come: the same answers, without following.
+Where a vertex that is inserted lies is found by following the input edges that cross its face. If
+that has taken long, because input edges cross very many intrinsic ones, coordinates note down what
+crosses each edge, as `Explicit_crossings` do, and keep it through all moves to come: the same
+answers, without following.
 
 \cgalModels{CurveCoordinates}
 */
@@ -99,14 +100,16 @@ public:
   std::uint32_t number_of_edges() const { return static_cast<std::uint32_t>(normal_.size()); }
   /// returns the number of crossings of an intrinsic edge, or -1 if it runs along an input edge.
   Normal_coordinate normal_coordinate(std::uint32_t edge) const { return normal_[edge]; }
-  /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself included;
-  /// none if no curve starts from its source.
+  /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself
+  /// included; none if no curve starts from its source.
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
   /// tells whether the input edges that cross each intrinsic edge are known without following them.
   bool knows_crossings() const { return bool(kept_); }
-  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order. \pre see above
+  /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
+  /// \pre see above
   auto entered_on(std::uint32_t edge) const { return kept_.entered_on(edge); }
-  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position` others. \pre see above
+  /// returns the input halfedge of the face that intrinsic halfedge `h` enters after `position`
+  /// others. \pre see above
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
@@ -115,7 +118,8 @@ public:
   void keep_crossings(const Triangulation& t) const {
     kept_.keep_if_few(t, *this, std::size_t(1) << 25U); // four bytes each
   }
-  /// does so once following curves has taken as long. \param steps number of steps along curves since the last call
+  /// does so once following curves has taken as long. \param steps number of steps along curves
+  /// since the last call
   template <class Triangulation>
   void count_steps(const Triangulation& t, std::size_t steps) const {
     kept_.decide(t, *this, steps);
@@ -124,8 +128,8 @@ public:
   bool has_inserted_vertices() const { return !location_.empty(); }
   /// tells whether a vertex was inserted.
   bool is_inserted(std::uint32_t vertex) const { return vertex >= input_->number_of_vertices(); }
-  /// returns where an inserted vertex is on the input; on an edge if it was inserted on one: then the
-  /// halfedge of the location runs along that edge and the last weight is zero.
+  /// returns where an inserted vertex is on the input; on an edge if it was inserted on one: then
+  /// the halfedge of the location runs along that edge and the last weight is zero.
   const Surface_point& location(std::uint32_t inserted_vertex) const {
     return location_[inserted_vertex - input_->number_of_vertices()];
   }
@@ -190,13 +194,14 @@ public:
                               {1 - move.parameter, move.parameter, 0}, move.place);
   }
 
-  /// returns the values at the vertex whose insertion was announced last, in a face or on the border: see
-  /// `Unfolded_face::values()`. \pre the metric is defined by places
+  /// returns the values at the vertex whose insertion was announced last, in a face or on the
+  /// border: see `Unfolded_face::values()`. \pre the metric is defined by places
   const Vertex_move_values<Interval_nt<false>>& inserted_values() const { return placer_.values(); }
 
   /// returns the place of that vertex.
   const Surface_point& inserted_place() const { return insertion_.location; }
-  /// returns the corner of its face that is seen best from there, if known. \pre the metric is defined by places
+  /// returns the corner of its face that is seen best from there, if known. \pre the metric is
+  /// defined by places
   std::optional<Seen_corner> inserted_direction() const { return placer_.seen_corner(*input_); }
 
   /// follows the insertion of a vertex on the border.
@@ -304,8 +309,8 @@ private:
                          static_cast<std::uint32_t>(parallels(normal_[first / 2]) + emanating));
   }
 
-  // of a halfedge between two sides of its source: the one before it, and the one opposite the source in
-  // the face on its right
+  // of a halfedge between two sides of its source: the one before it, and the one opposite the
+  // source in the face on its right
   void update_roundabout(std::uint32_t h, std::uint32_t before, std::uint32_t opposite) {
     const Normal_coordinate emanating = crossings(normal_[opposite / 2]) -
                                         crossings(normal_[h / 2]) - crossings(normal_[before / 2]);

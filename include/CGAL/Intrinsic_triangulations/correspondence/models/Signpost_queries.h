@@ -74,8 +74,9 @@ std::optional<Mapped_point> locate_from_corners(const Complex& complex, const Ge
   return std::nullopt;
 }
 
-// Finds the point of the input at a point of the intrinsic triangulation, along the geodesic from the nearest
-// corner of its face that works, which has the same direction and length on both (§3.4.3).
+// Finds the point of the input at a point of the intrinsic triangulation, along the geodesic from
+// the nearest corner of its face that works, which has the same direction and length on both
+// (§3.4.3).
 template <class Triangulation, class Signposts>
 std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signposts& signposts,
                                           const Surface_point& p) {
@@ -85,8 +86,8 @@ std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signpost
       [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
 }
 
-// Finds how a corner is seen from a place on the input that is known to be that of a point of the face: along the
-// first geodesic from a corner that leads there, the shortest first.
+// Finds how a corner is seen from a place on the input that is known to be that of a point of the
+// face: along the first geodesic from a corner that leads there, the shortest first.
 template <class Triangulation, class Signposts>
 std::optional<Seen_corner> see_corner(const Triangulation& t, const Signposts& signposts,
                                       const Surface_point& p, const Surface_point& place) {

@@ -27,15 +27,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief represents how an intrinsic triangulation lies on the input by the direction of each intrinsic
-halfedge at its source (§3.4 of the course).
+\brief represents how an intrinsic triangulation lies on the input by the direction of each
+intrinsic halfedge at its source (§3.4 of the course).
 
-At a vertex of the input the direction is a cone angle in the frame of the input
-(`Tangent_frames`); at an inserted vertex it is an angle in the frame of the halfedge of its location on the
-input. A flip costs two arc tangents (Eq. 7, unscaled). Paths, points and vectors are found by tracing
-geodesics. Angles are rounded: whether a path was found, and is certain, is always reported. Where inserted
-vertices are is rounded too, unless their places define the metric, see `Insertion_in_face::place`: then paths start and
-end there.
+At a vertex of the input the direction is a cone angle in the frame of the input (`Tangent_frames`);
+at an inserted vertex it is an angle in the frame of the halfedge of its location on the input. A
+flip costs two arc tangents (Eq. 7, unscaled). Paths, points and vectors are found by tracing
+geodesics. Angles are rounded: whether a path was found, and is certain, is always reported. Where
+inserted vertices are is rounded too, unless their places define the metric, see
+`Insertion_in_face::place`: then paths start and end there.
 
 \cgalModels{IntrinsicCorrespondence}
 */
@@ -266,7 +266,7 @@ public:
   void after(const Triangulation&, const Removal&) {}
 
 private:
-  // Fans from number_of_fans() on are those of inserted vertices: one more on the border, two for each.
+  // Fans from number_of_fans() on: those of inserted vertices, two each, one more on the border.
   struct Signpost {
     double angle;
     std::uint32_t fan;

@@ -40,14 +40,16 @@ const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
     return nullptr;
 }
 
-// Knows where the vertices and edges of a triangulation are on the input, for a metric that is exact: by the
-// correspondence, if that has integer coordinates on the input, else by coordinates of its own. These are made from
-// the list of flips when they are first asked for, and follow all moves from then on. From the first insertion on
-// they alone define the vertices, and there is no list.
+// Knows where the vertices and edges of a triangulation are on the input, for a metric that is
+// exact: by the correspondence, if that has integer coordinates on the input, else by coordinates
+// of its own. These are made from the list of flips when they are first asked for, and follow all
+// moves from then on. From the first insertion on they alone define the vertices, and there is no
+// list.
 template <class Triangulation>
 class Vertex_places {
 public:
-  // takes the coordinates of a triangulation that is restored, which its correspondence has too if it can
+  // takes the coordinates of a triangulation that is restored, which its correspondence has too if
+  // it can
   void restore(const Triangulation& t, const Integer_coordinates& coordinates) {
     if (!is_shared(t)) own_ = coordinates;
     are_all_flips_ = false;

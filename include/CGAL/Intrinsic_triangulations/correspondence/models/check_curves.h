@@ -20,16 +20,18 @@
 
 /*!
 \file
-Proof that integer coordinates which were not built by moves describe curves that are the input edges.
+Proof that integer coordinates which were not built by moves describe curves that are the input
+edges.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-/// Finds the first intrinsic edge at which coordinates contradict themselves or the places of vertices. In every face
-/// curves meet (Eqs. 9 and 10 of the course), around every vertex each slot is the start of one curve (Eq. 12), and
-/// every curve ends where its input edge ends, or its part between inserted vertices.
+/// Finds the first intrinsic edge at which coordinates contradict themselves or the places of
+/// vertices. In every face curves meet (Eqs. 9 and 10 of the course), around every vertex each slot
+/// is the start of one curve (Eq. 12), and every curve ends where its input edge ends, or its part
+/// between inserted vertices.
 template <class Triangulation, class Coordinates>
 class Curve_check {
 public:
@@ -199,9 +201,9 @@ private:
 /*!
 \brief checks that coordinates are those of the input edges, all by integers.
 
-In every face curves meet (Eqs. 9 and 10 of the course), around every vertex each slot is the start of one curve
-(Eq. 12), every curve ends where its input edge ends, or its part between inserted vertices, and every vertex is in an
-input face that the edges start in.
+In every face curves meet (Eqs. 9 and 10 of the course), around every vertex each slot is the start
+of one curve (Eq. 12), every curve ends where its input edge ends, or its part between inserted
+vertices, and every vertex is in an input face that the edges start in.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Coordinates `Integer_coordinates`
 \param t the triangulation
@@ -215,11 +217,12 @@ std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates&
 }
 
 /*!
-\brief checks that every intrinsic edge has the length of the straight line between its ends through the input faces
-over which it runs by coordinates.
+\brief checks that every intrinsic edge has the length of the straight line between its ends through
+the input faces over which it runs by coordinates.
 \param t the triangulation
 \param coordinates what `first_inconsistent_edge()` finds nothing wrong with
-\return the first edge whose length differs by more than 1e-8 of the mean length of all edges; none if there is none
+\return the first edge whose length differs by more than 1e-8 of the mean length of all edges; none
+if there is none
 \complexity linear in the number of edges and crossings
 */
 template <class Triangulation, CurveCoordinates Coordinates>

@@ -27,7 +27,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)` starts.
+// Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)`
+// starts.
 template <class Complex, class Walk>
 Geodesic_to_target trace_corrected(const Complex& complex, const Walk& walk,
                                    const Geodesic_target& target, double length,
@@ -51,8 +52,8 @@ Geodesic_to_target follow_signpost(const View& view, const Signposts& signposts,
       signposts.target(view.target(h)), std::sqrt(view.squared_length(h / 2)), strip);
 }
 
-// Traces an intrinsic halfedge over the input (§3.4.1), from its target if that fails from its source. Appends the input
-// edges that it crosses to `crossings`; `strip` is space for the trace.
+// Traces an intrinsic halfedge over the input (§3.4.1), from its target if that fails from its
+// source. Appends the input edges that it crosses to `crossings`; `strip` is space for the trace.
 template <class View, class Signposts>
 Geodesic_to_target trace_signpost(const View& view, const Signposts& signposts, std::uint32_t h,
                                   std::vector<Geodesic_crossing>& crossings,
@@ -128,8 +129,8 @@ vertices_on_input_halfedge(const Triangulation& t, const Signposts& signposts, s
   return on_it;
 }
 
-// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
-// inserted on it.
+// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices
+// that were inserted on it.
 template <class Triangulation, class Signposts>
 Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts& signposts,
                                         std::uint32_t x) {
@@ -170,16 +171,17 @@ Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts&
 } // namespace internal
 
 /*!
-\brief holds the paths of all intrinsic edges over the input: the input edges that each one crosses, from
-the source of its halfedge `2e`.
+\brief holds the paths of all intrinsic edges over the input: the input edges that each one crosses,
+from the source of its halfedge `2e`.
 */
 struct Edge_traces {
   /// For each edge number the index of its first crossing, and one entry more.
   std::vector<std::size_t> begin{0};
-  /// The crossings of all edges: the halfedge of the input face that is left, and where it is crossed.
+  /// The crossings of all edges: the halfedge of the input face that is left, and where it is
+  /// crossed.
   std::vector<Geodesic_crossing> crossings;
-  /// For each edge number the input halfedge that halfedge `2e` runs along, in its direction; none if
-  /// it runs across faces. It may be a part of it only: between inserted vertices.
+  /// For each edge number the input halfedge that halfedge `2e` runs along, in its direction; none
+  /// if it runs across faces. It may be a part of it only: between inserted vertices.
   std::vector<std::uint32_t> along;
   /// The first edge whose trace did not end at its end; none if all did.
   std::uint32_t first_failed = Gluing::none;

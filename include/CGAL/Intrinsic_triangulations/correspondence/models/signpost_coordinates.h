@@ -23,8 +23,8 @@
 
 /*!
 \file
-From signposts to integer coordinates: rounded directions are replaced by integers that are proved to
-be consistent, or refused.
+From signposts to integer coordinates: rounded directions are replaced by integers that are proved
+to be consistent, or refused.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -111,8 +111,8 @@ private:
     return location(vertex).halfedge == x ? slot : slot + 1;
   }
 
-  // The first curve counterclockwise from a halfedge that leaves its first face through `out`, or ends
-  // in that face.
+  // The first curve counterclockwise from a halfedge that leaves its first face through `out`, or
+  // ends in that face.
   std::uint32_t roundabout(std::uint32_t h, std::uint32_t out) const {
     const std::uint32_t v = view_.source(h);
     if (!signposts_.is_inserted(v)) {
@@ -187,17 +187,17 @@ private:
 \brief finds the integer coordinates of a triangulation that is represented by signposts.
 
 All intrinsic edges are traced over the input. What the traces say is accepted only if it is proved
-to be consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision is right, or there is
-none.
-A vertex whose location is exactly on an input edge cuts that edge; where rounding put it there, which only happens
-in doubles, other representations may have it beside the edge.
+to be consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision
+is right, or there is none. A vertex whose location is exactly on an input edge cuts that edge;
+where rounding put it there, which only happens in doubles, other representations may have it beside
+the edge.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Signposts its correspondence, `Signposts`
 \param t the triangulation
 \param signposts its signposts
 \return the coordinates
-\throws Invalid_input naming the first intrinsic edge that has no path, or one that contradicts others;
-  the remedy is to use `Integer_coordinates`
+\throws Invalid_input naming the first intrinsic edge that has no path, or one that contradicts
+  others; the remedy is to use `Integer_coordinates`
 \complexity linear in the number of edges and crossings
 */
 template <class Triangulation, class Signposts>

@@ -28,7 +28,8 @@ using Correspondence_of =
 template <class Triangulation>
 concept Has_curves = CurveCoordinates<Correspondence_of<Triangulation>>;
 
-// A correspondence that queries are answered from. Asked of the model alone, as triangulations are not complete where they take it.
+// A correspondence that queries are answered from. Asked of the model alone, as triangulations are
+// not complete where they take it.
 template <class Correspondence>
 concept Answers_queries = requires(const Correspondence& c) {
   { c.input() } -> std::same_as<const Input&>;
@@ -60,7 +61,8 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
 
 namespace internal {
 
-// Says what to do if there is nothing to answer queries from, before a concept says what is missing.
+// Says what to do if there is nothing to answer queries from, before a concept says what is
+// missing.
 template <class Triangulation>
 consteval bool expect_correspondence() {
   if constexpr (requires(const Triangulation& t) { t.correspondence(); })
@@ -74,7 +76,8 @@ consteval bool expect_correspondence() {
 } // namespace internal
 
 /*!
-\brief asks for a `CorrespondingTriangulation`, as all queries do, and says what to do for one that has no correspondence.
+\brief asks for a `CorrespondingTriangulation`, as all queries do, and says what to do for one that
+has no correspondence.
 */
 template <class Triangulation>
 concept QueriedTriangulation =

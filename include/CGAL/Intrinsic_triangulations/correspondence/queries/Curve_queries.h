@@ -76,8 +76,8 @@ void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Ad
   }
 }
 
-// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices that were
-// inserted on it.
+// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices
+// that were inserted on it.
 template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
                                      std::uint32_t x) {
@@ -109,10 +109,11 @@ Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& 
   return path;
 }
 
-// ---- Directions at vertices: the integers tell the sector, the input's geometry the angle within it, with an error
-// that does not grow with the number of moves
+// ---- Directions at vertices: the integers tell the sector, the input's geometry the angle within
+// it, with an error that does not grow with the number of moves
 
-// The direction of an intrinsic halfedge that starts at a vertex of the input: from an input halfedge there.
+// The direction of an intrinsic halfedge that starts at a vertex of the input: from an input
+// halfedge there.
 template <class Triangulation, CurveCoordinates Coordinates>
 Corner_direction direction_on_input(const Triangulation& t, const Coordinates& coordinates,
                                     std::uint32_t h) {
@@ -134,8 +135,8 @@ Corner_direction direction_on_input(const Triangulation& t, const Coordinates& c
   return {first, std::atan2(std::max(0.0, v[1]), v[0])};
 }
 
-// The angle of an intrinsic halfedge that starts at an inserted vertex, in the frame of the input face of
-// `start`, which becomes its source.
+// The angle of an intrinsic halfedge that starts at an inserted vertex, in the frame of the input
+// face of `start`, which becomes its source.
 template <class Triangulation, CurveCoordinates Coordinates>
 double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coordinates,
                                 std::uint32_t h, Surface_point& start) {
@@ -176,8 +177,8 @@ auto walk_by_curves(const Triangulation& t, const Coordinates& coordinates, std:
   return Walk(input, start, {std::cos(angle), std::sin(angle)});
 }
 
-// The direction of an input halfedge among the intrinsic halfedges at its source; none if the coordinates are
-// not those of the triangulation.
+// The direction of an input halfedge among the intrinsic halfedges at its source; none if the
+// coordinates are not those of the triangulation.
 template <class Triangulation, CurveCoordinates Coordinates>
 std::optional<Corner_direction>
 direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, std::uint32_t x) {
@@ -194,8 +195,8 @@ direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, s
 /*!
 \brief answers all that queries ask of a correspondence, by curves.
 
-A correspondence that is no model of `CurveCoordinates` has a member template `queries(t)`, which returns an object with the
-same functions: `locate_on_input()` and all other queries ask that.
+A correspondence that is no model of `CurveCoordinates` has a member template `queries(t)`, which
+returns an object with the same functions: `locate_on_input()` and all other queries ask that.
 \tparam Triangulation an `Intrinsic_triangulation`
 \tparam Coordinates a model of `CurveCoordinates`
 */
@@ -229,11 +230,13 @@ public:
     if (curves_.normal_coordinate(edge) >= 0) return Gluing::none;
     return curves_.fans().halfedge(curves_.roundabout(2 * edge)) / 2;
   }
-  /// starts a geodesic on the input from the source of a halfedge of the triangulation, at an angle from it.
+  /// starts a geodesic on the input from the source of a halfedge of the triangulation, at an angle
+  /// from it.
   Geodesic_walk<Input> walk_on_input(std::uint32_t h, double turn) const {
     return internal::walk_by_curves(t_, curves_, h, turn);
   }
-  /// returns the direction on the triangulation at an angle from halfedge `x` of the input, at its source.
+  /// returns the direction on the triangulation at an angle from halfedge `x` of the input, at its
+  /// source.
   std::optional<Corner_direction> direction_on_intrinsic(std::uint32_t x, double turn) const {
     auto direction = internal::direction_on_intrinsic(t_, curves_, x);
     if (direction) direction->angle += turn;

@@ -28,9 +28,10 @@ On a cover these are no rows: each copy of a vertex has a tangent plane and a ve
 the number of the copy, `t.input().names().vertices.user(t.index(v))`; those of inserted vertices
 follow.
 
-It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis runs along the first
-halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and angles from it counterclockwise are scaled
-so that the total angle becomes 2 pi, or pi on the border.
+It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis
+runs along the first halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and
+angles from it counterclockwise are scaled so that the total angle becomes 2 pi, or pi on the
+border.
 */
 using Tangent_field = std::vector<std::complex<double>>;
 
@@ -106,7 +107,8 @@ bool is_isolated(const Triangulation& t, typename Triangulation::vertex_descript
          boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
 }
 
-// The frames at the vertices of an intrinsic triangulation, of which `view` is a view that outlives them.
+// The frames at the vertices of an intrinsic triangulation, of which `view` is a view that outlives
+// them.
 template <class Triangulation>
 Vertex_frames<Intrinsic_view<Triangulation>>
 intrinsic_frames(const Triangulation& t, const Intrinsic_view<Triangulation>& view) {

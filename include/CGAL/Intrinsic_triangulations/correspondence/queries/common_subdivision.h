@@ -239,7 +239,8 @@ Common_subdivision extract_subdivision(const Triangulation& t, const Coordinates
 } // namespace internal
 
 /*!
-\brief extracts the common subdivision of an intrinsic triangulation and its input (§3.6 of the course).
+\brief extracts the common subdivision of an intrinsic triangulation and its input (§3.6 of the
+course).
 
 Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
 does to the locations of the crossings.

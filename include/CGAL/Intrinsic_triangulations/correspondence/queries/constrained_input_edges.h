@@ -32,8 +32,8 @@ std::uint32_t edge_of_name(const Input_definition& input, std::uint32_t name);
 } // namespace internal
 
 /*!
-\brief is a writable property map from the edges of an intrinsic triangulation to marks; copies share their values,
-and edges that are new have the value false.
+\brief is a writable property map from the edges of an intrinsic triangulation to marks; copies
+share their values, and edges that are new have the value false.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam Mark `bool`, or the type of labels, of which 0 is none
 */
@@ -93,7 +93,8 @@ Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t,
 /*!
 \brief marks the intrinsic edges that run along constrained edges of the user's mesh.
 
-To be passed as named parameter `edge_is_constrained_map`. Edges that refinement splits stay marked in their parts.
+To be passed as named parameter `edge_is_constrained_map`. Edges that refinement splits stay marked
+in their parts.
 \tparam Mesh the type of the user's mesh
 \tparam EdgeIsConstrained a readable property map from edges of `Mesh` to `bool`
 \param t the triangulation; without correspondence, before its first move

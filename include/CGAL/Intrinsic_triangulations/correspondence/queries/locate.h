@@ -26,7 +26,8 @@ namespace CGAL::Intrinsic_triangulations {
 \param t the triangulation
 \param p a point of it
 \return the point; nothing only if `Signposts` have lost the way by rounding
-\complexity with curves, linear in the number of crossings of the face, and that of following them; with signposts, linear in the number of input edges between the point and a corner of its face
+\complexity with curves, linear in the number of crossings of the face, and that of following them;
+with signposts, linear in the number of input edges between the point and a corner of its face
 */
 template <QueriedTriangulation Triangulation>
 std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surface_point& p) {
@@ -40,8 +41,8 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 \param t the triangulation
 \param p a point of its input
 \return the point; nothing only if `Signposts` have lost the way by rounding
-\complexity linear in the number of intrinsic edges that cross the longest side of the input face, and
-  of those between it and the point
+\complexity linear in the number of intrinsic edges that cross the longest side of the input face,
+  and of those between it and the point
 */
 template <QueriedTriangulation Triangulation>
 std::optional<Surface_point> locate_on_intrinsic(const Triangulation& t, const Surface_point& p) {

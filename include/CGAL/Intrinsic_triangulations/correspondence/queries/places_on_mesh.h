@@ -30,15 +30,16 @@
 
 /*!
 \file
-Places on the user's mesh, in the user's descriptors. The mesh is the one that the triangulation was built from,
-unchanged since; it is passed as the last argument.
+Places on the user's mesh, in the user's descriptors. The mesh is the one that the triangulation was
+built from, unchanged since; it is passed as the last argument.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a face of a mesh and barycentric coordinates of its corners, from the source of `halfedge(face, mesh)`:
-`CGAL::Polygon_mesh_processing::Face_location<Mesh, double>`, without the headers of that package.
+\brief is a face of a mesh and barycentric coordinates of its corners, from the source of
+`halfedge(face, mesh)`: `CGAL::Polygon_mesh_processing::Face_location<Mesh, double>`, without the
+headers of that package.
 
 That corner is the last one that the face, and the file it was read from, lists: see
 `place_in_face()`.
@@ -230,7 +231,8 @@ typename Triangulation::vertex_descriptor vertex_of_row(const Triangulation& t, 
 \param t the triangulation
 \param p the place, in a triangle
 \param mesh the mesh that `t` was built from
-\throws Invalid_input if the face is a polygon, the mesh is another one, or `t` has no correspondence
+\throws Invalid_input if the face is a polygon, the mesh is another one, or `t` has no
+correspondence
 \complexity constant; with `CGAL::Polyhedron_3` as mesh, linear
 */
 template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
@@ -276,7 +278,8 @@ Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p
 }
 
 /*!
-\brief returns the place on the intrinsic triangulation of a point of it: in the frame of `t.mesh()`.
+\brief returns the place on the intrinsic triangulation of a point of it: in the frame of
+`t.mesh()`.
 \complexity constant
 */
 template <NumberedTriangulation Triangulation>

@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a tangent vector at a point of a triangulation.
 
-At a vertex it points into the face in whose frame it is given, or is turned to about the vertex by the angle
-that it has from the side of the face that starts there.
+At a vertex it points into the face in whose frame it is given, or is turned to about the vertex by
+the angle that it has from the side of the face that starts there.
 */
 struct Tangent_vector {
   Surface_point point; ///< the point
@@ -51,8 +51,9 @@ Tangent_vector at_start(const Walk& walk, double length, double turn = 0) {
   return {{walk.face().side[0], walk.weights()}, {d[0] * c - d[1] * s, d[0] * s + d[1] * c}};
 }
 
-// Takes a vector from a point of `complex`: in a face as `map` says, at a corner by a walk from a side of the face,
-// `walk(h, turn)`. A walk that is blocked starts along the side, and the vector is turned.
+// Takes a vector from a point of `complex`: in a face as `map` says, at a corner by a walk from a
+// side of the face, `walk(h, turn)`. A walk that is blocked starts along the side, and the vector
+// is turned.
 template <class Complex, class Map, class Walk>
 std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent_vector& v,
                                            const Map& map, const Walk& walk) {
@@ -77,13 +78,15 @@ std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent
 /*!
 \brief takes a tangent vector at a point of the intrinsic triangulation to the input.
 
-At vertices angles are those on the surface: they are not scaled. A vector that points out of the surface at
-the border is given in the frame of a face beside it.
+At vertices angles are those on the surface: they are not scaled. A vector that points out of the
+surface at the border is given in the frame of a face beside it.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param v the vector
-\return the vector at its place on the input; nothing only if `Signposts` have lost the way by rounding
-\complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its degree
+\return the vector at its place on the input; nothing only if `Signposts` have lost the way by
+rounding
+\complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its
+degree
 */
 template <QueriedTriangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tangent_vector& v) {
@@ -100,8 +103,8 @@ std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tan
 See `tangent_to_input()`.
 \param t the triangulation
 \param v the vector
-\return the vector at its place on the intrinsic triangulation; nothing only if `Signposts` have lost the way
-  by rounding
+\return the vector at its place on the intrinsic triangulation; nothing only if `Signposts` have
+  lost the way by rounding
 \complexity that of `locate_on_intrinsic()`; at a vertex, linear in its degree
 */
 template <QueriedTriangulation Triangulation>

@@ -25,7 +25,8 @@
 
 /*!
 \file
-Tangent vector fields at vertices, taken from one triangulation to the other as a whole, by whatever correspondence there is.
+Tangent vector fields at vertices, taken from one triangulation to the other as a whole, by whatever
+correspondence there is.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,8 +36,8 @@ namespace internal {
 // The frames at the vertices of an input.
 Vertex_frames<Input> input_frames(const Input& input);
 
-// The halfedge of the input along which the real axis at each vertex of the user's mesh runs, by the number of the vertex
-// here: none at isolated ones.
+// The halfedge of the input along which the real axis at each vertex of the user's mesh runs, by
+// the number of the vertex here: none at isolated ones.
 template <class Mesh>
 std::vector<std::uint32_t> axes_of_mesh(const Input& input, const Mesh& mesh) {
   const Named_mesh_elements<Mesh> named(input, mesh);
@@ -52,7 +53,8 @@ std::vector<std::uint32_t> axes_of_input(const Input& input);
 
 void expect_size(const Tangent_field& field, std::size_t size);
 
-// Takes fields between frames: by the direction on the input of the real axis at each intrinsic vertex.
+// Takes fields between frames: by the direction on the input of the real axis at each intrinsic
+// vertex.
 template <class Triangulation>
 class Field_transfer {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -116,15 +118,17 @@ private:
 } // namespace internal
 
 /*!
-\brief takes a tangent vector field from the vertices of the user's mesh to those of the intrinsic triangulation.
+\brief takes a tangent vector field from the vertices of the user's mesh to those of the intrinsic
+triangulation.
 
-At vertices of the mesh vectors stay what they are, in other coordinates. At inserted vertices they are interpolated
-in the face of the input: the vectors at its corners are taken into its frame, as seen from there, and averaged.
+At vertices of the mesh vectors stay what they are, in other coordinates. At inserted vertices they
+are interpolated in the face of the input: the vectors at its corners are taken into its frame, as
+seen from there, and averaged.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \tparam Mesh the type of the user's mesh
 \param t the triangulation
-\param field a vector per vertex `v` of `mesh`, at its number, in the polar coordinates there: the real axis runs along
-  `opposite(halfedge(v, mesh), mesh)`, scaled as in `Tangent_field`
+\param field a vector per vertex `v` of `mesh`, at its number, in the polar coordinates there: the
+  real axis runs along `opposite(halfedge(v, mesh), mesh)`, scaled as in `Tangent_field`
 \param mesh the mesh that `t` was built from, with manifold vertices; its faces may be polygons
 \return the vectors, in the coordinates of `t`; zero at isolated vertices
 \throws std::invalid_argument if the field has not a vector per vertex
@@ -138,7 +142,8 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 }
 
 /*!
-\brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the user's mesh.
+\brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the
+user's mesh.
 
 See `tangent_field_to_intrinsic()`, which it undoes: vectors at inserted vertices are left out.
 */
@@ -149,11 +154,13 @@ Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field
 }
 
 /*!
-\brief takes a tangent vector field from the vertices of the input to those of the intrinsic triangulation: for who has no
-mesh, but a soup or a gluing.
+\brief takes a tangent vector field from the vertices of the input to those of the intrinsic
+triangulation: for who has no mesh, but a soup or a gluing.
 
-See the overload with a mesh. The real axis at vertex `v` of the input runs along `t.input().outgoing_halfedge(v)`; vectors
-are at the user's number of the vertex; of a cover, at the number of the copy, `t.input().names().vertices.user(v)`, and vertices that were inserted follow in the order of their numbers.
+See the overload with a mesh. The real axis at vertex `v` of the input runs along
+`t.input().outgoing_halfedge(v)`; vectors are at the user's number of the vertex; of a cover, at the
+number of the copy, `t.input().names().vertices.user(v)`, and vertices that were inserted follow in
+the order of their numbers.
 */
 template <QueriedTriangulation Triangulation>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field) {
@@ -161,8 +168,8 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 }
 
 /*!
-\brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the input: for who has no
-mesh.
+\brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the
+input: for who has no mesh.
 
 See `tangent_field_to_intrinsic()`, which it undoes.
 */

@@ -43,8 +43,8 @@ Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descri
 \param t the triangulation
 \param x a halfedge of the input, by its number
 \return its way, from the source of the halfedge
-\complexity linear in the number of crossings, in the degrees of its ends, and with `Signposts` in the number of
-  inserted vertices
+\complexity linear in the number of crossings, in the degrees of its ends, and with `Signposts` in
+  the number of inserted vertices
 */
 template <QueriedTriangulation Triangulation>
 Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {

@@ -34,7 +34,8 @@ struct Geodesic {
   double length = 0;
   /// Bound of the first order on the error of the end, in the units of the input.
   double error = 0;
-  /// Vector along it at its start, as it was given, in the frame of the halfedge of the first point.
+  /// Vector along it at its start, as it was given, in the frame of the halfedge of the first
+  /// point.
   Plane_vector<double> start_direction{1, 0};
 };
 
@@ -68,21 +69,22 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
 } // namespace internal
 
 /*!
-\brief traces a geodesic over the intrinsic triangulation (§2.4.2 of the course): the exponential map.
+\brief traces a geodesic over the intrinsic triangulation (§2.4.2 of the course): the exponential
+map.
 
-Inside faces and across edges it is straight, at an interior vertex it goes straightest, at the border it stops.
+Inside faces and across edges it is straight, at an interior vertex it goes straightest, at the
+border it stops.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param start a point of it
-\param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above; the norm
-  does not matter. At a vertex a direction that points out of the face is turned to from the side that is
-  nearer.
+\param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above;
+  the norm does not matter. At a vertex a direction that points out of the face is turned to from
+  the side that is nearer.
 \param length the length to go, in the units of the input
-\param np optional named parameters:
-  - `maximum_faces(n)`: number of faces after which to give up. Default: 2^22.
-  - `snaps_to_vertices(b)`: whether a line that meets a vertex up to rounding goes through it; otherwise it
-    passes it on one side. Default: true.
+\param np optional named parameters: - `maximum_faces(n)`: number of faces after which to give up.
+  Default: 2^22. - `snaps_to_vertices(b)`: whether a line that meets a vertex up to rounding goes
+  through it; otherwise it passes it on one side. Default: true.
 \pre the direction is not zero
 \complexity linear in the number of crossings, and in the degrees of the vertices that are hit
 */
@@ -111,7 +113,8 @@ Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& st
 /*!
 \brief traces a geodesic over the user's mesh.
 
-See `trace_geodesic()`; points are those of the input, and `face_location(t, point, mesh)` is the place of one.
+See `trace_geodesic()`; points are those of the input, and `face_location(t, point, mesh)` is the
+place of one.
 \param t the triangulation
 \param start a place on the mesh, in a triangle
 \param direction in the frame of `halfedge(start.first, mesh)`

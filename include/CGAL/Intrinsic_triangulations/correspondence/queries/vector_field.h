@@ -25,7 +25,8 @@
 
 /*!
 \file
-Tangent vector fields at the vertices of an intrinsic triangulation, inserted ones included, as vectors in space.
+Tangent vector fields at the vertices of an intrinsic triangulation, inserted ones included, as
+vectors in space.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -57,8 +58,9 @@ std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& 
   return result;
 }
 
-// Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners of a face of the
-// common subdivision best, in the frames of its intrinsic and its input face. `points` are its places in space.
+// Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners
+// of a face of the common subdivision best, in the frames of its intrinsic and its input face.
+// `points` are its places in space.
 template <class View, class Named>
 std::array<double, 3> face_vector_in_space(const View& view, const Named& named, std::uint32_t h,
                                            const Common_subdivision& s, std::size_t f,
@@ -144,12 +146,14 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
 } // namespace internal
 
 /*!
-\brief takes a tangent vector field to the user's mesh: a vector in space for every vertex, inserted ones included.
+\brief takes a tangent vector field to the user's mesh: a vector in space for every vertex, inserted
+ones included.
 \tparam Mesh the type of the user's mesh
 \param t the triangulation
 \param field the vectors
 \param mesh the mesh that `t` was built from
-\return vectors, indexed as `field`; zero where there is no vertex, or where `Signposts` have lost the way by rounding
+\return vectors, indexed as `field`; zero where there is no vertex, or where `Signposts` have lost
+the way by rounding
 \pre the faces of the mesh have an area
 \complexity that of `tangent_to_input()` for each vertex
 */
@@ -161,7 +165,8 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
 }
 
 /*!
-\brief takes a tangent vector field to space, for who has no mesh, but a soup or a gluing, and points.
+\brief takes a tangent vector field to space, for who has no mesh, but a soup or a gluing, and
+points.
 
 See the overload with a mesh.
 \param t the triangulation
@@ -176,7 +181,8 @@ vectors_in_space(const Triangulation& t, const Tangent_field& field,
 }
 
 /*!
-\brief takes a tangent vector field to the faces of the common subdivision: a vector in space for each of them.
+\brief takes a tangent vector field to the faces of the common subdivision: a vector in space for
+each of them.
 
 Between the corners of an intrinsic face the field is interpolated, in the frame of the face.
 \tparam Mesh the type of the user's mesh

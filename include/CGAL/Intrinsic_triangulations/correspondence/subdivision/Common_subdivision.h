@@ -43,15 +43,15 @@ struct Weighted_vertices {
 };
 
 /*!
-\brief holds the common subdivision of the input and an intrinsic triangulation (§3.6 of the course):
-the coarsest polygon mesh in which every edge of both is a path.
+\brief holds the common subdivision of the input and an intrinsic triangulation (§3.6 of the
+course): the coarsest polygon mesh in which every edge of both is a path.
 
 Vertices are numbered from 0: first the vertices of the intrinsic triangulation, then the crossings,
 those on one intrinsic edge together. Faces are convex polygons on the faces of both triangulations,
-counterclockwise, those in one intrinsic face together. Vertices and faces of the input go by
-their names, the user's numbers (see `Input_names`), intrinsic vertices by their rows
-(`Intrinsic_triangulation::input_vertex()`); intrinsic edges and faces, and input edges, by the numbers that the
-intrinsic triangulation and its input have.
+counterclockwise, those in one intrinsic face together. Vertices and faces of the input go by their
+names, the user's numbers (see `Input_names`), intrinsic vertices by their rows
+(`Intrinsic_triangulation::input_vertex()`); intrinsic edges and faces, and input edges, by the
+numbers that the intrinsic triangulation and its input have.
 */
 struct Common_subdivision {
   /// A number that names nothing.
@@ -88,7 +88,8 @@ struct Common_subdivision {
 
   /// Number of vertices of the input: columns of the matrix that interpolates from it.
   std::uint32_t number_of_input_vertices = 0;
-  /// Number of vertices of the intrinsic triangulation: columns of the matrix that interpolates from them.
+  /// Number of vertices of the intrinsic triangulation: columns of the matrix that interpolates
+  /// from them.
   std::uint32_t number_of_intrinsic_vertices = 0;
   /// Vertices of the intrinsic triangulation: vertices 0, 1, ... of the subdivision.
   std::vector<Vertex> vertices;
@@ -102,14 +103,15 @@ struct Common_subdivision {
   std::vector<Side> side;
   /// The halfedge of the intrinsic face that each corner lies on, at its source or inside.
   std::vector<std::uint32_t> intrinsic_halfedge;
-  /// The halfedge of the input face that each corner lies on, at its source or inside; if it is inside of the face, the
-  /// one from which its location is given.
+  /// The halfedge of the input face that each corner lies on, at its source or inside; if it is
+  /// inside of the face, the one from which its location is given.
   std::vector<std::uint32_t> input_halfedge;
   /// The face of the input that contains each face.
   std::vector<std::uint32_t> input_face;
   /// The intrinsic face that contains each face.
   std::vector<std::uint32_t> intrinsic_face;
-  /// On a cover (see `make_domain()`), the side of the user's face that each face lies on: 0 front, 1 back. Else empty.
+  /// On a cover (see `make_domain()`), the side of the user's face that each face lies on: 0 front,
+  /// 1 back. Else empty.
   std::vector<std::uint8_t> sheet;
   /// Number of sides of faces that are on the border.
   std::size_t number_of_border_edges = 0;
@@ -172,8 +174,9 @@ std::array<double, 3> corner_in_face(const View& view, const Common_subdivision&
 std::array<double, 3> corner_in_input_face(const Input& input, const Common_subdivision& s,
                                            std::uint32_t base, std::size_t c);
 
-/// returns the rotation that fits places of corners `begin` to `end` in one frame to those in another best: the
-/// direction of sum conj(p) q, both from their means. `places(c)` returns an array of p and q.
+/// returns the rotation that fits places of corners `begin` to `end` in one frame to those in
+/// another best: the direction of sum conj(p) q, both from their means. `places(c)` returns an
+/// array of p and q.
 template <class Places>
 std::complex<double> fitting_rotation(std::size_t begin, std::size_t end, const Places& places) {
   std::array<std::complex<double>, 2> mean{};
@@ -239,10 +242,11 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
                                              std::span<const std::array<double, 3>> points);
 
 /*!
-\brief computes where the vertices of a common subdivision are in space, those in polygons that became planar as well.
+\brief computes where the vertices of a common subdivision are in space, those in polygons that
+became planar as well.
 
-A planar polygon is mapped to the corners of the one in space by mean value coordinates: linear on its sides, so that
-neighbours meet; its diagonals become curves.
+A planar polygon is mapped to the corners of the one in space by mean value coordinates: linear on
+its sides, so that neighbours meet; its diagonals become curves.
 \param s the subdivision
 \param points one point per vertex of the user's mesh
 \param input the input of the triangulation
@@ -267,7 +271,8 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const 
   return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)));
 }
 
-/// computes the same of a triangulation with input `input`: those in polygons that became planar as well.
+/// computes the same of a triangulation with input `input`: those in polygons that became planar as
+/// well.
 template <class FaceGraph>
   requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
 std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh,

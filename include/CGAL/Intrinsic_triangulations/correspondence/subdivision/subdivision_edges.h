@@ -14,7 +14,8 @@
 
 /*!
 \file
-The edges of a common subdivision, and how they make up those of the intrinsic triangulation and of the input.
+The edges of a common subdivision, and how they make up those of the intrinsic triangulation and of
+the input.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -58,7 +59,8 @@ void for_each_subdivision_edge(const Common_subdivision& s, Visitor visit) {
 }
 
 /*!
-\brief holds for each edge of one triangulation the vertices of a common subdivision along it, one after another.
+\brief holds for each edge of one triangulation the vertices of a common subdivision along it, one
+after another.
 */
 struct Edge_polylines {
   /// For each number of an edge the index of its first vertex, and one entry more.
@@ -87,10 +89,11 @@ without runs from its smaller vertex to the greater one.
 Edge_polylines intrinsic_edge_polylines(const Common_subdivision& s);
 
 /*!
-\brief chains the vertices of a common subdivision along each edge of the input (§3.6 of the course): crossings, and
-vertices that were inserted on it.
+\brief chains the vertices of a common subdivision along each edge of the input (§3.6 of the
+course): crossings, and vertices that were inserted on it.
 
-An edge with crossings runs as their locations on it say; one without runs from its smaller end to the greater one.
+An edge with crossings runs as their locations on it say; one without runs from its smaller end to
+the greater one.
 \param s the subdivision
 \pre `s` is the common subdivision of two triangulations
 \return the polylines, by the numbers that edges have in the input

@@ -23,8 +23,8 @@
 
 /*!
 \file
-Any input of the package, or a triangulation, as a gluing with squared lengths, together with the mesh by
-which its owner knows its vertices and faces.
+Any input of the package, or a triangulation, as a gluing with squared lengths, together with the
+mesh by which its owner knows its vertices and faces.
 */
 
 namespace CGAL::Intrinsic_triangulations {

@@ -165,11 +165,10 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
   numbers
 \param mesh the surface
 \param u the logarithmic factors
-\param np optional named parameters:
-  - `triangle_inequality(x)`: what is done about faces that violate it, a `Triangle_inequality`. Default:
-    `refuse`.
-  - `margin(x)`: for `repair`, that of `shorten_edges()`, by which sides are shorter than the other two
-    together, as a fraction of the shorter of those; above 0, at most 1. Default: 1e-5.
+\param np optional named parameters: - `triangle_inequality(x)`: what is done about faces that
+  violate it, a `Triangle_inequality`. Default: `refuse`. - `margin(x)`: for `repair`, that of
+  `shorten_edges()`, by which sides are shorter than the other two together, as a fraction of the
+  shorter of those; above 0, at most 1. Default: 1e-5.
 \return the new metric and a report
 \throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared
   length is no normal `double`, or a face that violates the triangle inequality if it is refused

@@ -16,15 +16,15 @@
 
 /*!
 \file
-Which faces of a metric given by squared lengths violate the triangle inequality, exactly; and the greatest
-lengths below that satisfy it in every face.
+Which faces of a metric given by squared lengths violate the triangle inequality, exactly; and the
+greatest lengths below that satisfy it in every face.
 
 With b and c two sides of a face, the third may be as long as
 
-    G(b, c) = max(b, c) + (1 - margin) min(b, c).
+G(b, c) = max(b, c) + (1 - margin) min(b, c).
 
-G increases in both arguments, and G(b, c) >= max(b, c). The largest lengths l with l <= l_0 and
-l_a <= G(l_b, l_c) for all sides a of all faces therefore exist, and are what a generalization of
+G increases in both arguments, and G(b, c) >= max(b, c). The largest lengths l with l <= l_0 and l_a
+<= G(l_b, l_c) for all sides a of all faces therefore exist, and are what a generalization of
 Dijkstra's algorithm finds (D. E. Knuth, *A generalization of Dijkstra's algorithm*, 1977): violated
 constraints are settled in the order of the length that they allow. A length set later is never
 smaller, so that no edge is set twice. An edge that is shortened stays at least as long as the two

@@ -199,18 +199,14 @@ depend. The estimate is the user's: `residual_indicators()` has some.
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
-\param np optional named parameters:
-  - `tolerance(x)`: estimated error at which it is done. Default: 0.
-  - `bulk(x)`: share of the squared estimated error that the faces refined in a round have at least
-    (Dörfler 1996): the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at most 1.
-    Default: 0.5.
-  - `minimum_angle(x)`: least angle of faces, in degrees; see `delaunay_refine()`. Default: 25.
-  - `maximum_vertices(n)`: cap on the number of vertices, those of the input included, copies on a
-    cover counted once.
-    Default: 100000.
-  - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 100.
-  - `edge_is_constrained_map(m)`: see `delaunay_refine()`
-  - `visitor(v)`: see `Adaptive_refinement_visitor`
+\param np optional named parameters: - `tolerance(x)`: estimated error at which it is done. Default:
+  0. - `bulk(x)`: share of the squared estimated error that the faces refined in a round have at
+  least (Dörfler 1996): the larger, the fewer rounds; the smaller, the fewer vertices. Above 0, at
+  most 1. Default: 0.5. - `minimum_angle(x)`: least angle of faces, in degrees; see
+  `delaunay_refine()`. Default: 25. - `maximum_vertices(n)`: cap on the number of vertices, those of
+  the input included, copies on a cover counted once. Default: 100000. - `maximum_rounds(n)`: cap on
+  the number of rounds of refinement. Default: 100. - `edge_is_constrained_map(m)`: see
+  `delaunay_refine()` - `visitor(v)`: see `Adaptive_refinement_visitor`
 \return status, and what was reached in every round; the last call of `estimate` was with the
   triangulation as it is in the end, unless that is `inaccurate`
 \throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite,

@@ -38,10 +38,11 @@ void Kept_crossings::forget_beyond(std::size_t edges, Normal_coordinate more) {
 void Kept_crossings::announce(const Flip& move, const Corner_coordinates& f,
                               const Corner_coordinates& g, Normal_coordinate n_ki,
                               Normal_coordinate n_im, std::uint32_t along) {
-  // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the other on the path
-  // k, j, m. Seen from ki and im, all do but those arcs about i, counted from i along ij, that are arcs about i on
-  // the other side too, or end there at the opposite corner: they are last on ki and first on im. Between ki and im
-  // the curves from i cross: to jk, along ij, to mj.
+  // Curves that cross km have one end on the path k, i, m around the quad, without k and m, and the
+  // other on the path k, j, m. Seen from ki and im, all do but those arcs about i, counted from i
+  // along ij, that are arcs about i on the other side too, or end there at the opposite corner:
+  // they are last on ki and first on im. Between ki and im the curves from i cross: to jk, along
+  // ij, to mj.
   announced_[0].clear();
   const Appender append{lists_, announced_[0]};
   append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));

@@ -83,8 +83,8 @@ struct Part_of_input_edge {
   std::array<std::uint32_t, 2> ends;
 };
 
-// Puts the parts of one input edge in order: between its ends, which are vertices of the input, every vertex is the end
-// of two parts.
+// Puts the parts of one input edge in order: between its ends, which are vertices of the input,
+// every vertex is the end of two parts.
 class Part_chain {
 public:
   Part_chain(const Common_subdivision& s, std::span<const Part_of_input_edge> parts);
