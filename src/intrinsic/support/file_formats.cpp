@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 
 #include <algorithm>
 #include <array>
