@@ -10,8 +10,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is the intrinsic triangulation to begin with: exact, and it knows where it is on the input,
-by integer coordinates.
+\brief is the intrinsic triangulation to begin with: it is exact, and integer coordinates store
+where it lies on the input.
 */
 using Corresponding_triangulation =
     Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>;

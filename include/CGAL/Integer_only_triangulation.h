@@ -54,16 +54,15 @@ Integers alone find the input triangles over which the diamond of an edge lies (
 `Diamond_unfolder`), and intervals unfold them. If the sign stays open, the same triangles decide
 exactly (see `Exact_ladder`). Lengths and flips are not stored, so that errors do not add up.
 
-With exact traits the moves have made the values that predicates read; here a predicate reads
-nothing that moves have made, except integers. Hence it is an independent check of a triangulation,
-whatever arithmetic it was made with: see `certify_delaunay()`.
+With exact traits, predicates read values that earlier moves computed; here they read only integers.
+Hence this class checks a triangulation independently of the arithmetic that made it: see
+`certify_delaunay()`.
 
-Only edges are flipped: vertices may have been inserted before the integer coordinates came here.
-These are where `Integer_coordinates::location()` says. With exact traits that is what defined them;
-what other arithmetic has measured in intrinsic faces is within rounding of it, and areas of that
-size may come out negative.
+The only move is a flip, but the given integer coordinates may have inserted vertices. These lie
+where `Integer_coordinates::location()` says. With exact traits that place defines them; other
+arithmetic agrees with it up to rounding, and areas of that size may be negative.
 
-A flip is refused (`Move_status::crossings`) that makes an edge with more than
+A flip is refused (`Move_status::crossings`) if the new edge has more than
 `Diamond_unfolder::maximal_crossings`; `flip_to_delaunay()` counts it as refused.
 
 \tparam Mesh_ a model of `MutableDeltaComplex`
@@ -74,7 +73,7 @@ class Integer_only_triangulation {
 public:
   /// Connectivity.
   using Mesh = Mesh_;
-  /// Observer of the moves, and all that is stored of the geometry.
+  /// Observer of the moves; stores all geometry.
   using Correspondence = Integer_coordinates;
   /// Number type of the filter.
   using FT = Interval_nt<false>;
@@ -165,11 +164,10 @@ public:
       return s == Move_status::done ? t_.flip(h) : s;
     }
     /*!
-    \brief flips an edge that is known not to be locally Delaunay.
+    \brief flips an edge that is not locally Delaunay.
 
-    Its diamond is convex if both faces have positive areas, as in a triangulation. Where another
-    arithmetic has turned faces over, nothing is known of it: such an edge is refused, so that
-    flipping ends.
+    Its diamond is convex if both faces have positive areas, as in a triangulation. Another
+    arithmetic may have turned faces over: then the edge is refused, so that flipping ends.
     \pre `!is_locally_delaunay(h)`
     */
     Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
@@ -202,8 +200,8 @@ public:
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Integer_only_triangulation)
 
   /*!
-  \brief takes connectivity, input, and where edges run on it of a triangulation in any arithmetic,
-  and leaves its metric and the history of its moves.
+  \brief takes connectivity, input, and where edges run on the input from a triangulation in any
+  arithmetic; ignores its metric and the history of its moves.
   \tparam Traits the arithmetic
   \tparam Correspondence says where edges run, see `common_subdivision()`
   \throws Invalid_input if an edge of the input has no length, a vertex was inserted nearer to a

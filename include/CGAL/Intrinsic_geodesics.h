@@ -6,8 +6,8 @@
 
 /*!
 \file
-Geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and shortest
-paths; and `CGAL/Intrinsic_triangulations.h`.
+Includes geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and
+shortest paths; and `CGAL/Intrinsic_triangulations.h`.
 */
 
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>

@@ -6,9 +6,9 @@
 
 /*!
 \file
-Matrices of finite elements, solvers, and what they solve: distances by heat, vectors, maps to the
-plane, editing; and what they are on, `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions
-need Spectra as well: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
+Includes finite element matrices, solvers, their applications (distances by heat, vectors, maps to
+the plane, editing), and `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfunctions also need
+Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>

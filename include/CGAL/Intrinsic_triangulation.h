@@ -41,15 +41,14 @@ class Intrinsic_triangulation_writer;
 } // namespace internal
 
 /*!
-\brief owns an intrinsic triangulation: connectivity, metric and correspondence, and the elementary
-moves, which alone change them.
+\brief owns an intrinsic triangulation: connectivity, metric and correspondence. Only its elementary
+moves change them.
 
 The triangulation is a Delta-complex: an edge may join a vertex to itself, a face may be glued to
-itself, and edges must never be looked up by their end vertices. It numbers its vertices as it finds
-fast (see `input_vertex()`); flips change neither the number nor the set of vertices, edges and
-faces.
+itself, and end vertices do not identify an edge. Vertices are numbered for speed (see
+`input_vertex()`); flips keep all vertices, edges and faces, with their numbers.
 
-Predicates and moves are members for single calls. Many of them in a row run faster in a `Session`.
+Members make single predicate calls and moves. Many calls in a row run faster in a `Session`.
 
 \tparam Mesh_ a model of `MutableDeltaComplex`: `Gluing_map`, `CGAL::Surface_mesh`,
   `CGAL::Polyhedron_3` (with ids), OpenMesh meshes
@@ -68,7 +67,6 @@ public:
   using Mesh = Mesh_;                     ///< Connectivity.
   using Traits = Traits_;                 ///< Arithmetic.
   using Correspondence = Correspondence_; ///< Observer of the moves.
-  /// Whether the input keeps its surface for the correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
   /// What is kept of the input.
   using Kept_input = std::conditional_t<has_correspondence, Input, Input_definition>;
@@ -87,7 +85,7 @@ public:
 
   using Const_session = Predicate_session<Intrinsic_triangulation>; ///< decides many predicates
   using Session = Move_session<Intrinsic_triangulation>;            ///< makes many moves, too
-  /// What became of an insertion: a `Move_status` and the new vertex.
+  /// Result of an insertion: a `Move_status` and the new vertex.
   struct Insertion {
     Move_status status; ///< `done`, or why nothing was inserted.
     vertex_descriptor vertex = boost::graph_traits<Mesh>::null_vertex(); ///< The new vertex.
@@ -96,8 +94,8 @@ public:
   /*!
   \brief builds the triangulation of an input.
 
-  Polygonal faces are triangulated, a bad numbering is improved, degenerate faces are treated as
-  the input asks; `report()` says what was done.
+  It triangulates polygonal faces, improves a bad numbering, and treats degenerate faces by the
+  options of the input; `report()` says what was done.
   \param input see `Intrinsic_input`: a mesh, a triangle soup, or a gluing with squared lengths
   \throws Invalid_input
   \complexity linear
@@ -121,13 +119,13 @@ public:
   \brief restores a triangulation from its parts, as they were written to a file.
   \param map the connectivity, with the numbers that the other parts use
   \param metric values for its edges and faces
-  \param input what it was built from; vertices that it has not are inserted ones
+  \param input what it was built from; all other vertices are inserted ones
   \pre there is no correspondence, or `map` is the connectivity of `input`
   */
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Kept_input> input);
 
   /*!
-  \brief restores a triangulation, vertices of which may have been inserted, from its parts.
+  \brief restores a triangulation, possibly with inserted vertices, from its parts.
   \param map the connectivity, with the numbers that the other parts use
   \param metric values for its edges and faces
   \param input what it was built from
@@ -178,26 +176,25 @@ public:
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
   const Mesh_adaptor<Mesh>& numbers() const { return number_; }
-  /// returns the surface that the triangulation was built from; without correspondence, what
-  /// defines it.
+  /// returns the surface that the triangulation was built from; without correspondence, only its
+  /// definition.
   const Kept_input& input() const { return *input_; }
   /// returns the same, to be shared.
   const std::shared_ptr<const Kept_input>& shared_input() const { return input_; }
   /// returns what was done to the input.
   const Input_report& report() const { return input_->report(); }
 
-  /// returns the number that vertex `v` has in the input, in the order of iteration there; of an
-  /// inserted vertex, one that follows those, without gaps: removal of a vertex changes those after
-  /// it. It is the row of `v` in all matrices of operators. Vertices of a cover that are copies of
-  /// one vertex share its row; inserted ones if `places()` knows their places.
+  /// returns the number of vertex `v` in the iteration order of the input; inserted vertices follow
+  /// without gaps, so that removing one renumbers those after it. This number is the row of `v` in
+  /// all matrices of operators. On a cover, copies of one vertex share its row; copies of inserted
+  /// vertices only if `places()` stores their places.
   std::uint32_t input_vertex(vertex_descriptor v) const {
     return is_inserted(v) ? rows_.row(index(v), *this) : input_->names().row(index(v));
   }
-  /// returns the number of vertices, which is that of rows of matrices.
+  /// returns the number of rows of matrices, one per vertex.
   std::uint32_t number_of_vertices() const { return rows_.number_of_rows(*this); }
 
-  /// returns coordinates that know the places of inserted vertices on `input()`; null if there are
-  /// none.
+  /// returns coordinates that store the places of inserted vertices on `input()`, or null.
   const Integer_coordinates* places() const { return places_.on_input(*this); }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
@@ -215,7 +212,7 @@ public:
   */
   Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
 
-  /// returns what decides where the metric cannot: see `Exact_ladder`.
+  /// returns the predicates for cases that the metric leaves open: see `Exact_ladder`.
   auto exact_values() const requires internal::Defined_by_places<Metric> {
     return internal::Exact_values<Intrinsic_triangulation>(*this, places_, exact_memory_);
   }
@@ -249,8 +246,8 @@ public:
   /*!
   \brief inserts a vertex in a face, or on an edge if one weight is zero.
 
-  With exact traits the point is rounded on the input: to an input face and barycentric coordinates
-  there that are multiples of 2^-52, which define it exactly from then on. Else the weights are, see
+  With exact traits, the point is rounded to barycentric coordinates in an input face that are
+  multiples of 2^-52; these define it exactly. Otherwise the weights are rounded, see
   `representable_weights()`. A vertex on an edge splits the edge; one on an edge that runs along an
   input edge splits that too.
   \param h a halfedge of the face
@@ -283,8 +280,8 @@ public:
 
   /*!
   \brief moves a vertex that was inserted: inserts one at its new place and removes the old one; or
-  changes lengths only (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and no
-  correspondence has to follow.
+  changes lengths only (Eq. 8), if it stays in its star, the metric is a `Euclidean_metric`, and
+  there is no correspondence.
   \param v the vertex
   \param h a halfedge of the face of the new place
   \param weights see `insert_vertex()`

@@ -6,12 +6,12 @@
 
 /*!
 \file
-What most programs need of triangulations. To be included besides: `CGAL/Intrinsic_geodesics.h` for
-curves and exact distances; `CGAL/Intrinsic_operators.h`, which needs Eigen, for matrices, solvers
-and what they solve; the adaptors of OpenMesh and `CGAL::Polyhedron_3` from
-`CGAL/Intrinsic_triangulations/connectivity/`; files of intrinsic triangulations
-(`read_intrinsic_triangulation.h`, `write_intrinsic_triangulation.h`) and pages that show them
-(`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
+Includes what most programs need for triangulations. Include separately:
+`CGAL/Intrinsic_geodesics.h` for curves and exact distances; `CGAL/Intrinsic_operators.h`, which
+needs Eigen, for matrices, solvers and what they solve; the adaptors of OpenMesh and
+`CGAL::Polyhedron_3` from `CGAL/Intrinsic_triangulations/connectivity/`; files of intrinsic
+triangulations (`read_intrinsic_triangulation.h`, `write_intrinsic_triangulation.h`) and pages that
+show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 */
 
 #include <CGAL/Corresponding_triangulation.h>

@@ -10,9 +10,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The triangles at the origin in the Delaunay triangulation of it and of points in the plane: those
-// of the hull of the inverted points that face it. Only exact predicates are asked. Of four points
-// on a circle, the diagonal is at the one of least number, whichever point the star is of.
+// Finds the triangles at the origin in the Delaunay triangulation of the origin and points in the
+// plane: they are the facets of the hull of the inverted points that face it. All predicates are
+// exact. If four points are on a circle, the diagonal ends at the one of least number, in all stars
+// alike.
 class Delaunay_star {
 public:
   struct Neighbour {
@@ -24,7 +25,7 @@ public:
   // \param center the number of the point at the origin
   // \param neighbours which are sorted and thinned out; those left are the corners of triangles,
   // counterclockwise
-  // \return whether the last of them and the first are, too: the star goes all around
+  // \return whether the last and the first are corners of a triangle, too: the star goes all around
   static bool find(std::uint32_t center, std::vector<Neighbour>& neighbours);
 };
 

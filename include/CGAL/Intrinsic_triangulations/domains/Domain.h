@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Which surface is made of triangles, see `make_domain()`.
+/// Kinds of surfaces that `make_domain()` makes of triangles.
 enum class Domain_kind {
   automatic,         ///< the first of the others that the triangles allow
   manifold,          ///< the triangles themselves, oriented
@@ -28,7 +28,7 @@ enum class Domain_kind {
 struct Domain_report {
   /// What was made: never `automatic` or `closed`.
   Domain_kind kind = Domain_kind::manifold;
-  /// What decided, in words that name the edge and its faces, by their numbers before polygons were
+  /// The reason in words. It names the edge and its faces, by their numbers before polygons were
   /// triangulated.
   std::string reason;
   /// Number of sheets over each face: 2 for covers.
@@ -61,23 +61,23 @@ Edges are matched by their end vertices.
   faces meet.
 - Else it is the tufted cover: around each edge, in the order of their angles, the side of each face
   that looks at the next face is glued to the side of that which looks back. A single face is glued
-  to its own back. Angles are compared exactly; faces in one half plane follow each other in the
-  order of their numbers, and repeated faces go around once more: faces that are all there r times
-  have r times the Laplacian.
+  to its own back. Angles are compared exactly. Faces in one half plane follow each other in the
+  order of their numbers. Repeated faces go around once more: if every face occurs r times, the
+  Laplacian is r times as large.
 
-Covers are oriented manifolds, so that all algorithms run on them unchanged. There, vertices are
-split into one per neighbourhood; matrices have the rows of the user's vertices nevertheless,
-`Intrinsic_triangulation::input_vertex()`, and are divided by the number of sheets, so that they are
-those of the triangles. `delaunay_refine()` inserts all copies of a point together. The front and
-the back of face `f` of the soup are faces `2f` and `2f + 1` by name. A tufted cover has no border:
-with exact traits, no weight of its Delaunay Laplacian is negative.
+Covers are oriented manifolds, so that all algorithms run on them unchanged. Covers split each
+vertex into one per neighbourhood. Matrices still have one row per user's vertex
+(`Intrinsic_triangulation::input_vertex()`) and are divided by the number of sheets, so that they
+are those of the triangles. `delaunay_refine()` inserts all copies of a point together. The front
+and the back of face `f` of the soup are faces `2f` and `2f + 1` by name. A tufted cover has no
+border: with exact traits, no weight of its Delaunay Laplacian is negative.
 
-Of an oriented surface without border the tufted cover is two copies, so that the surface itself has
-the same Laplacian and mass matrix, in less than half of the time. `Domain_kind::closed` makes what
-is enough for them: it has no border, and these matrices are those of the tufted cover.
+The tufted cover of an oriented surface without border is two copies of it. The surface itself has
+the same Laplacian and mass matrix and takes less than half of the time. `Domain_kind::closed`
+therefore makes the simplest surface without border; its matrices are those of the tufted cover.
 
 \param soup points and triangles, see `triangle_soup()` and `read_triangle_soup()`
-\param kind what is asked for
+\param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input naming the element if a face repeats a vertex or has one out of range, a
   coordinate is not finite, or if the triangles are not what is asked for: `manifold` needs edges of
@@ -88,12 +88,12 @@ Domain make_domain(Triangle_soup soup, Domain_kind kind = Domain_kind::automatic
                    Mollification mollification = Mollification::automatic);
 
 /*!
-\brief makes a surface of triangles that are glued already: a cover of it, or an orientation for it.
+\brief makes a surface of triangles that are already glued: orients it, or makes a cover of it.
 
-See above. Edges are not matched: they are those of the gluing, which may have squared lengths in
-place of points. Of a mesh, `Intrinsic_input(mesh)` makes such an input, polygons triangulated.
-\param input what would be the surface otherwise, oriented or not
-\param kind what is asked for
+See above. The edges are those of the gluing, which may have squared lengths in place of points.
+`Intrinsic_input(mesh)` makes such an input from a mesh and triangulates its polygons.
+\param input the glued triangles, oriented or not
+\param kind the kind of surface
 \throws Invalid_input naming the edge if `manifold` is asked for and the surface has only one side
 \complexity linear
 */
@@ -103,14 +103,14 @@ Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automa
 \brief makes a surface of signed incidence matrices and lengths: any number of faces may meet at an
 edge, and edges may share their ends, or be loops.
 
-Lengths alone do not tell in which order more than two faces follow each other around an edge: the
-tufted cover takes the order of the entries of the edge's column in `Signed_incidence::edge_face`.
+Lengths alone do not determine the order of more than two faces around an edge: the tufted cover
+takes the order of the entries of the edge's column in `Signed_incidence::edge_face`.
 \param s the matrices
 \param squared_lengths one per edge of `s`
-\param kind what is asked for
+\param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input as `gluing_from_incidence()`; if there are more or fewer lengths than edges;
-  or naming an edge with more than two faces where the kind has none
+  or naming an edge with more than two faces if the kind does not allow it
 \complexity linear
 */
 Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths,

@@ -21,12 +21,13 @@ struct Point_cloud_report {
   /// How many neighbours of each point were triangulated: fewer than asked for if there are fewer
   /// points.
   std::size_t neighbours = 0;
-  /// Number of triangles before covering; most of them are there three times, once for each corner.
+  /// Number of triangles before covering; most of them occur three times, once per corner.
   std::size_t triangles = 0;
-  /// Number of points at the place of one before them: they are left out, and their rows are zero.
+  /// Number of points that coincide with an earlier one: they are left out, and their rows are
+  /// zero.
   std::size_t duplicated_points = 0;
-  /// Number of points without triangles, whose neighbours lie on a line, or that have none. Their
-  /// rows may be zero.
+  /// Number of points without triangles, because their neighbours lie on a line or are missing.
+  /// Their rows may be zero.
   std::size_t points_without_triangles = 0;
   /// For each point whether it is on the border: its cell among those of its neighbours is not
   /// bounded.
@@ -35,8 +36,8 @@ struct Point_cloud_report {
 
 namespace internal {
 
-// The triangles at each point among its neighbours: the point first, then counterclockwise, seen
-// from either side of the surface. What was found is written to the report.
+// Finds the triangles at each point among its neighbours: the point first, then counterclockwise,
+// seen from either side of the surface. Fills the report.
 std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report);

@@ -37,8 +37,8 @@ public:
   std::int64_t first_reference = 0;
   // Whether faces may refer to vertices that are still to come.
   bool forward_references = false;
-  // Whether there must be faces, and whether they are taken: else vertices are points, and nothing
-  // is asked of faces.
+  // Whether faces are required, and whether they are read: otherwise the vertices are a point
+  // cloud, and faces are not checked.
   bool needs_faces = true, takes_faces = true;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
@@ -48,7 +48,7 @@ public:
     fail_at(line, kind, index, what);
   }
   [[noreturn]] void fail(const std::string& what) const { fail(Element_kind::none, 0, what); }
-  // The vertex or face at fault is the one to be added next; its name comes before what is said.
+  // Throws for the vertex or face to be added next; the message starts with its name.
   [[noreturn]] void fail_vertex(const std::string& what) const {
     fail(Element_kind::vertex, number_of_vertices(),
          "vertex " + std::to_string(number_of_vertices()) + what);
@@ -82,14 +82,14 @@ private:
 
   void check_reference(std::size_t f, std::int64_t v);
 
-  // Leaves out what a face that lists a vertex twice has beside one polygon: points, and lines
-  // there and back, without area.
+  // Removes the parts without area of a face that lists a vertex twice: points, and lines there and
+  // back.
   const std::vector<std::int64_t>& without_lines(const std::vector<std::int64_t>& face);
 
-  // Several polygons may be a face with a hole, which is no two faces.
+  // Several polygons may be one face with a hole.
   [[noreturn]] void fail_pinched(std::int64_t v) const;
 
-  // From now on triangles are told which face they are of: until now each was one.
+  // From now on each triangle stores its face: until now each face was one triangle.
   void name_faces(std::size_t f);
 
   // A polygon takes the places of its triangles and is triangulated at the end.
@@ -108,7 +108,7 @@ private:
 } // namespace internal
 
 /*!
-\brief asks for a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates.
+\brief requires a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates.
 */
 template <class Range>
 concept PointRange = requires(const Range& points) {
@@ -117,7 +117,7 @@ concept PointRange = requires(const Range& points) {
 || requires(const Range& points) { CGAL::to_double((*std::begin(points))[0]); };
 
 /*!
-\brief asks for a range of ranges of integers: the numbers of the vertices of each face.
+\brief requires a range of ranges of integers: the numbers of the vertices of each face.
 */
 template <class Range>
 concept FaceRange = requires(const Range& faces) {
@@ -127,8 +127,8 @@ concept FaceRange = requires(const Range& faces) {
 /*!
 \brief makes a soup of points and faces in arrays.
 
-Polygons are triangulated, and repeated vertices left out, as those of files are, see
-`read_triangle_soup()`. Nothing else is asked of the faces: `make_domain()` makes a surface of any.
+It triangulates polygons and removes repeated vertices as `read_triangle_soup()` does. Faces need no
+other property: `make_domain()` makes a surface of any.
 \tparam Points a model of `PointRange`
 \tparam Faces a model of `FaceRange`: vertices are in their order around the face
 \param points the points

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Polygons {
   std::vector<std::uint32_t> face, first_triangle, first_corner, corners;
 
-  // Its corners are to be appended next.
+  // The caller appends its corners next.
   void add(std::size_t f, std::size_t triangle) {
     face.push_back(static_cast<std::uint32_t>(f));
     first_triangle.push_back(static_cast<std::uint32_t>(triangle));
@@ -34,7 +34,7 @@ struct Polygons {
   std::uint32_t corner(std::size_t i, std::size_t k) const { return corners[first_corner[i] + k]; }
 };
 
-// Told the face that cannot be triangulated, and why; throws.
+// Throws; its arguments are the face that cannot be triangulated, and why.
 using Polygon_failure = std::function<void(std::size_t, const std::string&)>;
 
 // Triangulates the polygons of `soup` in place.

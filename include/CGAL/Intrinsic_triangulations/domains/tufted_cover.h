@@ -70,8 +70,8 @@ private:
   Gluing cover_;
 };
 
-// The tufted cover of triangles, any number of which meet at an edge. Without points, they are in
-// the order around it.
+// The tufted cover of triangles; any number of them may meet at an edge. Without points, they are
+// given in the order around it.
 Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                           const std::vector<std::array<double, 3>>& points);
 

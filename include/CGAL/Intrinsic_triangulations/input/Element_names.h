@@ -13,11 +13,11 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief maps the numbers of the input's vertices, edges or faces to those in the user's mesh, in the
-order of iteration there, and back.
+\brief maps the numbers of the input's vertices, edges or faces to their numbers in the user's mesh
+(its iteration order), and back.
 
-They differ where elements were renumbered for locality, and where polygons were triangulated, whose
-diagonals have none.
+They differ where elements were renumbered for locality or polygons were triangulated; diagonals
+have no user's number.
 */
 class Element_names {
 public:
@@ -40,7 +40,7 @@ public:
   /// returns the user's number of an element, `Gluing::none` if it has none; elements that were
   /// inserted keep their number.
   std::uint32_t user(std::uint32_t here) const { return here < user_.size() ? user_[here] : here; }
-  /// returns the element with the user's number; `Gluing::none` if that is not known.
+  /// returns the element with the user's number; `Gluing::none` if there is none.
   std::uint32_t here(std::uint32_t user) const {
     if (user_.empty()) return user;
     return user < here_.size() ? here_[user] : Gluing::none;
@@ -48,8 +48,7 @@ public:
   /// returns the user's number of each element; empty: the same.
   const std::vector<std::uint32_t>& users() const { return user_; }
 
-  /// returns the names of elements that have been renumbered: those of what `renumbered` calls
-  /// `user`.
+  /// returns the names after a renumbering, which maps the new numbers to those of these names.
   Element_names after(const Element_names& renumbered) const;
 
 private:
@@ -62,8 +61,8 @@ private:
 /*!
 \brief names the vertices, edges and faces of the input as the user's mesh does.
 
-Of a cover (see `make_domain()`), names are those of the cover: its vertices are copies of the
-user's, its faces parts of theirs.
+On a cover (see `make_domain()`), names are those of the cover: its vertices are copies of the
+user's vertices, its faces parts of the user's faces.
 */
 struct Input_names {
   Element_names vertices; ///< rows of matrices
@@ -85,7 +84,7 @@ struct Input_names {
   }
   /// returns an input vertex that is the user's vertex, or the first copy of it.
   std::uint32_t vertex(std::uint32_t row) const;
-  /// returns the number of the user's vertices, where there are so many input vertices.
+  /// returns the number of the user's vertices, given the number of input vertices.
   std::uint32_t number_of_rows(std::uint32_t vertices_of_input) const {
     return row_of_vertex.empty() ? vertices_of_input : row_of_vertex.back() + 1;
   }

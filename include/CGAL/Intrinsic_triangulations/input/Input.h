@@ -59,8 +59,8 @@ struct Input_report {
 class Input;
 
 /*!
-\brief is what defines a surface, and what the user calls its elements: all that a triangulation
-without correspondence keeps of its input.
+\brief defines a surface and names its elements as the user does: a triangulation without
+correspondence keeps only this of its input.
 
 It never changes. Numbers of vertices and faces are those of the triangulation before its first
 move.
@@ -103,8 +103,8 @@ public:
   int scale_exponent() const { return metric().scale_exponent(); }
   /// returns the number of vertices.
   std::uint32_t number_of_vertices() const { return parts_.number_of_vertices; }
-  /// returns the number of the user's vertices: fewer on a cover, where vertices are copies of
-  /// them.
+  /// returns the number of the user's vertices. It is smaller on a cover, where several vertices
+  /// copy one.
   std::uint32_t number_of_rows() const { return names().number_of_rows(number_of_vertices()); }
   /// returns the surface, if its connectivity is kept, too; otherwise null.
   virtual const Input* surface() const { return nullptr; }
@@ -117,14 +117,13 @@ private:
 \brief is the surface that an intrinsic triangulation was built from: connectivity, exact metric,
 the user's names of its elements, and what was done to it.
 
-A triangulation with correspondence owns it, shared with its copies and with all that reads it:
-correspondence, queries, certificates and files. It never changes. Numbers of vertices, edges and
-faces are those of the triangulation before its first move; halfedges `2e` and `2e + 1` are the
-sides of edge `e`.
+A triangulation with correspondence shares it with its copies and with all readers: correspondence,
+queries, certificates and files. It never changes. Numbers of vertices, edges and faces are those of
+the triangulation before its first move; halfedges `2e` and `2e + 1` are the sides of edge `e`.
 
-To copy connectivity, lengths and areas would cost a triangulation without correspondence as much as
-its flips: that has an `Input_definition`, unless it was read from a file that says how it lies on
-its input.
+A triangulation without correspondence has an `Input_definition` instead, since copying
+connectivity, lengths and areas would cost as much as its flips. The exception is one read from a
+file that says how it lies on its input.
 \cgalModels{NumberedComplex}
 */
 class Input final : public Input_definition {
@@ -145,7 +144,7 @@ public:
         mesh_(std::move(mesh)) {}
 
   /*!
-  \brief takes the parts of the surface, and keeps the lengths and areas that a metric has as
+  \brief takes the parts of the surface, and keeps the lengths and areas of a metric if these are
   doubles.
   \tparam Metric a model of `IntrinsicMetric`
   \param mesh the connectivity
@@ -166,8 +165,8 @@ public:
   const Input* surface() const override { return this; }
   /// returns the connectivity.
   const Gluing_map& mesh() const { return mesh_; }
-  /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which it does if there
-  /// are any but those that users put together. \complexity linear
+  /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which can fail only for
+  /// an input that users assembled. \complexity linear
   bool is_defined_by_metric() const {
     if (metric().number_of_faces() != number_of_faces()) return false;
     for (std::uint32_t f = 0; f < number_of_faces(); ++f) {

@@ -83,9 +83,9 @@ public:
   std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(sides_.size()); }
   /// tells whether the metric comes from points in space.
   bool is_embedded() const { return squared_lengths_.empty(); }
-  /// tells whether it is that of the points, without mollification or planar polygons.
+  /// tells whether the metric is that of the points, without mollification or planar polygons.
   bool is_in_space() const { return is_embedded() && delta_ == 0 && excess_.empty(); }
-  /// tells whether that is so of face `f`.
+  /// tells the same for face `f`.
   bool is_in_space(std::uint32_t f) const { return is_embedded() && delta_ == 0 && !has_excess(f); }
   /// returns what is added to the squared distance of the ends of side `k` of face `f`, in scaled
   /// units.
@@ -112,8 +112,8 @@ public:
   std::uint32_t name(std::uint32_t source, std::uint32_t edge) const {
     return is_embedded() ? source : edge;
   }
-  /// returns the number of the side of face `f` from which on its sides have given names; nothing
-  /// if they have others.
+  /// returns the first side of face `f` from which on its sides have the given names; nothing if
+  /// their names differ.
   std::optional<unsigned> slot(std::uint32_t f, const Sides& names) const {
     const auto& [a, b, c] = sides_[f];
     if (names == Sides{a, b, c}) return 0;

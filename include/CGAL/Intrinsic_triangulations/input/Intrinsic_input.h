@@ -43,8 +43,8 @@ struct Triangle_soup {
   std::size_t input_faces = 0;
   /// Number of input faces with more than three sides.
   std::size_t triangulated_polygons = 0;
-  /// Number of input faces that listed a vertex more than once. Of them, lines and points were left
-  /// out.
+  /// Number of input faces that listed a vertex more than once. Lines and points are removed from
+  /// them.
   std::size_t faces_with_repeated_vertices = 0;
   /// Those of them that became planar.
   Planar_polygons planar_polygons;
@@ -65,31 +65,30 @@ struct Intrinsic_input {
   /// Treatment of degenerate faces.
   Mollification mollification = Mollification::automatic;
   /*!
-  How much of it, as a part of the mean length of edges; above 0, at most 1. With `lengths` and
-  `nearly_degenerate` every triangle inequality holds by so much in the end (default: 1e-5); with
-  `squared_lengths` and `automatic` its square is added to all squared lengths, so that a length of
-  zero becomes so much (default: 2^-36).
+  Amount of mollification as a fraction of the mean edge length; above 0, at most 1. With `lengths`
+  and `nearly_degenerate`, every triangle inequality then holds by this amount (default: 1e-5). With
+  `squared_lengths` and `automatic`, its square is added to all squared lengths, so that a length of
+  zero becomes this amount (default: 2^-36).
   */
   std::optional<double> mollification_amount;
-  /// Whether faces and vertices may be renumbered for locality; if not, vertices, faces and, of a
-  /// mesh without polygons, edges keep their numbers in the order of iteration.
+  /// Whether faces and vertices may be renumbered for locality. If not, vertices and faces keep
+  /// their numbers in the order of iteration, and so do edges of a mesh without polygons.
   bool may_renumber = true;
   /// Number of polygonal faces that were triangulated, for the report.
   std::size_t triangulated_polygons = 0;
   /// Number of faces that were turned around to orient the surface, for the report.
   std::size_t reversed_faces = 0;
-  /// What the user calls the elements of `mesh`: faces and edges of polygons that were
-  /// triangulated.
+  /// The user's names of the elements of `mesh`, where polygons were triangulated.
   Input_names names;
-  /// Faces that became planar: their triangles are in the plane, not between the points.
+  /// Faces that became planar: their triangles lie in a plane, not between the points in space.
   Planar_polygons planar_polygons;
 
   /// constructs an input without faces.
   Intrinsic_input() = default;
 
   /*!
-  \brief takes an abstract metric: it need not embed anywhere.
-  \param g the connectivity; of triples of vertices by `gluing_from_triangles()`
+  \brief takes an abstract metric: it need not embed in space.
+  \param g the connectivity; `gluing_from_triangles()` makes it from triples of vertices
   \param l one squared length per edge of `g`, in the order of `edges(g)`
   \param m treatment of degenerate faces
   */
@@ -154,7 +153,7 @@ struct Prepared_input {
   Metric metric;
 };
 
-// What is to be done about degenerate faces: never `automatic` or `nearly_degenerate`.
+// Treatment of degenerate faces: never `automatic` or `nearly_degenerate`.
 template <class Metric>
 Mollification needed_mollification(Mollification asked, const Gluing_map& mesh,
                                    const Input_definition::Parts& parts, const Metric& metric) {
@@ -168,7 +167,7 @@ Mollification needed_mollification(Mollification asked, const Gluing_map& mesh,
              : Mollification::none;
 }
 
-// the number of the user's faces of which triangles were reversed, all or none
+// the number of the user's faces whose triangles were reversed
 std::size_t number_of_reversed(const std::vector<char>& triangles,
                                const std::vector<std::uint32_t>& polygon_of_triangle);
 
@@ -188,8 +187,8 @@ planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& 
 Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Mollification kind,
                              std::optional<double> amount);
 
-// The input in scaled units and in an order that is fast, but for its connectivity, which stays in
-// `in`; throws if it has no faces, they do not fit, or an option makes no sense.
+// The input in scaled units and in a fast order. Its connectivity stays in `in`. Throws if there
+// are no faces, sizes do not match, or an option is out of range.
 Input_definition::Parts scaled_and_ordered(Intrinsic_input& in);
 
 template <class Metric, class Kept>

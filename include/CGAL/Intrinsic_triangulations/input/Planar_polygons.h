@@ -28,7 +28,7 @@ enum class Nonplanar_polygons {
 };
 
 /*!
-\brief reports what was made of polygons, where nonplanar ones were to become planar.
+\brief reports the result for polygons, if nonplanar ones were to become planar.
 
 It is counted for faces with more than three sides.
 */
@@ -36,12 +36,12 @@ struct Polygon_report {
   std::size_t planar = 0; ///< those that are planar, exactly or but for the rounding of coordinates
   std::size_t flattened = 0; ///< those that became planar
   /*!
-  Those that remain triangles in space: their vector area is zero, a side has no length, a vertex
-  occurs twice, the planar polygon crosses itself, or its diagonals join vertices that another edge
-  joins.
+  Those that remain triangles in space, because their vector area is zero, a side has length zero, a
+  vertex occurs twice, the planar polygon crosses itself, or a diagonal joins vertices that another
+  edge joins.
   */
   std::size_t kept = 0;
-  double largest_angle_change = 0; ///< of an interior angle that became another one, in radians
+  double largest_angle_change = 0; ///< largest change of an interior angle, in radians
 };
 
 /*!
@@ -105,7 +105,7 @@ public:
             {sorted_.data() + first_[i], count}};
   }
 
-  /// What became of all polygons.
+  /// Reports the result for all polygons.
   Polygon_report report;
 
 private:

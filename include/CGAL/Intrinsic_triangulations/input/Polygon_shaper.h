@@ -92,7 +92,7 @@ private:
 };
 
 // What is added to the squared distance of two points in space to make it that of two points in a
-// plane. The same for all who ask, whatever power of two coordinates are scaled by.
+// plane. It does not depend on the power of two by which coordinates are scaled.
 inline double planar_excess(const std::array<double, 3>& p, const std::array<double, 3>& q,
                             const std::array<double, 2>& a, const std::array<double, 2>& b) {
   const double u = a[0] - b[0], v = a[1] - b[1];
@@ -108,13 +108,13 @@ public:
 
   explicit Polygon_shaper(Nonplanar_polygons kind) : kind_(kind) {}
 
-  // Takes a polygon, and makes it planar if that is asked for.
+  // Takes a polygon, and makes it planar if the option says so.
   // \param is_simple whether its vertices are distinct
   void load(std::vector<Point> points, bool is_simple = true);
-  // Gives the planar polygon up.
+  // Discards the planar polygon.
   void keep();
 
-  // Cuts it as `Polygon_triangulator` does; a planar polygon that crosses itself is given up.
+  // Cuts it as `Polygon_triangulator` does; a planar polygon that crosses itself is discarded.
   // Returns false if all fails.
   bool triangulate(std::vector<Triangle>& result);
   // Returns false if there is no triangulation with such diagonals.
@@ -123,7 +123,7 @@ public:
 
   // whether the triangles are those of the planar polygon
   bool is_flattened() const { return is_flattened_; }
-  // counts the polygon as what it has become
+  // counts the polygon in the report
   void count(Polygon_report& report) const;
   const std::vector<Planar_polygons::Point>& planar_points() const { return flattener_.corners(); }
   double largest_angle_change() const { return flattener_.largest_angle_change(); }

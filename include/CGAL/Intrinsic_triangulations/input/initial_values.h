@@ -91,8 +91,8 @@ struct Embedded_area {
     }
   }
 
-  // |u|^2 |v|^2, against which rounding errors are to be compared; not asked for by all, and a
-  // third of the work. The face must have no excess.
+  // |u|^2 |v|^2, against which rounding errors are to be compared; optional, since it is a third of
+  // the work. The face must not have an excess.
   FT scale() const { return norm(u_) * norm(v_); }
 
 private:
@@ -101,7 +101,7 @@ private:
   Space_vector<FT> u_, v_;
 };
 
-// |p - q|^2, when rounding upwards; faster than interval arithmetic, which does not know that both
+// |p - q|^2, when rounding upwards; faster than interval arithmetic, which does not use that both
 // bounds of a rounded difference have one sign.
 inline Interval_nt<false> squared_distance_interval(const Input_metric::Point& p,
                                                     const Input_metric::Point& q) {

@@ -61,8 +61,8 @@ std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& inp
 double mollifying_epsilon(const Gluing_map& mesh, const std::vector<double>& lengths, double delta);
 
 // Whether two sides of a face are together longer than the third one by less than 2^-30 of that.
-// The area of such a face is that of a lower number of digits: rounding of lengths, at 2^-53,
-// changes it by more than 2^-23 of itself, and what is computed from it.
+// The area of such a face has fewer correct digits: rounding of lengths, at 2^-53, changes it by a
+// relative 2^-23 or more.
 bool has_nearly_degenerate_face(const Gluing_map& mesh, const std::vector<double>& lengths);
 
 // The metric with the course's epsilon added to all lengths (§4.7). The new squared lengths are

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> morton_order(const std::vector<std::array<double, 3>>
 curve, faces and edges along with them.
 \param mesh the connectivity, which is replaced
 \param points one point per vertex, which are permuted
-\return the numbers before, as those of the user
+\return the numbers before, as the user's numbers
 \pre `mesh` is oriented and has a vertex, coordinates are finite
 \complexity linear
 */

@@ -108,11 +108,11 @@ Element_names names_of_sides(const Gluing_map& map, const std::vector<std::uint3
 } // namespace internal
 
 /*!
-\brief copies the connectivity of a mesh with polygonal faces, cut into triangles.
+\brief copies the connectivity of a mesh and cuts its polygonal faces into triangles.
 
-Vertices keep their numbers. Planar polygons keep their shape. Others get one by the choice of
-triangles, quadrilaterals cut where they bend less, others as their projection along their vector
-area; or they become planar polygons.
+Vertices keep their numbers. Planar polygons keep their shape. Nonplanar quadrilaterals are cut
+along the diagonal where they bend less, others as their projection along the vector area; or they
+become planar polygons.
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \param mesh the mesh
 \param points one point per vertex, in the order of iteration

@@ -22,8 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Makes a surface, or a cover of it, of triangles that are glued in pairs, and of what else is
-// known of them.
+// Makes a surface, or a cover of it, from triangles that are glued in pairs and their other data.
 class Domain_maker {
 public:
   // \param input what the surface is but for the mesh
@@ -57,7 +56,7 @@ public:
             " disagree, and no reversal of faces orients it");
   }
 
-  // The cover of other faces than those that are glued in pairs.
+  // The cover of faces that are not glued in pairs.
   Domain finish(Double_cover cover, Domain_kind kind, std::string reason) {
     std::vector<std::uint32_t> vertex;
     Gluing_map mesh = Gluing_map::from_valid(cover.take(vertex));

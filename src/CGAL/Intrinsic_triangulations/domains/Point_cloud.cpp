@@ -223,7 +223,7 @@ triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_
   report.is_on_border.assign(points.size(), 0);
   if (members.size() < 3) fail_without_triangles(points.size());
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(6 * points.size() + 6); // so many there are as a rule
+  triangles.reserve(6 * points.size() + 6); // the usual number
   const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
   Local_triangulator triangulator(ordered, report.neighbours);
   for (std::uint32_t i = 0; i < members.size(); ++i) {

@@ -13,7 +13,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Angles around edges are compared before anything else looks at coordinates.
+// The comparison of angles around edges is the first to read coordinates.
 inline void check_coordinates(const std::vector<std::array<double, 3>>& points) {
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v])

@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The planar polygons among those of a soup, while they may still be given up.
+// The planar polygons of a soup, while they may still be discarded.
 class Planar_candidates {
 public:
   using Point = Planar_polygons::Point;
@@ -164,7 +164,7 @@ private:
     }
   }
 
-  // Marks the polygons that have to give way: to a side of a face, or to an earlier polygon.
+  // Marks the polygons that conflict with a side of a face or with an earlier polygon.
   bool find_conflicts() {
     in_conflict_.assign(polygons_.size(), 0);
     bool any = false;

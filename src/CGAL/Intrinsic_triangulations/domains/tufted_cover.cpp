@@ -19,13 +19,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Where half planes bounded by a line are, seen from one of them. Only predicates of the kernel on
-// the points as given are asked, which are exact.
+// Where half planes bounded by a line are, seen from one of them. It calls only predicates of the
+// kernel on the given points, which are exact.
 class Half_planes {
 public:
   using Point = Point_kernel::Point_3;
 
-  // \param numbers by which points are known to be the same without a predicate
+  // \param numbers that identify equal points without a predicate
   Half_planes(const Point& a, const Point& b, const std::vector<Point>& apices,
               const std::vector<std::uint32_t>& numbers)
       : a_(a), b_(b), apices_(apices), numbers_(numbers), sector_(apices.size(), 4) {
@@ -109,9 +109,9 @@ Gluing Double_cover::take(std::vector<std::uint32_t>& row_of_vertex) {
   return std::move(cover_);
 }
 
-// Whether there are at most two different apices: then the faces at them take turns, and no angle
-// is asked, as two go around in one order only. So it is at nearly all edges of a point cloud,
-// where each triangle is there three times.
+// Whether there are at most two different apices: then the faces at them alternate, and no angle is
+// computed, since two have only one cyclic order. This holds at nearly all edges of a point cloud,
+// where each triangle occurs three times.
 static bool take_turns(const std::vector<std::uint32_t>& apices,
                        std::vector<std::uint32_t>& order) {
   const auto count = static_cast<std::uint32_t>(apices.size());

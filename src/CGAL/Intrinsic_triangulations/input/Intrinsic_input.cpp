@@ -111,7 +111,7 @@ void check_sizes(const Intrinsic_input& in) {
 }
 
 // Makes each face start at a side that is not glued to another side of the same face, so that its
-// edge names that side alone: exact metrics tell sides by their edges.
+// edge names that side alone: exact metrics identify sides by their edges.
 void start_at_single_sides(Gluing_map& mesh) {
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
     const auto [h, n, l] = mesh.sides({f});

@@ -76,7 +76,7 @@ Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t 
   if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-36 * d.sup()) return CGAL::sqrt(d);
   const auto [inf, sup] = CGAL::to_interval(checked_squared_quadruple_area<Mpzf>(m, f));
   if (inf > 0x1p-900 || sup == 0)
-    return CGAL::sqrt(FT(inf, sup)); // Mpzf does not tell of underflow
+    return CGAL::sqrt(FT(inf, sup)); // Mpzf does not report underflow
   return CGAL::sqrt(from_rational<FT>(m.squared_quadruple_area<Gmpq>(f)));
 }
 

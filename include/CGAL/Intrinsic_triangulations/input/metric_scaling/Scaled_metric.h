@@ -24,14 +24,13 @@
 /*!
 \file
 Any input of the package, or a triangulation, as a gluing with squared lengths, together with the
-mesh by which its owner knows its vertices and faces.
+mesh that names its vertices and faces.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a triangulation with a metric of its own; its points, if it ever had any, say
-nothing of its edges.
+\brief requires a triangulation with its own metric: points in space do not define its edges.
 */
 template <class Mesh>
 concept TriangulationWithMetric = requires(const Mesh& t) {
@@ -97,13 +96,13 @@ enum class Triangle_inequality {
 };
 
 /*!
-\brief holds a new metric, and reports what had to be done about it.
+\brief holds a new metric, and reports its repair.
 */
 struct Scaled_metric {
   /// The surface with the new lengths; an `Intrinsic_triangulation` is built from it.
   Intrinsic_input input;
-  /// Faces that the new lengths violated the triangle inequality in, before any repair, by their
-  /// number in the order of iteration; after polygons were triangulated, if some were.
+  /// Faces in which the new lengths violated the triangle inequality before any repair, by their
+  /// numbers in the order of iteration, after polygons were triangulated.
   std::vector<std::uint32_t> violating_faces;
   /// Edges that repair shortened.
   std::size_t changed_edges = 0;

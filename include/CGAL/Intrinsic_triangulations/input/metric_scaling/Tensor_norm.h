@@ -15,8 +15,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief measures vectors of the plane by a symmetric positive definite tensor: |v|_g^2 = v^T M v.
 
-Keeps a linear map A with M = A^T A, so that |v|_g = |A v|: the norm of a vector has no cancellation
-to fear from a large ratio of stretches if it is made by `from_stretches()`.
+Keeps a linear map A with M = A^T A, so that |v|_g = |A v|: then a large ratio of stretches in
+`from_stretches()` causes no cancellation.
 */
 class Tensor_norm {
 public:

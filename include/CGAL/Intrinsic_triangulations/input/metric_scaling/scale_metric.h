@@ -32,15 +32,15 @@
 New lengths for the edges of a surface: metric scaling (§4.8 of the course).
 
 The input is a mesh in space (any that `Intrinsic_input` takes), an `Intrinsic_input` (for gluings
-with squared lengths, triangle soups, and other point maps), or an `Intrinsic_triangulation`, whose
-current edges count. The result is an abstract metric on the same triangles: element number n of the
-result, of reports and of errors is the n-th vertex, edge or face in the order of iteration of the
-mesh (of `mesh()`, if a triangulation is given).
+with squared lengths, triangle soups, and other point maps), or the current edges of an
+`Intrinsic_triangulation`. The result is an abstract metric on the same triangles: element number n
+of the result, of reports and of errors is the n-th vertex, edge or face in the order of iteration
+of the mesh (of `mesh()`, if a triangulation is given).
 
 The new surface is *not* the old one: it has other areas, distances and cone angles. A triangulation
-that is built from it is its own input, and its correspondence is with the triangles of that; no
-point of it has coordinates in space. What both surfaces share are the triangles of the mesh: a
-point of the new input, as a face and barycentric coordinates, names one of the old surface.
+built from it takes it as its input and corresponds to its triangles; its points have no coordinates
+in space. Both surfaces share the triangles of the mesh: a face and barycentric coordinates on the
+new input also name a point of the old surface.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -73,8 +73,9 @@ Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_l
 Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
                                 const Metric_scaling_options& options);
 
-// The mean over the sides of each edge of what `norm(face, vector)` says, squared. `sides(face
-// number)` are the vectors; it may refer to `s`, which is left as it is until the last line.
+// Squared lengths: for each edge, the square of the mean of `norm(face, vector)` over its sides.
+// `sides(face number)` are the vectors; it may refer to `s`, which is left as it is until the last
+// line.
 template <class Mesh, class Sides, class Norm>
 Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& sides,
                             const Norm& norm, const Metric_scaling_options& options) {
@@ -127,7 +128,7 @@ Metric_source read_triangles(const Mesh& mesh) {
 } // namespace internal
 
 /*!
-\brief asks for a surface whose metric can be scaled: a mesh of triangles or polygons in space, an
+\brief requires a surface whose metric can be scaled: a mesh of triangles or polygons in space, an
 `Intrinsic_input`, or a triangulation.
 */
 template <class Mesh>
@@ -135,7 +136,7 @@ concept ScalableSurface =
     TriangulationWithMetric<Mesh> || std::same_as<Mesh, Intrinsic_input> || ReadableFaceGraph<Mesh>;
 
 /*!
-\brief asks for a functor or a readable property map from the vertices of a surface to numbers.
+\brief requires a functor or a readable property map from the vertices of a surface to numbers.
 */
 template <class Factors, class Mesh>
 concept VertexFactors = std::invocable<const Factors&, internal::Named_vertex<Mesh>> ||
@@ -143,7 +144,7 @@ concept VertexFactors = std::invocable<const Factors&, internal::Named_vertex<Me
 typename boost::property_traits<Factors>::key_type > ;
 
 /*!
-\brief asks for a functor that measures vectors in the faces of a surface.
+\brief requires a functor that measures vectors in the faces of a surface.
 */
 template <class Norm, class Mesh, class Vector>
 concept FaceNorm = requires(const Norm& norm, internal::Named_face<Mesh> f, const Vector& v) {
@@ -165,13 +166,13 @@ Polygonal faces are triangulated first, as `Intrinsic_input` does.
   numbers
 \param mesh the surface
 \param u the logarithmic factors
-\param np optional named parameters: - `triangle_inequality(x)`: what is done about faces that
-  violate it, a `Triangle_inequality`. Default: `refuse`. - `margin(x)`: for `repair`, that of
+\param np optional named parameters: - `triangle_inequality(x)`: treatment of faces that violate it,
+  a `Triangle_inequality`. Default: `refuse`. - `margin(x)`: for `repair`, that of
   `shorten_edges()`, by which sides are shorter than the other two together, as a fraction of the
   shorter of those; above 0, at most 1. Default: 1e-5.
 \return the new metric and a report
 \throws Invalid_input naming a vertex with a factor that is not finite, an edge whose new squared
-  length is no normal `double`, or a face that violates the triangle inequality if it is refused
+  length is not a normal `double`, or a face that violates the triangle inequality if it is refused
 \complexity linear, and that of `shorten_edges()`
 */
 template <ScalableSurface Mesh, VertexFactors<Mesh> Factors,
@@ -198,10 +199,10 @@ In the frame of a face i and j are source and target of `halfedge(face, mesh)`, 
 corner; i is the origin, j lies on the positive x-axis, k above it. If i and j are in the same
 place, k lies on the x-axis.
 
-The norm is asked once for each side of each face that has a length, for the vector that runs along
-the side with the face on its left: i -> j, j -> k, k -> i. On the border one face counts; where
-both sides of an edge are in one face, the norms of two vectors of that face are averaged.
-`Tensor_norm` makes norms from tensors and from stretches.
+The norm is called once for each side of nonzero length of each face, for the vector along the side
+with the face on its left: i -> j, j -> k, k -> i. On the border, one face counts. If both sides of
+an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm` makes
+norms from tensors and from stretches.
 \tparam Mesh see the file's description; faces must be triangles
 \tparam Norm a functor: `norm(face_descriptor, Plane_vector<double>)` is a length, positive and
   homogeneous in the vector; descriptors as for `scale_conformally()`
@@ -210,7 +211,7 @@ both sides of an edge are in one face, the norms of two vectors of that face are
 \param np optional named parameters, see `scale_conformally()`
 \return the new metric and a report
 \throws Invalid_input naming a face with a norm that is not positive or not finite, a face that is
-  no triangle, or as `scale_conformally()`
+  not a triangle, or as `scale_conformally()`
 \complexity linear, and that of `shorten_edges()`
 */
 template <ScalableSurface Mesh, FaceNorm<Mesh, Plane_vector<double>> Norm,
@@ -232,7 +233,7 @@ Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
 \brief scales the metric of a surface in space by a norm per face, given for vectors of space: see
 `scale_by_norm()`.
 
-For fields that are known in space: speeds, directions of curvature. A norm that is the same in all
+Use it for fields given in space: speeds, directions of curvature. A norm that is the same in all
 faces and comes from an inner product gives the lengths of the mesh transformed linearly.
 \tparam Mesh a mesh in space, or `Intrinsic_input` with points; faces must be triangles
 \tparam Norm a functor: `norm(face_descriptor, std::array<double, 3>)` is a length

@@ -27,8 +27,8 @@ G increases in both arguments, and G(b, c) >= max(b, c). The largest lengths l w
 <= G(l_b, l_c) for all sides a of all faces therefore exist, and are what a generalization of
 Dijkstra's algorithm finds (D. E. Knuth, *A generalization of Dijkstra's algorithm*, 1977): violated
 constraints are settled in the order of the length that they allow. A length set later is never
-smaller, so that no edge is set twice. An edge that is shortened stays at least as long as the two
-others in the face that asked for it: nothing collapses, and the shortest edge stays as it is.
+smaller, so that no edge is set twice. A shortened edge stays at least as long as each of the two
+others in the face that required it: nothing collapses, and the shortest edge stays as it is.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -79,12 +79,12 @@ struct Shortening_report {
 
 /*!
 \brief shortens edges until all faces satisfy the triangle inequality strictly: to the greatest
-lengths, none above the given one, of which every side is at most the longer of the other two and
+lengths, none above the given one, such that every side is at most the longer of the other two plus
 (1 - `margin`) times the shorter.
 
-Needles are left alone, however thin, as the margin is relative to the shorter side. Strict means
-exactly so, for the squares of the result as they are rounded: all faces have an area, but those
-with a side of length zero, whose other sides become equally long.
+Needles stay as they are, however thin, since the margin is relative to the shorter side. The
+inequality is strict for the rounded squares of the result: all faces have positive area, except
+those with a side of length zero, whose other sides become equally long.
 \param mesh the connectivity, oriented or not
 \param squared_lengths one squared length per edge of `mesh`, finite and not negative; replaced
 \param margin above 0, at most 1

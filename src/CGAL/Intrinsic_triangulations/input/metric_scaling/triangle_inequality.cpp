@@ -51,7 +51,7 @@ namespace internal {
 
 class Edge_shortener {
 public:
-  // Rounds upwards while it lives.
+  // Rounds upwards during its lifetime.
   Edge_shortener(const Gluing_map& mesh, std::vector<double>& squared_lengths, double margin)
       : mesh_(mesh), squared_(squared_lengths), keep_((Interval(1) - Interval(margin)).inf()) {}
 
@@ -77,15 +77,15 @@ private:
   using Candidate = std::pair<double, std::uint32_t>; // a squared length, the edge to get it
 
   // G^2 of squared lengths, rounded down, so that the inequality holds strictly for the rounded
-  // squares, too, if min(b, c) > 0. Every operation is monotone, and the sum with the larger square
-  // not below it: what the file's comment says of G holds for the rounded function.
+  // squares, too, if min(b, c) > 0. Every operation is monotone, and the sum is at least the larger
+  // square: the properties of G in the file's comment hold for the rounded function.
   double allowed(double b, double c) const {
     const Interval large(std::max(b, c)), small(std::min(b, c)), keep(keep_);
     const Interval rest = keep * (keep * small + Interval(2) * (sqrt(large) * sqrt(small)));
     return (large + rest).inf();
   }
 
-  // only the longest side can exceed what the others allow, since that is not below either
+  // only the longest side can exceed the bound by the others, since that bound is at least both
   void constrain(std::uint32_t f) {
     std::array<std::uint32_t, 3> e = edges_of_face(mesh_, f);
     const auto longest = std::max_element(
