@@ -36,33 +36,31 @@ struct Heat_distance_visitor {
 \brief approximates geodesic distances from vertices, points and curves by the flow of heat (§4.10.2
 of the course; Crane, Weischedel, Wardetzky, Geodesics in heat, 2013).
 
-Heat flows for a short time, its gradient tells the directions of shortest paths, and the distance
-is the function that has these directions as its gradient, by least squares:
+Heat flows for a short time; its gradient gives the directions of shortest paths. The distance is
+the function whose gradient fits these directions best, by least squares:
 
     (M + time L) u = sources,     X = -grad u / |grad u|,     L d = div X
 
-The matrices are those of the triangulation, and are factored when this object is made, both at
-once, or when they are first asked for: afterwards distances from other sources take the time of two
-solutions. Errors are in the order of the length of edges; they are large where edges are not
-Delaunay: call `flip_to_delaunay()` before, and for more accuracy `delaunay_refine()`. Weights that
-are not negative give matrices of which the factors are so too, off their diagonals: heat is
-computed without any subtraction, to full relative accuracy, where it is above 2^-800 of the
-greatest. Below, as far as 10^-1000 and less, it is found from its values at that limit, which takes
-differences there, once for each 2^-800.
+Each matrix is factored once, at construction or when it is first needed. Distances from other
+sources then take the time of two solutions. Errors are in the order of the length of edges, and
+large where edges are not Delaunay: call `flip_to_delaunay()` before, and for more accuracy
+`delaunay_refine()`. If no weight is negative, heat is computed without any subtraction, to full
+relative accuracy, where it is above 2^-800 of the greatest. Smaller heat, as far as 10^-1000 and
+less, is computed from its values at that limit, with differences once for each 2^-800.
 
-**What is certain.** Distances of sources are zero, at corners of faces that contain a source the
-distances within the face. No distance is negative. No distance is less than the *chord*, the
+**What is certain.** Sources have distance zero. Corners of a face that contains a source have their
+distance within the face. No distance is negative. No distance is less than the *chord*, the
 distance in space, if the vertex and the sources have places there: if they are vertices of the
 user's mesh, or inserted with exact arithmetic or integer coordinates. (From a source inside an edge
 or a face, the bound is less by as much as the nearest corner of the face is away.) Values are
-finite, but infinity where there is no source: on other components and at isolated vertices.
+finite, except infinity where there is no source: on other components and at isolated vertices.
 
-Sources are fixed at zero, not shifted there: of many sources, none is at a distance from another.
-Up to twenty are fixed by Lagrange multipliers, with the same factorization; for more, the matrix is
-factored without their rows, once until sources change.
+Every source has distance zero, also if there are many. Lagrange multipliers fix up to twenty, with
+the same factorization. For more, the matrix is factored without their rows, once until sources
+change.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, with any mesh,
-  arithmetic and correspondence; of a cover, copies of a vertex share a row
+  arithmetic and correspondence; on a cover, copies of a vertex share a row
 */
 template <NumberedTriangulation Triangulation>
   requires MeasuredTriangulation<Triangulation>
@@ -76,10 +74,10 @@ public:
     - `time_factor(x)`: the time is x times the square of the mean length of the edges. Default: 1.
       More is smoother.
     - `border_condition(c)`: how heat behaves at the border. `Heat_border::average` takes the mean
-      of both conditions, as the authors recommend, at the price of a factorization more;
+      of both conditions, as the authors recommend, and costs one more factorization;
       `Heat_border::insulated` has no flux. Default: `average`. Without border they are the same.
-    - `visitor(v)`: see `Heat_distance_visitor`. After it has stopped this constructor, there are no
-      distances. It is kept for later calls: what `std::ref(v)` refers to must outlive this object.
+    - `visitor(v)`: see `Heat_distance_visitor`. If it stops this constructor, there are no
+      distances. Later calls use it too: what `std::ref(v)` refers to must outlive this object.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
@@ -98,16 +96,15 @@ public:
   \tparam Sources one of these, or a range of them, or a range of ranges: vertices and halfedges of
     `t.mesh()` (edges are curves); points of the triangulation as `Surface_point` or
     `Face_location<Mesh>`; `Polyline_source`
-  \param sources the sources; from the user's mesh, `vertex_on_intrinsic()` and
-    `locate_on_intrinsic()` lead there
+  \param sources the sources; `vertex_on_intrinsic()` and `locate_on_intrinsic()` find those of the
+  user's mesh
   \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there
-    is no source. Nothing, an empty vector, if the visitor has stopped it
+  is no source. An empty vector if the visitor stops the computation
   \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline
     are not in one face
   \throws std::runtime_error if rounding has left no positive definite matrix
-  \complexity that of solutions with a factored matrix, about n log n; with more than twenty pinned
-    vertices also a factorization, if they are not those of the last call. Not to be called from two
-    threads at once
+  \complexity about n log n: solutions with a factored matrix; with more than twenty sources also a
+  factorization, unless they are those of the last call. Do not call it from two threads at once
   */
   template <class Sources>
   Eigen::VectorXd distances(const Sources& sources) {
@@ -117,7 +114,7 @@ public:
     return solver_.distances(places, positions_);
   }
 
-  /// returns `cancelled` if the visitor has stopped what was done last, else `done`.
+  /// returns `cancelled` if the visitor stopped the last step, else `done`.
   Status status() const { return solver_.is_cancelled() ? Status::cancelled : Status::done; }
 
   /// returns the time of the heat flow, in units of area of the input.
@@ -143,7 +140,7 @@ private:
   const Triangulation* t_;
   std::vector<std::array<double, 3>> positions_;
   internal::Heat_solver solver_;
-  bool is_stopped_ = solver_.is_cancelled(); // before it was made
+  bool is_stopped_ = solver_.is_cancelled(); // during construction
 };
 
 } // namespace CGAL::Intrinsic_triangulations

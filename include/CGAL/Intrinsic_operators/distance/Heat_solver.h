@@ -25,9 +25,9 @@ enum class Heat_border {
   average    ///< the mean of that and of a border that is kept cold (Dirichlet)
 };
 
-/// What `Heat_distance` has done.
+/// The last step of `Heat_distance`.
 enum class Heat_step {
-  /// a matrix of the heat flow was factored; there are two with a border that is cold
+  /// a matrix of the heat flow is factored; a cold border needs two
   heat_factored,
   heat_found ///< heat has spread from the sources
 };
@@ -38,10 +38,10 @@ template <class Scalar>
 struct Heat;
 class Function_flow;
 
-// Is told of each step; tells whether to go on.
+// Called after each step; returns whether to go on.
 using Heat_progress = std::function<bool(Heat_step)>;
 
-// What `Heat_distance` may be asked for.
+// The options of `Heat_distance`.
 struct Heat_options {
   double time_factor = 1;
   Heat_border border = Heat_border::average;
@@ -56,11 +56,11 @@ public:
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
 
-  // whether the last step was one not to go on after
+  // whether the caller stopped the last step
   bool is_cancelled() const { return is_cancelled_; }
 
   // \param positions where the vertices of rows are in space, for the bound by chords
-  // \return by rows, in the units of the input; nothing if it was cancelled
+  // \return by rows, in the units of the input; empty if cancelled
   Eigen::VectorXd distances(const Source_places& sources,
                             const std::vector<std::array<double, 3>>& positions);
 

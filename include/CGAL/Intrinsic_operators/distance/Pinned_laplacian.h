@@ -20,13 +20,13 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-Solves L x = b with given values in some rows, the *pins*, as for distances, the Laplacian of which
-is always the same and the pins are not: where a component has no pin, x is infinite.
+Solves L x = b with given values in some rows, the *pins*. The Laplacian stays the same, the pins
+change. On a component without pins x is infinite.
 
-Of a component with one pin, x follows from any solution by adding a constant. For few pins, there
-are few numbers more, by Lagrange: L x = b + sum over pins of l_s e_s, where values are right and
-all l sum to zero; the factorization of L is the same for all of them. For more pins than that is
-worth, a `Fixed_values_solver` is made, and kept for the next right side with pins in the same rows.
+With one pin in a component, any solution and a constant give x. A few pins need as many Lagrange
+multipliers: L x = b + sum over pins of l_s e_s, where the l sum to zero; all pins use the same
+factorization of L. Many pins need a `Fixed_values_solver`, which is kept for the next right side
+with pins in the same rows.
 */
 class Pinned_laplacian {
 public:
@@ -39,9 +39,9 @@ public:
 
   const std::shared_ptr<const Eigen::SparseMatrix<double>>& laplacian() const { return laplacian_; }
 
-  // Factors L and a multiple of it, with a diagonal, together, or only the latter if rounding has
-  // left L indefinite.
-  // \return the factorization of the latter \throws Indefinite_matrix if it is not definite
+  // Factors L and, with a diagonal, a multiple of L; only the multiple if rounding leaves L
+  // indefinite.
+  // \return the factorization of the multiple \throws Indefinite_matrix if it is not definite
   Laplacian_factorization factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);

@@ -68,19 +68,19 @@ private:
 Crane, A heat method for generalized signed distance, 2024).
 
 The normals of the curve diffuse for a short time as tangent vectors, by the connection Laplacian of
-Crouzeix and Raviart; the distance is the function that has their directions as its gradient, by
+Crouzeix and Raviart. The distance is the function whose gradient fits their directions best, by
 least squares:
 
     (M + time L) X = normals,     Y = X / |X|,     L d = div Y
 
-Curves may be loops, several of them, or open: those that are no borders of regions, by gaps or
-errors in them, still have sides, and the distance passes through the gaps smoothly. **Signs**: left
-of a curve, distances are negative, as inside of a loop that runs counterclockwise; right of it they
-are positive. They are zero at vertices of the curve, bit by bit; in a face that a straight piece of
-a curve goes through, d is the distance from its line.
+Curves may be loops or open, and there may be several. Curves with gaps or errors bound no region,
+but still have sides; the distance is smooth across the gaps. **Signs**: distances are negative left
+of a curve, as inside a counterclockwise loop, and positive right of it. At vertices of the curve
+they are exactly zero. In a face that a straight piece of a curve crosses, d is the distance from
+its line.
 
-\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, of a surface
-  that has sides: no cover
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, but not of a
+cover, which has no sides
 */
 template <NumberedTriangulation Triangulation>
   requires MeasuredTriangulation<Triangulation>
@@ -93,8 +93,7 @@ public:
   \param np optional named parameters:
     - `time_factor(x)`: the time is x times the mean of the squares of half the lengths of the
       edges, since the vectors are at their midpoints. Default: 1. More bridges wider gaps.
-  \throws Invalid_input if a face has no area, or `t` is that of a cover, on which left and right
-    are one row
+  \throws Invalid_input if a face has no area, or `t` is a cover, where left and right share a row
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
   \throws std::runtime_error if rounding has left no positive definite matrix (the message names a
@@ -119,7 +118,7 @@ public:
     points of a polyline are not in one face
   \throws std::runtime_error if rounding has left no positive definite matrix
   \complexity that of a solution, and of a factorization of the Laplacian without the rows of the
-    curve, if it is not that of the last call. Not to be called from two threads at once
+  curve, unless the curve is that of the last call. Do not call it from two threads at once
   */
   template <class Curves>
   Eigen::VectorXd distances(const Curves& curves) {

@@ -124,7 +124,7 @@ private:
       if (!in_common)
         throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
                                     std::to_string(i) + " of a polyline are not in one face");
-      // a point that is repeated is no source of its own
+      // skip repeated points
       const auto& [from, to] = *in_common;
       if (from.weights != to.weights || points.size() == 2) add_segment(from, to);
     }
@@ -164,9 +164,8 @@ inline std::complex<double> place_in_layout(const std::array<std::complex<double
 
 double distance_to_segment(std::complex<double> p, std::complex<double> a, std::complex<double> b);
 
-// The distances that are known beforehand: zero at vertices that are sources, and at the corners of
-// faces with sources inside, which are straight in the face, those distances, unless there is a
-// shorter way along edges from other sources.
+// The distances near sources: zero at vertices that are sources. At the corners of faces that
+// contain a source, the distance in the face, or along edges from other sources if that is shorter.
 std::map<int, double> distances_near_sources(const Face_table& table, const Source_places& sources);
 
 } // namespace internal

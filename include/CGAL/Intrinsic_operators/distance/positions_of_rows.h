@@ -16,7 +16,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where the vertices of each row are in space, in scaled units; not finite where that is not known.
+// The positions of the rows' vertices in space, in scaled units; not finite where unknown.
 template <NumberedTriangulation Triangulation>
 std::vector<std::array<double, 3>> positions_of_rows(const Triangulation& t) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -25,7 +25,7 @@ std::vector<std::array<double, 3>> positions_of_rows(const Triangulation& t) {
   const auto& points = metric.points();
   if (points.empty()) return {};
   for (std::uint32_t f = 0; f < metric.number_of_faces(); ++f)
-    if (metric.has_excess(f)) return {}; // faces that are not flat in space: chords are no bound
+    if (metric.has_excess(f)) return {}; // faces are not flat in space: chords do not bound
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
     const std::uint32_t i = t.index(v);
     if (!t.is_inserted(v)) {

@@ -22,13 +22,13 @@ namespace CGAL::Intrinsic_triangulations {
     (M + t L) x = M x_0
 
 with the cotangent Laplacian L and the lumped mass M. It is stable for any time. On a Delaunay
-triangulation without obtuse angles at the border, or of a cover, the maximum principle holds: no
-value leaves the range of those before; sums weighed by mass are kept.
+triangulation of a cover, or one without obtuse angles at the border, the maximum principle holds:
+no value leaves the range of the old values. Sums weighted by mass stay the same.
 
-The coordinates of the vertices in space are functions too: what smooths them is implicit fairing
-(Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature flow. For the next step of that
-flow build the triangulation of the new points; to go on with the same operator is conformalized
-flow with the metric of the beginning, which does not pinch (Kazhdan, Solomon and Ben-Chen 2012).
+The coordinates of the vertices in space are functions too: smoothing them is implicit fairing
+(Desbrun, Meyer, Schröder and Barr 1999), a step of mean curvature flow. For the next step build the
+triangulation of the new points. Steps with the same operator are conformalized flow, which does not
+pinch (Kazhdan, Solomon and Ben-Chen 2012).
 
 Rows are those of vertices, `t.input_vertex(v)`. Isolated ones keep their values.
 */
@@ -37,9 +37,8 @@ public:
   /*!
   \brief factors the operator.
   \tparam Triangulation a model of `MeasuredTriangulation`
-  \param t the triangulation, of which nothing is kept
-  \param time how long, in units of area; about the square of the radius in which values are
-    averaged
+  \param t the triangulation; no reference to it is kept
+  \param time the time, in units of area: about the square of the radius of averaging
   \throws std::invalid_argument if the time is negative or not finite
   \throws Invalid_input if a face has no area
   \complexity that of a sparse factorization
@@ -52,7 +51,7 @@ public:
   /*!
   \brief lets the heat flow.
   \param values a row per vertex, a column per function
-  \return the values after it
+  \return the new values
   \throws std::invalid_argument if there is not a row per vertex
   \complexity linear in the entries of the factor, for each column
   */
@@ -71,7 +70,7 @@ private:
 
   static const Eigen::VectorXd& positive(Eigen::VectorXd& mass) {
     for (double& m : mass)
-      if (!(m > 0)) m = 1; // any: nothing flows to or from isolated vertices
+      if (!(m > 0)) m = 1; // any positive mass: isolated vertices exchange no heat
     return mass;
   }
 

@@ -21,10 +21,9 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What a deformation makes least.
+/// The energy that a deformation minimizes.
 enum class Deformation_energy {
-  /// the integral of |grad d|^2: displacements stay within their range, and have cusps at single
-  /// handles
+  /// the integral of |grad d|^2: displacements stay within their range; cusps at single handles
   harmonic,
   biharmonic ///< the integral of (Laplacian d)^2: smooth at handles too
 };
@@ -34,34 +33,34 @@ class Biharmonic_interpolation;
 } // namespace internal
 
 /*!
-\brief deforms a surface by moving some of its vertices, the handles: others follow such that the
-displacement d is as smooth as can be (Botsch and Sorkine 2008; Fig. 41 of the course).
+\brief deforms a surface by moving some vertices, the handles. The displacement d of the others is
+as smooth as possible (Botsch and Sorkine 2008; Fig. 41 of the course).
 
     L d = 0   or   L M^-1 L d = 0    at free vertices,    d given at handles
 
-with the cotangent Laplacian L and the lumped mass M. The operator is that of the surface before it
-is deformed, and is factored once: handles may then be moved many times. On a Delaunay triangulation
-L has no negative weights, on a cover it is that of the user's surface; either is what slivers and
-nonmanifold meshes need. A displacement is of any dimension, data of any kind.
+with the cotangent Laplacian L and the lumped mass M. The operator of the undeformed surface is
+factored once; then handles may move many times. On a Delaunay triangulation L has no negative
+weights, which slivers need; on a cover L is that of the user's surface, which nonmanifold meshes
+need. Displacements may have any dimension.
 
-Where there is no handle in a component, and at isolated vertices, nothing moves. Rows are those of
-vertices, `t.input_vertex(v)`, inserted ones included; those of the user's mesh come first.
+Components without a handle and isolated vertices do not move. Rows are those of vertices,
+`t.input_vertex(v)`, inserted ones included; those of the user's mesh come first.
 */
 class Surface_deformation {
 public:
   /*!
   \brief factors the operator.
   \tparam Triangulation a model of `MeasuredTriangulation`
-  \param t the triangulation, of which nothing is kept
+  \param t the triangulation; no reference to it is kept
   \param handles rows of the handles, repeated or not
-  \param energy what is made least
+  \param energy the energy to minimize
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if a row does not exist
-  \throws Indefinite_matrix if rounding has left no definite matrix. With up to some tens of handles
-    beside free vertices that needs two handles at no distance: the biharmonic problem is solved by
-    two harmonic ones then, which slivers do not harm, see `Laplacian_factorization`
-  \complexity that of a sparse factorization, and of a solution per handle beside free vertices if
-    they are few
+  \throws Indefinite_matrix if rounding makes the matrix indefinite. If few handles (some tens) have
+  free neighbours, this needs two handles at distance zero: the biharmonic problem then becomes two
+  harmonic ones, which slivers do not harm, see `Laplacian_factorization`
+  \complexity that of a sparse factorization, and of a solution per handle with free neighbours if
+  these are few
   */
   template <MeasuredTriangulation Triangulation>
   Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
@@ -70,10 +69,10 @@ public:
                             energy) {}
 
   /*!
-  \brief factors the operator that two matrices make.
+  \brief factors the operator of two matrices.
   \param laplacian the matrix L, positive semidefinite
-  \param mass the diagonal of the matrix M, positive but at isolated vertices; only the biharmonic
-    energy reads it
+  \param mass the diagonal of the matrix M, positive except at isolated vertices; only the
+  biharmonic energy needs it
   */
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                       std::span<const std::uint32_t> handles, Deformation_energy energy);

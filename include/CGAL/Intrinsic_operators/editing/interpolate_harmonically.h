@@ -19,19 +19,19 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief interpolates values at some vertices by the harmonic function: that with the least Dirichlet
+\brief interpolates values at some vertices by the harmonic function, which has the least Dirichlet
 energy, the integral of |grad x|^2.
 
-Of a Delaunay triangulation no value lies beyond those given (maximum principle), as all weights of
-inner edges are nonnegative; on the border where they face an obtuse angle, too, once the
-triangulation is of a cover or refined. What rounding adds is taken away.
+On a Delaunay triangulation no weight of an inner edge is negative, so no value leaves the range of
+the given ones (maximum principle). If border edges face obtuse angles, this needs a cover or a
+refined triangulation. Values that rounding moves out of the range are set back.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param rows vertices with values, by their rows
 \param values a value per row
 \return a value per vertex, at `t.input_vertex(v)`
 \throws std::invalid_argument if sizes do not fit, a value is not finite, a row has two values, or a
-  component has none (the message names a row of it)
+component has none (the message names one of its rows)
 \throws Invalid_input if a face has no area
 \complexity that of a sparse factorization
 */

@@ -21,8 +21,8 @@
 The elements of Crouzeix and Raviart: functions and tangent vector fields with values at the
   midpoints of edges, linear in each face. A vector at an edge is a complex number in the frame of
   the edge, whose real axis runs along `halfedge(e, t.mesh())` and whose imaginary axis points to
-  its left. An edge lies in the planes of both its faces, so that vectors come into them without any
-  choice, also at the border and in Delta-complexes of which edges are loops.
+  its left. An edge lies in the planes of both its faces, so vectors pass to them without any
+  choice, also at the border and at edges that are loops.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -36,7 +36,7 @@ std::array<double, 3> checked_half_cotangents(const Table_face& f);
 // numbers. An edge is directed along its halfedge with an even number.
 std::array<std::complex<double>, 3> side_frames(const Table_face& f);
 
-// Edges without a face, which removals leave as gaps in the numbers, are zero.
+// Removals leave numbers without an edge: these rows are zero.
 Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table);
 
 // a third of the areas of the faces at each edge
@@ -55,12 +55,12 @@ where r_ab turns vectors from the frame of b to that of a, see the head of the f
 sum over faces of the integral of |grad x|^2 for the vector field that is linear in each face, with
 these vectors at the midpoints of its sides.
 
-The matrix is Hermitian and positive semidefinite; in its kernel are the fields that are parallel
-across all edges: on a flat surface those of constant vectors.
+The matrix is Hermitian and positive semidefinite; its kernel contains the fields that are parallel
+across all edges: constant vectors on a flat surface.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \return a compressed matrix with a row and column per number of an edge, `t.index(e)`, without
-  dimension; those of removed edges are zero
+dimension; zero for removed edges
 \throws Invalid_input if a face has no area, or there are too many edges for the index type of Eigen
 \complexity linear
 */

@@ -19,15 +19,15 @@
 Quadratic elements (§4.10 of the course: "higher-order basis can likewise be constructed"):
 continuous functions that are quadratic polynomials in each intrinsic face, with values at the
 vertices and at the midpoints of the edges. Vertex `v` has row `t.input_vertex(v)`, edge `e` the row
-`t.number_of_vertices() + t.index(e)`. Where solutions are smooth their error falls with the third
-power of the lengths of edges, that of linear functions with the second.
+`t.number_of_vertices() + t.index(e)`. If a solution is smooth, its error falls with the third power
+of the edge length; with linear functions it falls with the second.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// \param factor what the entries are multiplied by
+// \param factor multiplies the entries
 Eigen::SparseMatrix<double> quadratic_laplacian(const Face_table& table, double factor);
 Eigen::SparseMatrix<double> quadratic_mass_matrix(const Face_table& table, double factor);
 
@@ -40,7 +40,7 @@ with constants in its kernel; the natural border condition is Neumann's.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \return a compressed matrix with a row per vertex, and after them one per number of an edge, without
-  dimension; of a cover divided by the number of sheets. Rows of numbers that no edge has are zero
+  dimension; on a cover divided by the number of sheets. Rows of numbers without an edge are zero
 \throws Invalid_input if a face has no area
 \complexity linear
 */

@@ -26,8 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \brief asks for what matrices on tangent vectors are assembled from: a triangulation that is
-/// measured and numbered.
+/// \brief requires a measured and numbered triangulation, for matrices on tangent vectors.
 template <class Triangulation>
 concept ConnectedTriangulation =
     MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;
@@ -50,8 +49,7 @@ inline std::complex<double> unit_vector(const std::complex<double>& z) {
   return scaled / std::abs(scaled);
 }
 
-// Refuses the surface of a cloud of points: vectors on the sheets at a point have nothing in
-// common.
+// Refuses the surface of a point cloud: the sheets at a point share no tangent plane.
 template <class Triangulation>
 void expect_tangent_planes(const Triangulation& t) {
   const std::uint32_t sheets = t.input().names().sheets;
@@ -61,10 +59,10 @@ void expect_tangent_planes(const Triangulation& t) {
                                 "Point_cloud_vectors for vectors");
 }
 
-// What border vertices do to angles.
+// How angles at border vertices are scaled.
 enum class Border_angles {
-  half_circle, // they are scaled to half a circle (§2.4)
-  as_they_are  // nothing, up to three quarters of a circle: flat surfaces have flat connections
+  half_circle, // to half a circle (§2.4)
+  as_they_are  // not at all up to three quarters of a circle: flat surfaces stay flat
 };
 
 // The angles of halfedges about their sources, counterclockwise from the first, scaled: at inner
@@ -88,7 +86,7 @@ public:
 
   // the angle of a halfedge from the first one at its source
   double operator[](std::uint32_t h) const { return angle_[h]; }
-  // what angles on the surface are multiplied by in the fan of a halfedge
+  // the factor of angles on the surface in the fan of a halfedge
   double scale(std::uint32_t h) const { return scale_[h]; }
 
 private:
@@ -124,21 +122,20 @@ struct Connection_edge {
   double length; // in scaled units
   double source_angle, target_angle;
 
-  // what a vector at the source is multiplied by to be parallel to it at the target
+  // the angle that turns a vector at the source to the parallel one at the target
   double turn() const { return target_angle + std::numbers::pi - source_angle; }
 };
 
-// All that solvers for tangent vectors need of a triangulation, a number for each copy of a vertex:
-// edges and the areas of vertices, in scaled units. An edge whose weight is negative (in a Delaunay
-// triangulation only on the border) has the weight zero: where the surface is curved, it would make
-// the matrix indefinite.
+// A triangulation for solvers for tangent vectors: edges and the areas of vertices, with a number
+// per copy of a vertex, in scaled units. Negative weights (in a Delaunay triangulation only on the
+// border) become zero: on a curved surface they would make the matrix indefinite.
 struct Connection_graph {
   std::size_t size = 0;
   std::vector<Connection_edge> edges;
   std::vector<double> areas;      // a third of the area of the faces at each vertex
   double squared_mean_length = 0; // of edges
 
-  // for each vertex, the least of those that edges of positive weight connect it with
+  // for each vertex, the least vertex that edges of positive weight connect with it
   std::vector<std::uint32_t> parts() const {
     return joined_sets(size, [this](const auto& join) {
       for (const Connection_edge& e : edges)

@@ -32,10 +32,10 @@ operators. With the hat function phi_i of vertex i,
     (div X)_i = - sum over the faces at i of A <grad phi_i, X>
     (curl X)_i = (div -iX)_i
 
-Divergence and curl are integrated: they are those of the smooth field times the mass of a vertex.
-So `divergence(gradient(u))` is `-L u`, with L the cotangent Laplacian, and `curl(gradient(u))` zero
-at inner vertices, up to rounding. On the border both include the flux through it. Of a cover, all
-sheets are summed and divided by their number.
+Divergence and curl are integrated: those of the smooth field times the mass of a vertex. So
+`divergence(gradient(u))` is `-L u`, with L the cotangent Laplacian, and `curl(gradient(u))` is zero
+at inner vertices, up to rounding. At the border both include the flux through it. On a cover they
+are the mean over the sheets.
 */
 class Face_gradient {
 public:
@@ -44,7 +44,7 @@ public:
   using Function = Eigen::VectorXd;    ///< a value per vertex
 
   /*!
-  \brief measures the faces of a triangulation, of which nothing is kept.
+  \brief measures the faces of a triangulation; no reference to it is kept.
   \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
   \throws Invalid_input if a face has no area
   \complexity linear
@@ -61,22 +61,21 @@ public:
 
   /// returns the number of vertices.
   Eigen::Index number_of_vertices() const { return vertices_; }
-  /// returns the number of numbers of faces; one that no face has has the gradient zero.
+  /// returns the number of face numbers. A number without a face has gradient zero.
   Eigen::Index number_of_faces() const { return static_cast<Eigen::Index>(faces_.size()); }
-  /// returns the area of the face with a number, zero where there is none; of a cover, of each
-  /// copy.
+  /// returns the area of face number `f`, zero if there is none; on a cover, the area of each copy.
   double area(std::size_t f) const { return faces_[f].area; }
 
   /// returns the gradient of a function. \complexity linear
-  /// \throws std::invalid_argument if the function has not a value per vertex
+  /// \throws std::invalid_argument if the function does not have a value per vertex
   Vectors gradient(const Function& u) const;
 
   /// returns the integrated divergence of a field. \complexity linear
-  /// \throws std::invalid_argument if the field has not a vector per number of a face
+  /// \throws std::invalid_argument if the field does not have a vector per face number
   Function divergence(const Vectors& x) const;
 
   /// returns the integrated curl of a field. \complexity linear
-  /// \throws std::invalid_argument if the field has not a vector per number of a face
+  /// \throws std::invalid_argument if the field does not have a vector per face number
   Function curl(const Vectors& x) const { return divergence(Vector(0, -1) * x); }
 
   /// returns the gradient as a matrix with a row per number of a face and a column per vertex.
@@ -90,8 +89,8 @@ private:
     double area = 0;
   };
 
-  // The gradient of a hat function is the opposite side, turned by a right angle inwards, by twice
-  // the area.
+  // The gradient of a hat function is the opposite side, turned inwards by a right angle, divided
+  // by twice the area.
   // \return whether it is finite
   bool measure(const internal::Face_table& table, std::uint32_t f);
 

@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face as what is solved on it sees it: corner k is the source of side k, sides are
-// counterclockwise from halfedge(f). Lengths and areas are in scaled units.
+// A face for solvers: corner k is the source of side k; sides run counterclockwise from
+// halfedge(f). Lengths and areas are in scaled units.
 struct Table_face {
   std::array<int, 3> rows;                // of the corners
   std::array<std::uint32_t, 3> halfedges; // numbers of the sides
@@ -28,7 +28,7 @@ struct Table_face {
 
   double area() const { return quadruple_area / 4; }
   double length(std::size_t side) const { return std::sqrt(squared_lengths[side]); }
-  // half the cotangent at the corner opposite a side: what the face adds to the weight of the side
+  // half the cotangent at the corner opposite a side: the face's part of the side's weight
   double half_cotangent(std::size_t side) const {
     const auto& l = squared_lengths;
     return (l[(side + 1) % 3] + l[(side + 2) % 3] - l[side]) / (2 * quadruple_area);
@@ -41,8 +41,8 @@ struct Table_face {
   }
 };
 
-// What a field of one vector in a face adds to the divergence at its corners: the integral of <v,
-// grad hat function>.
+// The part of a face with vector v in the divergence at its corners: the integral of <v, grad hat
+// function>.
 // \param v in the frame of side 0
 inline std::array<double, 3>
 divergence_at_corners(const std::array<std::complex<double>, 3>& corners, std::complex<double> v) {
@@ -55,8 +55,7 @@ divergence_at_corners(const std::array<std::complex<double>, 3>& corners, std::c
   return result;
 }
 
-// A triangulation as one flat array of faces, for what is solved on it: nothing else asks it for
-// numbers.
+// A triangulation as one flat array of faces, for solvers.
 struct Face_table {
   std::vector<Table_face> faces;
   std::vector<std::uint32_t> slot; // of a face by its number
@@ -101,7 +100,7 @@ struct Face_table {
     return edges == 0 ? 1 : sum / static_cast<double>(edges);
   }
 
-  // Sides that have no face on their other side: the face and the side.
+  // Calls a function with the face and side of each border edge.
   template <class Function>
   void for_each_border_side(const Function& function) const {
     std::vector<char> sides(number_of_edges, 0);
@@ -121,7 +120,7 @@ struct Face_table {
   }
 };
 
-// Reads a triangulation; with exact traits, values are made narrow first.
+// Reads a triangulation; with exact traits, narrows values first.
 template <NumberedTriangulation Triangulation>
 Face_table face_table(const Triangulation& t) {
   const auto& mesh = t.mesh();
