@@ -67,6 +67,7 @@ public:
   using Mesh = Mesh_;                     ///< Connectivity.
   using Traits = Traits_;                 ///< Arithmetic.
   using Correspondence = Correspondence_; ///< Observer of the moves.
+  /// Whether there is a correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
   /// What is kept of the input.
   using Kept_input = std::conditional_t<has_correspondence, Input, Input_definition>;

@@ -31,24 +31,24 @@ namespace CGAL::Intrinsic_triangulations {
 \brief stores squared lengths and quadruple areas: intervals that contain the exact values, and
 doubles within.
 
-The middle of an interval that has grown wide is a poor approximation; doubles that are computed
-beside it, and kept within it, are a good one.
+The middle of a wide interval is a poor approximation; doubles computed beside it, and kept within
+it, are a good one.
 
-Predicates make intervals smaller: those are a cache of what is known of the exact values, which
-never change but by moves. So `refine()` is const; nothing is locked.
+Predicates narrow the intervals, which are a cache of the exact values; only moves change those. So
+`refine()` is const; there are no locks.
 */
 class Enclosed_values {
 public:
   /// Number type of the intervals.
   using FT = Interval_nt<false>;
 
-  /// What a flip makes: intervals, and the doubles that are kept beside them.
+  /// New values of a flip: intervals, and the doubles beside them.
   struct Flipped {
     Flipped_values<FT> enclosure;         ///< intervals that contain the values
     Flipped_values<double> approximation; ///< values in floating point
   };
 
-  /// What an insertion or a removal of a vertex makes: intervals, and doubles.
+  /// New values of an insertion or a removal of a vertex: intervals and doubles.
   using New_values = std::pair<Vertex_move_values<FT>, Vertex_move_values<double>>;
 
   /// constructs no values.
@@ -83,22 +83,22 @@ public:
     return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
-  /// tells whether the squared length of an edge is known to 2^-41 of it.
+  /// tells whether the interval of the squared length of an edge has relative width at most 2^-41.
   bool is_narrow(std::uint32_t edge) const {
     const FT& x = squared_length_[edge];
     return is_narrow(x, x.sup());
   }
-  /// tells whether the quadruple area of a face is known to 2^-41 of it.
+  /// tells whether the interval of the quadruple area of a face has relative width at most 2^-41.
   bool is_area_narrow(std::uint32_t face) const {
     const FT& x = quadruple_area_[face];
     return is_narrow(x, x.sup());
   }
-  /// tells whether a face is known precisely enough to place points by it; lengths are those of an
+  /// tells whether the values of a face are precise enough to place points in it, for lengths of an
   /// ordinary face.
   bool is_narrow(const Indexed_face& face) const;
 
-  /// computes a flip so that the doubles stay good, see `flipped_consistently()`; for edges that
-  /// may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
+  /// computes a flip so that the doubles stay good, see `flipped_consistently()`. Use it for edges
+  /// that may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
   std::optional<Flipped> compute_consistent_flip(const Diamond& d) const {
     return Flipped{flipped_nonnegative(enclosure(d)), flipped_consistently(approximation(d))};
   }
@@ -119,19 +119,19 @@ protected:
     return gather(length_, area_, f);
   }
 
-  /// computes what a flip makes. \pre the diamond is strictly convex
-  // inlined by force: passing what it returns takes a tenth of the time of a flip
+  /// computes the new values of a flip. \pre the diamond is strictly convex inlined by force:
+  // passing what it returns takes a tenth of the time of a flip
   BOOST_FORCEINLINE Flipped flipped_values(const Diamond& d) const {
     return {flipped_nonnegative(enclosure(d)), flipped(approximation(d))};
   }
 
-  /// returns what a flip replaces.
+  /// returns the values that a flip replaces.
   Flipped stored(const Diamond& d) const {
     return {{squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]},
             {length_[d.ij], area_[d.f], area_[d.g]}};
   }
 
-  /// stores what a flip makes.
+  /// stores the new values of a flip.
   BOOST_FORCEINLINE void store(const Diamond& d, const Flipped& n) {
     const auto& [enclosure, approximation] = n;
     squared_length_[d.ij] = positive_part(enclosure.km);
@@ -142,7 +142,7 @@ protected:
     area_[d.g] = nearest(approximation.area_g, quadruple_area_[d.g]);
   }
 
-  /// stores what an insertion or a removal makes, for edges and faces that may be new.
+  /// stores the new values of an insertion or a removal, also for new edges and faces.
   void store(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> faces,
              const New_values& n);
 
@@ -161,10 +161,10 @@ protected:
   }
 
   /*!
-  \brief returns the weight of an edge between two faces by the doubles, if the intervals prove that
-  it is good enough.
+  \brief returns the weight of an edge between two faces from the doubles, if the intervals prove it
+  accurate enough:
 
-  That is: of the right sign, zero only where the intervals are zero too, and off by no more than
+  its sign is right, it is zero only where the intervals are zero too, and its error is at most
   2^-40 of itself or of min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in
   the two faces of functions that change by one along the edge.
   */
@@ -175,7 +175,7 @@ protected:
     const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),
                  right = cotangent_weight(d.ij, d.im, d.mj, d.g), weight = left + right,
                  size = std::abs(weight);
-    // as nearly always: the error that is told below, without dividing
+    // the usual case: the error bound below, without division
     const double product_of_areas = a_f.inf() * a_g.inf(),
                  part = rest_of_weight(left, q_f, a_f) * a_g.inf() +
                         rest_of_weight(right, q_g, a_g) * a_f.inf();

@@ -37,9 +37,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief stores squared lengths and quadruple areas as numbers of one type, and decides by computing
 with them.
 
-Exact iff `FT` is. With an inexact type decisions near ties are rounding's, a flip is refused unless
-it is certain to make areas that are positive, and a cap on the number of flips keeps algorithms
-finite.
+It is exact iff `FT` is. With an inexact type, rounding decides near ties, a flip is refused unless
+the new areas are certainly positive, and a cap on the number of flips ends algorithms.
 \tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
 \cgalModels{IntrinsicMetric}
 */
@@ -48,7 +47,7 @@ class Euclidean_metric {
 public:
   /// Number type of the stored values.
   using FT = FT_;
-  /// Nothing is needed around predicates.
+  /// Predicates need no special environment.
   struct Scope {};
   /// Whether predicates and constructions are exact, so that algorithms end without a cap.
   static constexpr bool is_exact =
@@ -94,8 +93,8 @@ public:
   /*!
   \brief returns the sign of `Delaunay_expression`, zero where rounding hides it.
 
-  A flip changes the sign. If stored values make it negative before and after, they do not know it,
-  and neither edge counts as not Delaunay: every edge that a flip makes passes the test.
+  A flip changes the sign. If the sign from stored values is negative both before and after,
+  rounding hides it, and both edges count as Delaunay: the new edge of every flip passes the test.
   */
   Sign sign(const Diamond& d, const Delaunay_expression& expression) const {
     const Sign s = CGAL::sign(expression(values(d)));
@@ -117,7 +116,7 @@ public:
 
   /*!
   \brief computes a flip.
-  \return nothing if an area would not be positive, as intervals must show, or a length be infinite
+  \return nothing unless intervals show that areas are positive and lengths finite
   */
   std::optional<Flipped> compute_flip(const Diamond& d) const {
     const Flipped n = flipped(values(d));
@@ -126,9 +125,9 @@ public:
     return n;
   }
 
-  /// computes a flip so that rounding does not add up, see `flipped_consistently()`; for edges that
-  /// may be Delaunay: on others errors do not grow, and it takes a quarter more time.
-  /// \return see `compute_flip()`; nothing, too, if an area may be rounding alone
+  /// computes a flip so that rounding does not add up, see `flipped_consistently()`; Use it for
+  /// edges that may be Delaunay: on others errors do not grow, and it takes a quarter more time.
+  /// \return see `compute_flip()`; also nothing if an area may be a mere rounding error
   std::optional<Flipped>
   compute_consistent_flip(const Diamond& d) const requires internal::has_precision<FT> {
     const Diamond_values<FT> v = values(d);

@@ -31,14 +31,13 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides exactly.
 
-A predicate is evaluated in interval arithmetic (the filter). Where that leaves the sign open, the
-owner decides, who knows where edges run on the input: see `Exact_values`, which all predicates take
-as their last argument. Better intervals found on the way replace the stored ones: they are a cache,
-so that predicates are const. Nothing is locked: not even predicates of one metric may run in two
-threads at a time.
+A predicate is evaluated in interval arithmetic (the filter). If the sign stays open, `Exact_values`
+decides from where edges run on the input; all predicates take it as their last argument. Narrower
+intervals found on the way replace the stored ones: they are a cache, so that predicates are const.
+There are no locks: not even predicates of one metric may run in two threads at a time.
 
-All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
-that interval arithmetic needs.
+All members except the constructors and `Scope` require a live `Scope`, which sets the rounding mode
+of interval arithmetic.
 \cgalModels{IntrinsicMetric}
 */
 class Exact_euclidean_metric : public Enclosed_values {
@@ -187,10 +186,10 @@ public:
 
   Zero exactly where the sum of the angles is pi, else of the right sign and not zero, with an error
   below 1e-12 of itself, or of min(1, E), where E is the least Dirichlet energy in the two faces of
-  functions that change by one along the edge; see `stored_weight()`. What stored values do not tell
-  so well is the double nearest to the exact weight, however it is found.
+  functions that change by one along the edge; see `stored_weight()`. If stored values are not
+  accurate enough, the result is the double nearest to the exact weight.
   \pre both faces have an area
-  \complexity constant as a rule; else linear in the number of input triangles under the diamond
+  \complexity usually constant; otherwise linear in the number of input triangles under the diamond
   */
   template <class Exact>
   double cotangent_weight(const Diamond& d, const Exact& exact) const;
@@ -205,7 +204,7 @@ private:
   void forget_signs(const Vertex_star& s);
   void forget_signs(const Border_star& s);
 
-  // what the filter cannot decide is rare
+  // rarely needed: the filter decides nearly always
   template <class Exact>
   Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression,
                   const Exact& exact) const;

@@ -24,14 +24,13 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief stores the metric as intervals that contain the exact values, and decides where they can.
 
-This is the filter of `Exact_euclidean_metric` alone. Decisions that it makes are right; an edge
-that intervals leave open is not flipped, and `statistics().undecided` counts it. So flipping to
-Delaunay ends, as exactly as with exact traits, and nothing is claimed of undecided edges: they may
-be ties, or close to ties, or far from them once intervals have grown wide. A flip is refused unless
-intervals show that it makes areas that are positive.
+This is only the filter of `Exact_euclidean_metric`. Its decisions are right; an edge that intervals
+leave open is not flipped, and `statistics().undecided` counts it. So flipping to Delaunay ends, as
+with exact traits. Undecided edges may be ties, close to ties, or far from them once intervals have
+grown wide. A flip is refused unless intervals show that the new areas are positive.
 
-All members but the constructors and `Scope` ask for a live `Scope`, which sets the rounding mode
-that interval arithmetic needs.
+All members except the constructors and `Scope` require a live `Scope`, which sets the rounding mode
+of interval arithmetic.
 \cgalModels{IntrinsicMetric}
 */
 class Interval_metric : public Euclidean_metric<Interval_nt<false>> {
@@ -61,7 +60,7 @@ public:
                   std::vector<FT> quadruple_areas)
       : Base(scale_exponent, std::move(squared_lengths), std::move(quadruple_areas)) {}
 
-  /// tells whether the angles opposite the edge sum to at most pi, or intervals do not tell.
+  /// tells whether the angles opposite the edge sum to at most pi, or intervals leave it open.
   bool is_locally_delaunay(const Diamond& d) const {
     ++statistics().checks;
     const FT& ij = squared_length(d.ij);
@@ -116,8 +115,7 @@ private:
 };
 
 /*!
-\brief lets an intrinsic triangulation compute in intervals of doubles, without anything behind
-them.
+\brief lets an intrinsic triangulation compute in intervals of doubles only.
 \cgalModels{IntrinsicTriangulationTraits}
 */
 struct Interval_traits {

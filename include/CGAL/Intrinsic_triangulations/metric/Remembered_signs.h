@@ -15,29 +15,29 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief remembers how predicates on edges were decided, until a face at the edge changes: ties and
-what doubles cannot tell would be decided again and again.
+\brief stores how predicates on edges were decided, until a face at the edge changes. Otherwise
+ties, and cases that doubles leave open, would be decided repeatedly.
 */
 class Remembered_signs {
 public:
-  /// A sign that is known.
+  /// A stored sign.
   struct Known {
     Sign sign;        ///< the sign
-    bool is_probable; ///< whether it was taken for zero without proof
+    bool is_probable; ///< whether it was assumed to be zero without proof
   };
 
-  /// remembers the sign of an edge.
+  /// stores the sign of an edge.
   void remember(std::uint32_t edge, const Known& known) {
     if (edge >= codes_.size()) codes_.resize(edge + std::size_t{1}, unknown);
     codes_[edge] = known.is_probable ? probable : static_cast<std::int8_t>(known.sign);
   }
-  /// returns the sign of an edge, if that is known.
+  /// returns the sign of an edge, if it is stored.
   std::optional<Known> find(std::uint32_t edge) const {
     if (edge >= codes_.size() || codes_[edge] == unknown) return std::nullopt;
     if (codes_[edge] == probable) return Known{ZERO, true};
     return Known{static_cast<Sign>(codes_[edge]), false};
   }
-  /// tells whether the sign of an edge is known to be zero, or was taken for that.
+  /// tells whether the stored sign of an edge is zero, proven or assumed.
   bool is_zero(std::uint32_t edge) const {
     const std::optional<Known> known = find(edge);
     return known && known->sign == ZERO;

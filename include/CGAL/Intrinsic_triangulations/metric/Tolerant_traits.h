@@ -19,7 +19,7 @@ An edge counts as Delaunay unless cot k + cot m < -tolerance for the angles oppo
 unless q_f a_g + q_g a_f < -tolerance a_f a_g: cotangents are free of units, so that the scale of
 the mesh does not matter. This is what programs in floating point commonly do in order not to flip
 ties back and forth. The result may have edges that are not Delaunay; `sign()` and
-`check_delaunay()`, which do not tolerate anything, tell how many, as far as `FT` can.
+`check_delaunay()` have no tolerance and count them, up to the precision of `FT`.
 \tparam FT_ see `Euclidean_metric`
 \tparam Tolerance the tolerance, a positive `std::ratio`; without one, take `Euclidean_metric`
 \cgalModels{IntrinsicMetric}

@@ -17,9 +17,9 @@
 
 /*!
 \file
-Makes the floating point types of Boost.Multiprecision CGAL number types, so that
-`Euclidean_traits` takes them; CGAL itself knows the integers and rationals only. Use them without
-expression templates:
+Makes the floating point types of Boost.Multiprecision CGAL number types, so that `Euclidean_traits`
+takes them; CGAL itself supports only the integers and rationals. Use them without expression
+templates:
 
     using FT = boost::multiprecision::number<
         boost::multiprecision::cpp_bin_float<100, boost::multiprecision::digit_base_2>,

@@ -28,9 +28,9 @@ inline double inverse_binade(double x) {
   return e == 0 || e >= largest ? 1. : std::bit_cast<double>(largest - e);
 }
 
-// A sum of angles of corners in doubles, which decides nothing: the product of their z, see
-// `Wedge_expression.h`, up to its sign and a positive factor, so that its argument is in [0, pi);
-// and how many half turns there are before.
+// An approximate sum of angles of corners in doubles, never used for decisions: the product of
+// their z, see `Wedge_expression.h`, up to its sign and a positive factor, so that its argument is
+// in [0, pi); and how many half turns there are before.
 class Angle_sum {
 public:
   // Adds the corner at the source of the first side of a face. \return a power of two that keeps
@@ -122,8 +122,8 @@ Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
   return SMALLER;
 }
 
-// Compares the angle of a wedge with pi, as far as the intervals that a metric stores tell: see
-// `compare_wedge_to_pi()`.
+// Compares the angle of a wedge with pi by the stored intervals of a metric, which may leave it
+// open: see `compare_wedge_to_pi()`.
 template <class Metric>
 std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, const Wedge& w) {
   using FT = typename Metric::FT;
@@ -141,9 +141,9 @@ std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, 
 }
 
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the
-// face of h. If g is the opposite of h, it is all about the vertex. False if a side in between has
-// no face, or `may_pass()` refuses its halfedge from the vertex, or g is in another fan of a vertex
-// that is not manifold. `values` tells what doubles know of a face from a halfedge on. `wedge` is a
+// face of h. If g is the opposite of h, it goes all around the vertex. Returns false if a side in
+// between has no face, or `may_pass()` refuses its halfedge from the vertex, or g is in another fan
+// of a nonmanifold vertex. `values` returns the doubles of a face from a halfedge on. `wedge` is a
 // `Wedge` or, if that is enough, an `Angle_sum`.
 template <class Triangulation, class Corners, class Values, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -167,7 +167,7 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
   }
 }
 
-// by what the metric knows
+// by the stored values of the metric
 template <class Triangulation, class Corners, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
                 typename Triangulation::halfedge_descriptor g, Corners& wedge,
@@ -189,8 +189,8 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
                     [](typename Triangulation::halfedge_descriptor) { return true; });
 }
 
-// Compares the angle of a wedge from h to g with pi, which a session may know how to without
-// finding it again.
+// Compares the angle of a wedge from h to g with pi; a session may do so without finding the wedge
+// again.
 template <class Session, class Halfedge>
 Comparison_result compare_to_pi(const Session& session, Halfedge h, Halfedge g,
                                 const Wedge& wedge) {

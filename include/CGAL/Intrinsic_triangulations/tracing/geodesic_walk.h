@@ -54,8 +54,8 @@ public:
   /*!
   \brief starts from a point, in a direction.
 
-  From an edge or a vertex the line may leave the given face at once. At a vertex a direction that
-  points out of the face is turned to from the side that is nearer.
+  From an edge or a vertex the line may leave the given face at once. At a vertex, a direction that
+  points out of the face is measured around the vertex from the nearer side.
   \param complex the surface, which must outlive the walk
   \param p the point
   \param direction a vector in the frame of the halfedge of `p`, not zero

@@ -79,7 +79,7 @@ inline double part_of_line(const Strip_side& s, const Geodesic_to_target& r) {
   return std::clamp(std::hypot(x, y) / r.length, 0.0, 1.0);
 }
 
-// The way of intrinsic halfedge 2e over the input.
+// The path of intrinsic halfedge 2e over the input.
 template <class Triangulation, class Signposts>
 Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signposts,
                                   std::uint32_t edge) {
@@ -98,7 +98,7 @@ Edge_path trace_edge_by_signposts(const Triangulation& t, const Signposts& signp
     return Surface_point{walk.face().side[0], walk.weights()};
   };
   add(end(h), 0);
-  double last = 0; // in order whatever rounding does
+  double last = 0; // keeps the order despite rounding
   const bool is_forward = strip.empty() || strip.front().halfedge == crossings.front().halfedge;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const Geodesic_crossing& c = crossings[i];
@@ -129,8 +129,8 @@ vertices_on_input_halfedge(const Triangulation& t, const Signposts& signposts, s
   return on_it;
 }
 
-// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices
-// that were inserted on it.
+// The path of an input halfedge over the intrinsic triangulation: part by part, between the
+// vertices inserted on it.
 template <class Triangulation, class Signposts>
 Edge_path trace_input_edge_by_signposts(const Triangulation& t, const Signposts& signposts,
                                         std::uint32_t x) {

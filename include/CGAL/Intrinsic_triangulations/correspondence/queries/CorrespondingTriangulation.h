@@ -28,8 +28,8 @@ using Correspondence_of =
 template <class Triangulation>
 concept Has_curves = CurveCoordinates<Correspondence_of<Triangulation>>;
 
-// A correspondence that queries are answered from. Asked of the model alone, as triangulations are
-// not complete where they take it.
+// A correspondence that answers queries. It constrains the model alone, since the triangulation may
+// be incomplete there.
 template <class Correspondence>
 concept Answers_queries = requires(const Correspondence& c) {
   { c.input() } -> std::same_as<const Input&>;
@@ -45,7 +45,7 @@ concept Has_queries = requires(const Triangulation& t) {
 } // namespace internal
 
 /*!
-\brief asks for a triangulation that knows where it is on its input.
+\brief requires a triangulation whose correspondence stores where it lies on its input.
 
 Syntax of \ref ::CorrespondingTriangulation, where its meaning is described.
 */
@@ -61,8 +61,8 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
 
 namespace internal {
 
-// Says what to do if there is nothing to answer queries from, before a concept says what is
-// missing.
+// Says what to do if no correspondence can answer queries, before the compiler reports the failed
+// concept.
 template <class Triangulation>
 consteval bool expect_correspondence() {
   if constexpr (requires(const Triangulation& t) { t.correspondence(); })
@@ -76,8 +76,8 @@ consteval bool expect_correspondence() {
 } // namespace internal
 
 /*!
-\brief asks for a `CorrespondingTriangulation`, as all queries do, and says what to do for one that
-has no correspondence.
+\brief requires a `CorrespondingTriangulation`, as all queries do, and says what to do if there is
+no correspondence.
 */
 template <class Triangulation>
 concept QueriedTriangulation =

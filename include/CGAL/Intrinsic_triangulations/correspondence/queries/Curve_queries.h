@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The way of intrinsic halfedge 2e over the input.
+// The path of intrinsic halfedge 2e over the input.
 template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
                                std::uint32_t edge) {
@@ -56,7 +56,7 @@ Edge_path trace_edge_by_curves(const Triangulation& t, const Coordinates& coordi
   double last = 0;
   for (std::size_t i = 0; i < entered.size(); ++i) {
     const double x = strip.parameter(i);
-    last = std::max(last, strip.along(i, x)); // in order whatever rounding does
+    last = std::max(last, strip.along(i, x)); // keeps the order despite rounding
     add({entered[i], {1 - x, x, 0}}, last);
   }
   add(corner_on_input(view, coordinates, h ^ 1U), 1);
@@ -76,8 +76,8 @@ void add_crossings_of_strip(const View& view, const Curve_strip& strip, const Ad
   }
 }
 
-// The way of an input halfedge over the intrinsic triangulation: part by part, between the vertices
-// that were inserted on it.
+// The path of an input halfedge over the intrinsic triangulation: part by part, between the
+// vertices inserted on it.
 template <class Triangulation, CurveCoordinates Coordinates>
 Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& coordinates,
                                      std::uint32_t x) {
@@ -109,8 +109,8 @@ Edge_path trace_input_edge_by_curves(const Triangulation& t, const Coordinates& 
   return path;
 }
 
-// ---- Directions at vertices: the integers tell the sector, the input's geometry the angle within
-// it, with an error that does not grow with the number of moves
+// ---- Directions at vertices: the integers give the sector, the geometry of the input gives the
+// angle within it; its error does not grow with the number of moves
 
 // The direction of an intrinsic halfedge that starts at a vertex of the input: from an input
 // halfedge there.
@@ -193,39 +193,39 @@ direction_on_intrinsic(const Triangulation& t, const Coordinates& coordinates, s
 } // namespace internal
 
 /*!
-\brief answers all that queries ask of a correspondence, by curves.
+\brief answers all queries of a correspondence, by curves.
 
-A correspondence that is no model of `CurveCoordinates` has a member template `queries(t)`, which
-returns an object with the same functions: `locate_on_input()` and all other queries ask that.
+A correspondence that does not model `CurveCoordinates` has a member template `queries(t)`, which
+returns an object with the same functions: `locate_on_input()` and all other queries use it.
 \tparam Triangulation an `Intrinsic_triangulation`
 \tparam Coordinates a model of `CurveCoordinates`
 */
 template <class Triangulation, CurveCoordinates Coordinates>
 class Curve_queries {
 public:
-  /// refers to a triangulation and to what tells how it lies on its input.
+  /// refers to a triangulation and to its coordinates on the input.
   Curve_queries(const Triangulation& t, const Coordinates& curves) : t_(t), curves_(curves) {}
 
-  /// returns the point of the input at a point of the triangulation; nothing: it is not found.
+  /// returns the point of the input at a point of the triangulation, if found.
   std::optional<Mapped_point> on_input(const Surface_point& p) const {
     Unfolded_face<double> face;
     face.unfold(Intrinsic_view<Triangulation>(t_), curves_, p.halfedge,
                 approximate_values(curves_.input()));
     return face.locate(p.weights);
   }
-  /// returns the point of the triangulation at a point of the input; nothing: it is not found.
+  /// returns the point of the triangulation at a point of the input, if found.
   std::optional<Mapped_point> on_intrinsic(const Surface_point& p) const {
     return internal::Intrinsic_locator<Triangulation, Coordinates>(t_, curves_).locate(p);
   }
-  /// returns the way of halfedge `2 * edge` of the triangulation over the input.
+  /// returns the path of halfedge `2 * edge` of the triangulation over the input.
   Edge_path path_on_input(std::uint32_t edge) const {
     return internal::trace_edge_by_curves(t_, curves_, edge);
   }
-  /// returns the way of halfedge `x` of the input over the triangulation.
+  /// returns the path of halfedge `x` of the input over the triangulation.
   Edge_path path_on_intrinsic(std::uint32_t x) const {
     return internal::trace_input_edge_by_curves(t_, curves_, x);
   }
-  /// returns the edge of the input that an edge of the triangulation runs along; none: it does not.
+  /// returns the edge of the input along which an edge of the triangulation runs, or none.
   std::uint32_t input_edge_along(std::uint32_t edge) const {
     if (curves_.normal_coordinate(edge) >= 0) return Gluing::none;
     return curves_.fans().halfedge(curves_.roundabout(2 * edge)) / 2;
@@ -242,7 +242,7 @@ public:
     if (direction) direction->angle += turn;
     return direction;
   }
-  /// returns coordinates that a common subdivision is made from.
+  /// returns the coordinates for a common subdivision.
   const Coordinates& curves() const { return curves_; }
 
 private:
@@ -252,7 +252,7 @@ private:
 
 namespace internal {
 
-// What answers queries about a triangulation.
+// The object that answers queries about a triangulation.
 template <class Triangulation>
 auto queries(const Triangulation& t) {
   const auto& correspondence = t.correspondence();

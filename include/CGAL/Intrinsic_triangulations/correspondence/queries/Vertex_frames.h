@@ -24,9 +24,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief holds a tangent vector per vertex `v`, at its row `t.input_vertex(v)` as in all operators;
 `vertex_of_row()` is its inverse.
 
-On a cover these are no rows: each copy of a vertex has a tangent plane and a vector of its own: at
-the number of the copy, `t.input().names().vertices.user(t.index(v))`; those of inserted vertices
-follow.
+On a cover, each copy of a vertex has its own tangent plane and vector. The vector is then not at a
+row but at the number of the copy, `t.input().names().vertices.user(t.index(v))`; those of inserted
+vertices follow.
 
 It is a complex number in the polar coordinates of the vertex (§2.4 of the course): the real axis
 runs along the first halfedge that starts there, `opposite(halfedge(v, t.mesh()), t.mesh())`, and
@@ -37,7 +37,7 @@ using Tangent_field = std::vector<std::complex<double>>;
 
 namespace internal {
 
-// The polar coordinates at the vertices of a surface, which is read by numbers.
+// The polar coordinates at the vertices of a surface with numbered elements.
 template <class Surface>
 class Vertex_frames {
 public:
@@ -61,8 +61,8 @@ public:
   }
 
   // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a
-  // point. Of `degree` vectors that differ by turns of a full turn by it, one is given: their
-  // common powers are averaged, and one root is returned.
+  // point. Each corner stands for `degree` vectors at equal angles: their common powers are
+  // averaged, and one root is returned.
   template <class At>
   Plane_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
     const Geodesic_face face(surface_, p.halfedge);
@@ -107,8 +107,7 @@ bool is_isolated(const Triangulation& t, typename Triangulation::vertex_descript
          boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
 }
 
-// The frames at the vertices of an intrinsic triangulation, of which `view` is a view that outlives
-// them.
+// The frames at the vertices of an intrinsic triangulation; its `view` must outlive them.
 template <class Triangulation>
 Vertex_frames<Intrinsic_view<Triangulation>>
 intrinsic_frames(const Triangulation& t, const Intrinsic_view<Triangulation>& view) {

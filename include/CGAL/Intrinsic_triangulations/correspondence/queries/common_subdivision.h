@@ -242,12 +242,12 @@ Common_subdivision extract_subdivision(const Triangulation& t, const Coordinates
 \brief extracts the common subdivision of an intrinsic triangulation and its input (§3.6 of the
 course).
 
-Its connectivity follows from integers alone: it is that of a subdivision of both, whatever rounding
-does to the locations of the crossings.
+Its connectivity follows from integers alone, so that rounding of the crossings cannot invalidate
+it.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \throws std::length_error if there are more than 2^31 crossings
-\throws Invalid_input naming an intrinsic edge whose path signposts do not find
+\throws Invalid_input naming an intrinsic edge whose path signposts cannot find
 \complexity linear in the size of the result
 */
 template <QueriedTriangulation Triangulation>

@@ -26,14 +26,14 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The edge of the input that the user calls by a number.
+// The edge of the input with a user's number.
 std::uint32_t edge_of_name(const Input_definition& input, std::uint32_t name);
 
 } // namespace internal
 
 /*!
 \brief is a writable property map from the edges of an intrinsic triangulation to marks; copies
-share their values, and edges that are new have the value false.
+share their values, and new edges have the value false.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam Mark `bool`, or the type of labels, of which 0 is none
 */
@@ -93,8 +93,7 @@ Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t,
 /*!
 \brief marks the intrinsic edges that run along constrained edges of the user's mesh.
 
-To be passed as named parameter `edge_is_constrained_map`. Edges that refinement splits stay marked
-in their parts.
+Pass it as named parameter `edge_is_constrained_map`. The parts of a split edge stay marked.
 \tparam Mesh the type of the user's mesh
 \tparam EdgeIsConstrained a readable property map from edges of `Mesh` to `bool`
 \param t the triangulation; without correspondence, before its first move
@@ -115,7 +114,7 @@ Marked_edges<Triangulation> constrained_input_edges(const Triangulation& t, cons
     const internal::Named_mesh_elements<Mesh> named(t.correspondence().input(), mesh);
     for (const auto e : edges(mesh))
       if (get(map, e)) is_constrained[named.halfedge_on_input(halfedge(e, mesh)) / 2] = 1;
-  } else { // names are all that is known of the edges of the input
+  } else { // only names are stored of the edges of the input
     const Mesh_adaptor<Mesh> number(mesh);
     internal::check_is_mesh_of(t.input(), number.vertex_capacity(mesh));
     for (const auto e : edges(mesh))

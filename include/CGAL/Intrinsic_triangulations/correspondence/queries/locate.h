@@ -15,7 +15,7 @@
 
 /*!
 \file
-Points taken from one triangulation to the other, by whatever correspondence there is.
+Takes points from one triangulation to the other, by any correspondence.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -25,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param p a point of it
-\return the point; nothing only if `Signposts` have lost the way by rounding
+\return the point; nothing only if rounding misleads `Signposts`
 \complexity with curves, linear in the number of crossings of the face, and that of following them;
 with signposts, linear in the number of input edges between the point and a corner of its face
 */
@@ -40,7 +40,7 @@ std::optional<Surface_point> locate_on_input(const Triangulation& t, const Surfa
 \tparam Triangulation as for `locate_on_input()`
 \param t the triangulation
 \param p a point of its input
-\return the point; nothing only if `Signposts` have lost the way by rounding
+\return the point; nothing only if rounding misleads `Signposts`
 \complexity linear in the number of intrinsic edges that cross the longest side of the input face,
   and of those between it and the point
 */
@@ -70,7 +70,7 @@ locate_on_input(const Triangulation& t, const Face_location<typename Triangulati
 /*!
 \brief finds the place on the intrinsic triangulation of a place on the user's mesh.
 
-See `locate_on_input()`, which it undoes.
+This is the inverse of `locate_on_input()`.
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::optional<Face_location<typename Triangulation::Mesh>>

@@ -30,8 +30,8 @@
 
 /*!
 \file
-Places on the user's mesh, in the user's descriptors. The mesh is the one that the triangulation was
-built from, unchanged since; it is passed as the last argument.
+Places on the user's mesh, in the user's descriptors. The last argument is the unchanged mesh from
+which the triangulation was built.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -41,8 +41,7 @@ namespace CGAL::Intrinsic_triangulations {
 `halfedge(face, mesh)`: `CGAL::Polygon_mesh_processing::Face_location<Mesh, double>`, without the
 headers of that package.
 
-That corner is the last one that the face, and the file it was read from, lists: see
-`place_in_face()`.
+The face and its file list that corner last: see `place_in_face()`.
 */
 template <class Mesh>
 using Face_location =
@@ -64,7 +63,7 @@ std::array<double, 3> combination_of_corners(const Input& input, const Surface_p
   return position_on_face(input, input.face(p.halfedge), corners, p.weights, coordinates);
 }
 
-// The user's mesh as the names of the input know it.
+// The user's mesh, by the names of the input.
 template <class Mesh>
 class Named_mesh_elements {
   using Traits = boost::graph_traits<Mesh>;
@@ -161,9 +160,8 @@ const Input& kept_input(const Triangulation& t) {
 \brief returns the place in a triangle of a mesh at weights in the order in which the face lists its
 vertices.
 
-That is the order of `vertices_around_face(halfedge(f, mesh), mesh)`, of the file that the mesh was
-read from, and of `face:b0:b1:b2` on the command line; CGAL's `Face_location` begins at the last of
-them.
+This is the order of `vertices_around_face(halfedge(f, mesh), mesh)`, of the mesh's file, and of
+`face:b0:b1:b2` on the command line; CGAL's `Face_location` begins at the last of them.
 \param f the face
 \param weights weights of its corners
 \complexity constant
@@ -204,17 +202,17 @@ Surface_point point_in_triangle(const Triangulation& t, std::uint32_t triangle,
 }
 
 /*!
-\brief returns the vertex of the intrinsic triangulation that has a row in matrices, functions and
-distances: the user's vertex of that number. For programs with a soup, a cloud of points or a gluing
-instead of a mesh.
+\brief returns the vertex of the intrinsic triangulation with a given row in matrices, functions and
+distances, that is, the user's vertex of that number. Programs with a soup, a point cloud or a
+gluing instead of a mesh need it.
 
-`Intrinsic_triangulation::input_vertex()` undoes it. Rows of inserted vertices follow those of the
-user's; they are not found here.
+`Intrinsic_triangulation::input_vertex()` undoes it. It does not find inserted vertices, whose rows
+follow those of the user's.
 \param t the triangulation
 \param row the row
-\return the vertex; of a cover, the first of its copies
+\return the vertex; on a cover, the first of its copies
 \throws Invalid_input if the input has fewer rows
-\complexity constant; of a cover, logarithmic
+\complexity constant; on a cover, logarithmic
 */
 template <NumberedTriangulation Triangulation>
 typename Triangulation::vertex_descriptor vertex_of_row(const Triangulation& t, std::uint32_t row) {
@@ -269,7 +267,7 @@ vertex_on_intrinsic(const Triangulation& t, typename boost::graph_traits<Mesh>::
 /*!
 \brief returns the place on the user's mesh of a point of the input.
 
-See `surface_point()`, which it undoes.
+This is the inverse of `surface_point()`.
 */
 template <NumberedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Face_location<Mesh> face_location(const Triangulation& t, const Surface_point& p,

@@ -17,7 +17,7 @@
 
 /*!
 \file
-Tangent vectors taken from one triangulation to the other, by whatever correspondence there is.
+Takes tangent vectors from one triangulation to the other, by any correspondence.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a tangent vector at a point of a triangulation.
 
-At a vertex it points into the face in whose frame it is given, or is turned to about the vertex by
-the angle that it has from the side of the face that starts there.
+At a vertex, it points into the face of its frame, or its angle from the side of the face that
+starts there is measured around the vertex.
 */
 struct Tangent_vector {
   Surface_point point; ///< the point
@@ -78,13 +78,12 @@ std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent
 /*!
 \brief takes a tangent vector at a point of the intrinsic triangulation to the input.
 
-At vertices angles are those on the surface: they are not scaled. A vector that points out of the
-surface at the border is given in the frame of a face beside it.
+Angles at vertices are those on the surface, not scaled. A vector that points out of the surface at
+the border is given in the frame of a face beside it.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param v the vector
-\return the vector at its place on the input; nothing only if `Signposts` have lost the way by
-rounding
+\return the vector at its place on the input; nothing only if rounding misleads `Signposts`
 \complexity that of `locate_on_input()`; at a vertex, that of `trace_edge()`, and linear in its
 degree
 */
@@ -103,8 +102,8 @@ std::optional<Tangent_vector> tangent_to_input(const Triangulation& t, const Tan
 See `tangent_to_input()`.
 \param t the triangulation
 \param v the vector
-\return the vector at its place on the intrinsic triangulation; nothing only if `Signposts` have
-  lost the way by rounding
+\return the vector at its place on the intrinsic triangulation; nothing only if rounding misleads
+  `Signposts`
 \complexity that of `locate_on_intrinsic()`; at a vertex, linear in its degree
 */
 template <QueriedTriangulation Triangulation>

@@ -25,8 +25,8 @@
 
 /*!
 \file
-Tangent vector fields at vertices, taken from one triangulation to the other as a whole, by whatever
-correspondence there is.
+Takes whole tangent vector fields at vertices from one triangulation to the other, by any
+correspondence.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -73,7 +73,7 @@ public:
       if (is_isolated(t_, v)) continue;
       const Tangent_vector axis = axis_on_input(v);
       std::complex<double>& z = result[copies_(v)];
-      if (t_.is_inserted(v)) { // in a face, on the frames of which there are no two opinions
+      if (t_.is_inserted(v)) { // in a face, whose frame is the same for all
         const Plane_vector<double> x = frames_.in_face(axis.point, at);
         z = std::complex<double>(x[0], x[1]) *
             std::conj(std::complex<double>(axis.vector[0], axis.vector[1]));
@@ -121,9 +121,8 @@ private:
 \brief takes a tangent vector field from the vertices of the user's mesh to those of the intrinsic
 triangulation.
 
-At vertices of the mesh vectors stay what they are, in other coordinates. At inserted vertices they
-are interpolated in the face of the input: the vectors at its corners are taken into its frame, as
-seen from there, and averaged.
+Vectors at vertices of the mesh only change their coordinates. Vectors at inserted vertices are
+averages in the face of the input: of the vectors at its corners, in its frame.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \tparam Mesh the type of the user's mesh
 \param t the triangulation
@@ -131,7 +130,7 @@ seen from there, and averaged.
   real axis runs along `opposite(halfedge(v, mesh), mesh)`, scaled as in `Tangent_field`
 \param mesh the mesh that `t` was built from, with manifold vertices; its faces may be polygons
 \return the vectors, in the coordinates of `t`; zero at isolated vertices
-\throws std::invalid_argument if the field has not a vector per vertex
+\throws std::invalid_argument if the field does not have one vector per vertex
 \throws Invalid_input if the mesh is another one
 \complexity linear, and for each vertex that of `tangent_to_input()`
 */
@@ -145,7 +144,7 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 \brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the
 user's mesh.
 
-See `tangent_field_to_intrinsic()`, which it undoes: vectors at inserted vertices are left out.
+This is the inverse of `tangent_field_to_intrinsic()`; it omits vectors at inserted vertices.
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field& field,
@@ -155,12 +154,12 @@ Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field
 
 /*!
 \brief takes a tangent vector field from the vertices of the input to those of the intrinsic
-triangulation: for who has no mesh, but a soup or a gluing.
+triangulation, for programs with a soup or a gluing instead of a mesh.
 
 See the overload with a mesh. The real axis at vertex `v` of the input runs along
-`t.input().outgoing_halfedge(v)`; vectors are at the user's number of the vertex; of a cover, at the
-number of the copy, `t.input().names().vertices.user(v)`, and vertices that were inserted follow in
-the order of their numbers.
+`t.input().outgoing_halfedge(v)`; vectors are at the user's number of the vertex; on a cover, at the
+number of the copy, `t.input().names().vertices.user(v)`. Inserted vertices follow in the order of
+their numbers.
 */
 template <QueriedTriangulation Triangulation>
 Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_field& field) {
@@ -169,9 +168,9 @@ Tangent_field tangent_field_to_intrinsic(const Triangulation& t, const Tangent_f
 
 /*!
 \brief takes a tangent vector field from the vertices of the intrinsic triangulation to those of the
-input: for who has no mesh.
+input, for programs without a mesh.
 
-See `tangent_field_to_intrinsic()`, which it undoes.
+This is the inverse of `tangent_field_to_intrinsic()`.
 */
 template <QueriedTriangulation Triangulation>
 Tangent_field tangent_field_to_input(const Triangulation& t, const Tangent_field& field) {

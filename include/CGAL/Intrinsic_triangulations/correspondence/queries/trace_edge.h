@@ -18,7 +18,7 @@
 
 /*!
 \file
-Edges of one triangulation traced over the other, by whatever correspondence there is.
+Traces edges of one triangulation over the other, by any correspondence.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,7 +28,7 @@ namespace CGAL::Intrinsic_triangulations {
 \tparam Triangulation a model of `CorrespondingTriangulation`
 \param t the triangulation
 \param e the edge
-\return its way, from the source of its halfedge `2 * t.index(e)`
+\return its path, from the source of its halfedge `2 * t.index(e)`
 \complexity linear in the number of crossings; with `Integer_coordinates`, in the number of steps of
   `follow_curves()`
 */
@@ -42,7 +42,7 @@ Edge_path trace_edge(const Triangulation& t, typename Triangulation::edge_descri
 \tparam Triangulation as for `trace_edge()`
 \param t the triangulation
 \param x a halfedge of the input, by its number
-\return its way, from the source of the halfedge
+\return its path, from the source of the halfedge
 \complexity linear in the number of crossings, in the degrees of its ends, and with `Signposts` in
   the number of inserted vertices
 */
@@ -56,7 +56,7 @@ Edge_path trace_input_edge(const Triangulation& t, std::uint32_t x) {
 \param t the triangulation
 \param e the edge
 \param mesh the mesh that `t` was built from; its faces may be polygons
-\return its way, from the source of `halfedge(e, mesh)`
+\return its path, from the source of `halfedge(e, mesh)`
 \throws Invalid_input if the mesh is another one
 \complexity see the overload without mesh
 */

@@ -24,15 +24,16 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a geodesic over the faces of a triangulation.
 */
 struct Geodesic {
-  /// `done`, `border`: it was reached before, or `cap`: the number of faces was.
+  /// `done`; `border` if it reached the border before its length; `cap` if it reached the cap on
+  /// faces.
   Status status = Status::done;
-  /// The start, a point on each edge that is crossed, in a face that it leaves, and the end.
+  /// The start, a point on each crossed edge (in the face before it), and the end.
   std::vector<Surface_point> points;
   /// Unit vector along it at its end, in the frame of the halfedge of the last point.
   Plane_vector<double> direction{1, 0};
   /// Its length, in the units of the input.
   double length = 0;
-  /// Bound of the first order on the error of the end, in the units of the input.
+  /// First-order bound on the error of the end, in the units of the input.
   double error = 0;
   /// Vector along it at its start, as it was given, in the frame of the halfedge of the first
   /// point.
@@ -72,19 +73,19 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
 \brief traces a geodesic over the intrinsic triangulation (§2.4.2 of the course): the exponential
 map.
 
-Inside faces and across edges it is straight, at an interior vertex it goes straightest, at the
-border it stops.
+It is straight inside faces and across edges, continues straightest at an interior vertex, and stops
+at the border.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param start a point of it
 \param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above;
-  the norm does not matter. At a vertex a direction that points out of the face is turned to from
-  the side that is nearer.
+  the norm does not matter. At a vertex, a direction that points out of the face is measured around
+  the vertex from the nearer side.
 \param length the length to go, in the units of the input
 \param np optional named parameters: - `maximum_faces(n)`: number of faces after which to give up.
   Default: 2^22. - `snaps_to_vertices(b)`: whether a line that meets a vertex up to rounding goes
-  through it; otherwise it passes it on one side. Default: true.
+  through it; otherwise it passes on one side. Default: true.
 \pre the direction is not zero
 \complexity linear in the number of crossings, and in the degrees of the vertices that are hit
 */

@@ -152,8 +152,8 @@ ones included.
 \param t the triangulation
 \param field the vectors
 \param mesh the mesh that `t` was built from
-\return vectors, indexed as `field`; zero where there is no vertex, or where `Signposts` have lost
-the way by rounding
+\return vectors, indexed as `field`; zero where there is no vertex, or where rounding misleads
+`Signposts`
 \pre the faces of the mesh have an area
 \complexity that of `tangent_to_input()` for each vertex
 */
@@ -165,8 +165,8 @@ std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
 }
 
 /*!
-\brief takes a tangent vector field to space, for who has no mesh, but a soup or a gluing, and
-points.
+\brief takes a tangent vector field to space, for programs with a soup or a gluing, and points,
+instead of a mesh.
 
 See the overload with a mesh.
 \param t the triangulation
@@ -190,8 +190,8 @@ Between the corners of an intrinsic face the field is interpolated, in the frame
 \param field the vectors
 \param s the common subdivision
 \param mesh the mesh that `t` was built from
-\param degree how many directions, turned by equal angles, are alike: `field` has one of them at
-  each vertex
+\param degree number of equivalent directions at equal angles: `field` has one of them at each
+  vertex
 \return the vectors at the centres of the faces: `degree` of them for each face, one after the
   other, counterclockwise
 \pre the faces of the mesh have an area

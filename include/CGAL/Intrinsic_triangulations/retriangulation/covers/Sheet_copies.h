@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds the copies of inserted vertices on a cover, and the edges over seams. Where nobody knows
-// the places of vertices, there are none.
+// Finds the copies of inserted vertices on a cover, and the edges over seams. Without stored places
+// of vertices there are none.
 template <class Triangulation>
 class Sheet_copies {
 public:
@@ -49,7 +49,7 @@ public:
   }
 };
 
-// Neither are there any on surfaces that are no covers.
+// Surfaces that are not covers have no copies.
 template <Knows_places Triangulation>
 class Sheet_copies<Triangulation> {
   using View = Intrinsic_view<Triangulation>;
@@ -64,11 +64,11 @@ public:
     find_copies();
   }
 
-  // whether vertices have copies, and their places are known: a flip of an edge that would be
-  // crossed too often ends that
+  // whether vertices have copies with known places: a flip of an edge with too many crossings ends
+  // that
   bool exist() const { return sheets_.has_value() && places() != nullptr; }
 
-  // Flips away the edges that cross a seam, as a rule all of them. \return how many flips that took
+  // Flips away the edges that cross a seam, usually all of them. \return how many flips that took
   template <class Session>
   std::uint64_t restore_seams(Session& session) {
     if (!exist()) return 0;
@@ -90,8 +90,8 @@ public:
     return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
   }
 
-  // Whether the copies of a vertex that are still to be inserted will be at a distance, squared,
-  // from the vertices of the faces that they are in, and of those beside, but not beyond segments.
+  // Whether the copies of a vertex, before their insertion, keep a given squared distance from the
+  // vertices of their faces and of the neighbouring faces, but not beyond segments.
   template <class Is_segment>
   bool keep_distance(std::uint32_t vertex, double distance, const Is_segment& is_segment) const {
     return std::ranges::all_of(missing(vertex), [&](const Surface_point& place) {
@@ -114,9 +114,9 @@ public:
     if (is_on_seam(p)) on_seam_.erase({p.halfedge / 2, parameter(p)});
   }
 
-  // Where a place of the input is now: on an edge if there is one along the input edge of the
-  // place. Away from seams rounding may have moved it to a face beside that where it is: those
-  // beyond the sides come next, the nearest first.
+  // Finds a place of the input on the triangulation: on an edge if one runs along the input edge of
+  // the place. Away from seams, rounding may move it to a neighbouring face: the faces beyond the
+  // sides follow, the nearest first.
   std::vector<Surface_point> locate(const Surface_point& place) const {
     if (!exist()) return {};
     if (const auto p = locate_on_seam(place)) return {*p};
@@ -128,7 +128,7 @@ public:
     std::ranges::sort(sides, {}, [](const Surface_point& q) { return q.weights[2]; });
     for (const Surface_point& q : sides) {
       if (!Triangulation::Metric::is_exact && q.weights[2] >= nearness)
-        break; // nobody would refuse a face far from the place
+        break; // no later check would refuse a face far from the place
       if (const std::uint32_t o = q.halfedge ^ 1U; !View(t_).is_border(o))
         result.push_back(in_or_on({o, {q.weights[1], q.weights[0], 0}}, place));
     }
@@ -154,7 +154,7 @@ private:
   // an edge and the parameter along its even halfedge
   using Place_on_edge = std::pair<std::uint32_t, double>;
 
-  // asked each time, as they may be given up
+  // read each time, since they may be dropped
   const Integer_coordinates* places() const { return t_.places(); }
 
   // those of an earlier refinement
@@ -173,8 +173,8 @@ private:
   }
   static double parameter(const Surface_point& p) { return p.weights[p.halfedge % 2 == 0 ? 1 : 0]; }
 
-  // By the order of vertices on the seam, without rounding; nothing if the place is on none, or
-  // that is crossed by edges.
+  // By the order of vertices on the seam, without rounding; nothing if the place is not on a seam,
+  // or edges cross the seam.
   std::optional<Surface_point> locate_on_seam(const Surface_point& place) const {
     if (!is_on_seam(place)) return std::nullopt;
     const std::uint32_t edge = place.halfedge / 2;

@@ -26,8 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Restored_edges {
   std::uint64_t flips = 0; ///< Edges flipped.
-  /// Number in `t.input()` of the first edge that could not be restored; `Gluing::none`: all are
-  /// there.
+  /// Number in `t.input()` of the first edge that was not restored; `Gluing::none` if all were.
   std::uint32_t missing = Gluing::none;
 };
 
@@ -46,7 +45,7 @@ public:
   std::uint64_t flips() const { return result_.flips; }
 
   // Restores an input edge, given by a halfedge, or all of its parts if vertices were inserted on
-  // it. Tells whether it is there.
+  // it. Returns whether this succeeded.
   bool operator()(std::uint32_t x) {
     const Intrinsic_view<Triangulation> view(t_);
     std::uint32_t vertex = coordinates_.input().source(x);
@@ -79,8 +78,8 @@ private:
     return crossed;
   }
 
-  // Flips one edge so that the part of x from a vertex crosses fewer; where a face is crossed more
-  // than once, there may be none.
+  // Flips one edge so that the part of x from a vertex crosses fewer edges; if it crosses a face
+  // twice, there may be no such flip.
   bool flip_off(const Intrinsic_view<Triangulation>& view, std::uint32_t vertex, std::uint32_t x,
                 const Crossed& crossed) {
     for (const auto h : crossed) {
@@ -114,9 +113,8 @@ if no flip had come before.
 \tparam Triangulation an `Intrinsic_triangulation` with a model of `CurveCoordinates` as
 correspondence
 \param t the triangulation
-\param is_wanted nonzero for each edge to be restored, by its number in `t.input()`; the others are
-as they may
-\return what was done; an edge that crosses a face more than once may stay away
+\param is_wanted nonzero for each edge to be restored, by its number in `t.input()`
+\return what was done; it may fail for an edge that crosses a face more than once
 \complexity quadratic in the number of edges that cross an edge
 */
 template <class Triangulation>

@@ -21,17 +21,16 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
-Flips edges that wait until none is left that is not locally Delaunay (§4.2 of the course,
-Algorithms 1 and 3). It can be used again and again: its memory stays.
+Flips waiting edges until all are locally Delaunay (§4.2 of the course, Algorithms 1 and 3). It
+keeps its memory for reuse.
 
 The tessellation that is found does not depend on the order of flips, but their number does. If
 short edges of slivers flip before long ones, they wind around the surface, and have to be flipped
 back. So no edge flips while a longer side of its faces waits: that one is tested first.
 
-Starting edges are tested in the order of memory, a few at a time. What their flips make suspect is
-tested before the next ones, while it is near in memory: by length, roughly, the long ones first,
-and those of about the same length in the order in which they became suspect, so that an edge that
-waits is tested once for many flips near it.
+Starting edges are tested in the order of memory, a few at a time. Edges near their flips are tested
+before the next starting edges, while they are in the cache: roughly the long ones first, and edges
+of similar length in the order of arrival. So a waiting edge is tested once for many flips near it.
 */
 template <class Triangulation>
 class Delaunay_flipper {
@@ -60,8 +59,8 @@ public:
 
   /*!
   Flips until none waits.
-  \param observer its `before_check()` and `before_flip()` tell whether to go on,
-  `is_constrained(h)` whether an edge that is not locally Delaunay is kept; `after_flip(h)` and
+  \param observer its `before_check()` and `before_flip()` return whether to go on,
+  `is_constrained(h)` whether to keep an edge that is not locally Delaunay; `after_flip(h)` and
   `refused(h)` are called
   \return whether none waits
   */
@@ -74,7 +73,7 @@ public:
 
 private:
   using Sides = std::array<Halfedge, 4>;
-  // of an edge; one that is known not to be Delaunay waits for longer sides of its faces
+  // of an edge; one that is not Delaunay waits for longer sides of its faces
   enum State : char { settled, suspect, not_delaunay };
 
   State& state(Halfedge h) { return state_[t_.index(edge(h, t_.mesh()))]; }

@@ -19,11 +19,11 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells what a triangulation is, exactly. If there are inverted faces or bent edges it is none,
-and the other numbers have no meaning.
+\brief certifies a triangulation exactly. If there are inverted faces or bent edges, it is not a
+triangulation, and the other numbers have no meaning.
 */
 struct Delaunay_certificate {
-  /// Faces whose area is not positive: edges that meet as they should not, which rounding can make.
+  /// Faces whose area is not positive: their edges cross, because of rounding.
   std::size_t inverted_faces = 0;
   /// Edges that do not run straight: a straight path between their ends passes vertices on another
   /// side.
@@ -66,12 +66,11 @@ Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t)
 }
 
 /*!
-\brief decides exactly whether a triangulation that was made in any arithmetic is Delaunay.
+\brief decides exactly whether a triangulation from any arithmetic is Delaunay.
 
-Nothing of its metric is used: neither lengths nor areas nor a history. Where its edges run on the
-input is all that counts: that is unfolded from the input (see `Integer_only_triangulation`).
-Inserted vertices are where `Integer_coordinates::location()` says, with weights rounded by
-`representable_weights()`.
+It uses only where edges run on the input, and unfolds them there (see
+`Integer_only_triangulation`); it reads no lengths, areas or history. Inserted vertices are where
+`Integer_coordinates::location()` says, with weights rounded by `representable_weights()`.
 \tparam Mesh a model of `MutableDeltaComplex`
 \tparam Traits a model of `IntrinsicTriangulationTraits`
 \tparam Correspondence any that answers queries

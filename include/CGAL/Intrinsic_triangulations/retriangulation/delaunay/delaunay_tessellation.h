@@ -18,8 +18,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells how the mesh of a Delaunay tessellation is made of an intrinsic triangulation. Its
-elements are numbered in the order of iteration.
+\brief maps the mesh of a Delaunay tessellation to the intrinsic triangulation. Its elements are
+numbered in the order of iteration.
 */
 struct Delaunay_tessellation {
   /// Number of cells: faces of the mesh.
@@ -29,13 +29,13 @@ struct Delaunay_tessellation {
   /// For each edge of the mesh the number of the intrinsic edge that it is, with the same
   /// direction.
   std::vector<std::uint32_t> intrinsic_edge;
-  /// For each vertex of the mesh its row, `t.input_vertex(v)`: its number, but of a cover.
+  /// For each vertex of the mesh its row, `t.input_vertex(v)`: its number, except on a cover.
   std::vector<std::uint32_t> row;
 };
 
 namespace internal {
 
-// Builds the mesh: intrinsic halfedges are kept, but for those of edges that are left out.
+// Builds the mesh from the intrinsic halfedges, except those of edges inside cells.
 template <class Triangulation, class Mesh>
 class Tessellation_builder {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -93,9 +93,8 @@ private:
     set_face(new_side(h), New_traits::null_face(), mesh_);
   }
 
-  // All faces of a cell are met between the halfedges of its boundary: they make a tree. If they
-  // did not, they would go around a vertex of their circle, or around its center, and that would
-  // not be flat.
+  // The walk along the boundary of a cell meets all of its faces, since they form a tree. Otherwise
+  // they would surround a vertex of their circle, or its center, and that would not be flat.
   void add_cell(Halfedge first) {
     const auto cell = add_face(mesh_);
     set_halfedge(cell, new_side(first), mesh_);
@@ -130,17 +129,17 @@ private:
 joined across edges whose opposite angles sum to exactly pi (§4.1 of the course).
 
 It is the same for all Delaunay triangulations of a surface (Bobenko and Springborn 2007). Its cells
-are polygons that are inscribed in empty circles, which may have several sides in common, or one
-side twice: what is built is a Delta-complex. Lengths of its sides are those of intrinsic edges.
+are polygons inscribed in empty circles. Two cells may share several sides, and one cell may have a
+side twice: the result is a Delta-complex. Its sides have the lengths of intrinsic edges.
 \tparam Triangulation a model of `IntrinsicTriangulation` and `NumberedTriangulation`; with inexact
   traits some edges whose angles sum to pi are kept, by rounding
 \tparam Mesh a model of `MutableFaceGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's
 polygon meshes
 \param t the triangulation \pre all edges are locally Delaunay; others are kept
 \param mesh an empty mesh, which is built: its vertices are those of `t` in the order of rows,
-  `t.input_vertex(v)`, without points; of a cover, a row has a vertex for each of its copies, see
+  `t.input_vertex(v)`, without points; on a cover, a row has a vertex for each of its copies, see
   `Delaunay_tessellation::row`
-\return what the elements of the mesh are in `t`
+\return the elements of `t` for those of the mesh
 \complexity linear
 */
 template <IntrinsicTriangulation Triangulation, class Mesh>

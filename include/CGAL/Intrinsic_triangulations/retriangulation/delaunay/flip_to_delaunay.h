@@ -87,15 +87,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(check_delaunay)
 \brief reports what flipping to Delaunay did.
 */
 struct Flip_to_delaunay_result {
-  /// `done`, `cap` or `cancelled`: all edges that may be flipped are locally Delaunay if it is
-  /// `done`.
+  /// `done`, `cap` or `cancelled`; after `done`, all edges that may be flipped are locally
+  /// Delaunay.
   Status status = Status::done;
   /// Number of edges flipped.
   std::uint64_t flips = 0;
   /// Number of edges tested.
   std::uint64_t checks = 0;
-  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses
-  /// too much of the input.
+  /// Number of flips refused: a computed area was not positive, or an edge would cross too much of
+  /// the input.
   std::uint64_t refused_flips = 0;
 };
 
@@ -104,7 +104,7 @@ struct Flip_to_delaunay_result {
 */
 struct Flip_to_delaunay_visitor {
   /*!
-  \brief is called now and then, about every 65536 checks.
+  \brief is called about every 65536 checks.
   \return whether to go on
   */
   bool progress(const Flip_to_delaunay_result&) { return true; }

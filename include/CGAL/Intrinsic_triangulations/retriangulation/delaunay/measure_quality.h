@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief describes the shapes of the faces of a triangulation, as doubles can tell.
+\brief describes the shapes of the faces of a triangulation, up to rounding.
 */
 struct Quality {
   /// Least angle, in degrees.
@@ -73,8 +73,8 @@ void measure_faces(const Triangulation& t, Quality& q) {
 \tparam Triangulation a model of `MeasuredTriangulation`
 \tparam Is_tie a functor from edges to `bool`
 \param t the triangulation
-\param is_tie tells which edges are known to be cocircular: their weight is zero, which exact traits
-would have to prove again
+\param is_tie tells which edges are known to be cocircular: their weight is zero, and exact traits
+need not prove it again
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation,
@@ -107,8 +107,7 @@ Quality measure_quality(const Triangulation& t) {
 }
 
 /*!
-\brief returns the energy that optimal Delaunay triangulations make least: the error of
-interpolating
+\brief returns the energy that optimal Delaunay triangulations minimize: the error of interpolating
 |x|^2, integrated over the faces (Chen and Xu, Optimal Delaunay triangulations, 2004).
 
 On a flat face the error is the sum of b_i b_j L_ij over its sides, in barycentric coordinates b,

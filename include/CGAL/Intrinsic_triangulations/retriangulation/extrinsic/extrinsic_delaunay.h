@@ -24,7 +24,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a triangle mesh in space on the surface of another mesh, every edge of which is Delaunay.
+\brief is a triangle mesh in space on the surface of another mesh; all its edges are Delaunay.
 */
 struct Extrinsic_delaunay_mesh {
   /// Coordinates of the vertices: first those of the user's mesh, in its order.
@@ -33,7 +33,7 @@ struct Extrinsic_delaunay_mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// A face of the user's mesh that each triangle lies on; it may lie on coplanar neighbours, too.
   std::vector<std::uint32_t> input_face;
-  /// What refinement did: `done`, or `cap`, where some edges are not Delaunay.
+  /// `done`, or `cap`: then some edges are not Delaunay.
   Status status = Status::done;
   /// How many vertices it inserted, and by which moves.
   Refinement_counts counts;
@@ -56,8 +56,8 @@ planar flips (Dyer, Zhang and Moeller 2007).
 
 Edges where the surface is bent are never flipped, only split until they are Delaunay; in flat parts
 edges flip. The mesh therefore has more vertices than the intrinsic Delaunay triangulation, which
-`flip_to_delaunay()` finds on the same vertices, and keeps the small angles of the input. It is for
-programs that take nothing but triangles in space.
+`flip_to_delaunay()` finds on the same vertices, and keeps the small angles of the input. Use it for
+programs that need triangles in space.
 
 New vertices lie on edges of the user's mesh or in its flat parts; their coordinates are rounded to
 doubles, all decisions before are exact.
@@ -70,7 +70,7 @@ doubles, all decisions before are exact.
   - `maximum_edge_length(x)`: largest length of edges. Default: any.
   - `maximum_insertions(n)`: cap on the number of insertions. Default: as for `delaunay_refine()`.
 \throws Invalid_input as `Intrinsic_input`, such as for a side of length zero
-\complexity linear in the number of vertices inserted, as a rule
+\complexity usually linear in the number of vertices inserted
 */
 template <ReadableFaceGraph FaceGraph, NamedParameters NP = parameters::Parameters<>>
 Extrinsic_delaunay_mesh extrinsic_delaunay(const FaceGraph& mesh,

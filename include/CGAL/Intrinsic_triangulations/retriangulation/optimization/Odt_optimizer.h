@@ -34,9 +34,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports what the optimisation did.
 */
 struct Odt_result {
-  /// `done`: no edge is longer than asked, and the energy hardly changes; `cap`: that on
-  /// iterations, insertions or, with inexact numbers, flips was reached; `cancelled`; or
-  /// `inaccurate`: the triangulation must not be used.
+  /// `done`: no edge is too long, and the energy hardly changes; `cap`: the cap on iterations,
+  /// insertions or, with inexact numbers, flips was reached; `cancelled`; or `inaccurate`: do not
+  /// use the triangulation.
   Status status = Status::cap;
   /// Iterations done.
   unsigned iterations = 0;
@@ -52,13 +52,13 @@ struct Odt_result {
   double energy_before = 0;
   /// The energy after.
   double energy_after = 0;
-  /// Vertices inserted in the end, for the least angle that was asked for.
+  /// Vertices inserted in the end, for the least angle.
   std::uint64_t insertions = 0;
   /// The least angle of all faces in the end, in degrees, rounded.
   double minimum_angle = 0;
-  /// Number of faces that have a smaller angle than asked for: `delaunay_refine()` would list them.
+  /// Number of faces with an angle below the bound: `delaunay_refine()` would list them.
   std::size_t unsatisfied_faces = 0;
-  /// What rounding has spoilt, if it is `inaccurate`.
+  /// Damage by rounding, if it is `inaccurate`.
   std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
@@ -79,9 +79,9 @@ namespace internal {
 Splits long edges and moves inserted vertices so that the energy of `odt_energy()` falls (§4.5 of
 the course).
 
-With the faces about a vertex kept, the energy is a quadratic polynomial of its position: every step
-along the way to the optimum lowers it, so far as all sides of the star stay visible. So do splits
-and Delaunay flips: with exact numbers the energy never rises.
+For fixed faces around a vertex, the energy is a quadratic polynomial of its position: every step
+towards the optimum lowers it, as long as all sides of the star stay visible. Splits and Delaunay
+flips lower it, too: with exact numbers the energy never rises.
 */
 template <class Triangulation, class Visitor>
 class Odt_optimizer {
@@ -106,7 +106,7 @@ public:
     squared_target_ = std::ldexp(length * length, 2 * t.metric().scale_exponent());
   }
 
-  /// optimises; `constrained` tells which edges are kept.
+  /// optimises; edges in `constrained` are kept.
   template <class Constrained>
   Odt_result run(const Constrained& constrained) {
     for (const auto e : edges(mesh_)) {
@@ -254,8 +254,8 @@ private:
     flipper_.run(*this);
   }
 
-  // The optimum, or as far on the way there as leaves some space to the rim; nowhere if that is
-  // about where the vertex is.
+  // The optimum, or a point on the way there that leaves some space to the rim; nothing if the
+  // vertex would hardly move.
   std::optional<Surface_point> next_place() const {
     Plane_vector<double> p = star_.optimum();
     const double space = least_space * star_.clearance({0, 0});
@@ -276,10 +276,10 @@ private:
 
   // ---- with floating point numbers
 
-  // Areas and lengths are stored apart, and thousands of moves in one place let areas drift by per
-  // cents of a face, lengths far less: what a removal takes for a straight angle is right to seven
-  // digits. So areas are taken from lengths now and then, but those of thin faces, where that
-  // cancels.
+  // Areas and lengths are stored separately. Thousands of moves in one place let areas drift by per
+  // cents of a face, lengths far less, since a removal finds a straight angle to seven digits. So
+  // areas are recomputed from lengths from time to time, except those of thin faces, where digits
+  // would cancel.
   void fit_areas_to_sides() {
     if constexpr (requires(Halfedge h, Flipped_values<double> n) { session_.correct_values(h, n); })
       for (const auto e : edges(mesh_)) {

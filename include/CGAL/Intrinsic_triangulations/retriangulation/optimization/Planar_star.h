@@ -23,9 +23,8 @@ polygon that is star-shaped about it.
 class Planar_star {
 public:
   /*!
-  Lays out the faces about the source of a halfedge. False if there is none of them on one side, if
-  an edge leads from the vertex to itself, or if the total angle is not a full one: the vertex
-  cannot be moved.
+  Lays out the faces about the source of a halfedge. Returns false if a face is missing, if an edge
+  joins the vertex to itself, or if the total angle is not a full turn: the vertex cannot be moved.
   */
   template <NumberedComplex Complex>
   bool load(const Complex& complex, std::uint32_t first) {
@@ -56,8 +55,8 @@ public:
   */
   Plane_vector<double> optimum() const;
 
-  /// The least distance from a point to the lines along the sides of the rim; negative where one is
-  /// not seen from inside.
+  /// The least distance from a point to the lines along the sides of the rim; negative if the point
+  /// is outside of one.
   double clearance(const Plane_vector<double>& p) const;
 
   /// The face that a point of the star is in, and its weights there; on an edge if it is close.

@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Refines faces that moves have left with smaller angles than asked for, with the parts of
-// constrained edges kept.
+// Refines faces in which moves left angles below the bound, and keeps the parts of constrained
+// edges.
 template <class Triangulation, class Optimizer>
 Constrained_segments restore_angles(Triangulation& t, const Refinement_settings& asked,
                                     const Optimizer& optimizer, Odt_result& result) {
@@ -51,12 +51,11 @@ based on optimal Delaunay triangulations, 2011).
 
 Each iteration splits the edges that are too long at their midpoints, then moves every inserted
 vertex to the mean of the circumcenters of the faces about it, weighted by their areas, or part of
-the way where that is outside of its star, and flips edges to Delaunay. Areas become even, at the
-cost of some smaller angles than `delaunay_refine()` leaves: unless a least angle is asked for, then
-`delaunay_refine()` follows, which also splits edges that are still too long. The vertices of the
-input stay, and the surface is what it was; so do vertices inserted on the border and on constrained
-edges. Moved vertices get new descriptors. With inexact traits the result is checked, see
-`delaunay_refine()`.
+the way if that is outside of its star, and flips edges to Delaunay. Areas become even, at the cost
+of some smaller angles than `delaunay_refine()` leaves. If a least angle is given,
+`delaunay_refine()` follows, which also splits edges that are still too long. The surface, the
+vertices of the input, and vertices inserted on the border and on constrained edges stay. Moved
+vertices get new descriptors. With inexact traits the result is checked, see `delaunay_refine()`.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
@@ -69,13 +68,13 @@ edges. Moved vertices get new descriptors. With inexact traits the result is che
   - `number_of_iterations(n)`: cap on the number of iterations. Default: 100.
   - `maximum_insertions(n)`: cap on the number of vertices inserted. Default: a million and ten per
     face.
-  - `convergence(x)`: it is done when an iteration without splits lowers the energy by less than
-    this fraction. Default: 1e-3.
+  - `convergence(x)`: stops when an iteration without splits lowers the energy by less than this
+    fraction. Default: 1e-3.
   - `edge_is_constrained_map(m)`: see `delaunay_refine()`
   - `visitor(v)`: see `Odt_visitor`
 \return status, counts, energies, the least angle that there is
 \throws std::invalid_argument if the largest length is not positive
-\complexity linear in the number of vertices for each iteration, as a rule
+\complexity usually linear in the number of vertices for each iteration
 */
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_values()) {

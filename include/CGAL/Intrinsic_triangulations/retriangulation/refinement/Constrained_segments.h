@@ -34,12 +34,12 @@ namespace CGAL::Intrinsic_triangulations {
 them.
 
 Such edges are those of the border and those that are constrained. Where two of them make an angle
-of less than 60 degrees at a vertex, splitting one at its midpoint may ask to split the other, and
-so on without end. Hence edges at such a vertex are split at distances from it that are powers of
-two, so that both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm for
-quality 2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins two
-such vertices is left alone (Shewchuk, Mesh generation for domains with small angles, 2000). Between
-segments whose angle is below the bound for angles no face can be expected to meet it, whatever the
+of less than 60 degrees at a vertex, splitting one at its midpoint may require a split of the other,
+and so on without end. Hence edges at such a vertex are split at distances from it that are powers
+of two, so that both get vertices at the same distances (Ruppert, A Delaunay refinement algorithm
+for quality 2-dimensional mesh generation, 1995, section 5), and a face whose shortest side joins
+two such vertices is left alone (Shewchuk, Mesh generation for domains with small angles, 2000).
+If the angle between two segments is below the bound, no face between them can meet it, whatever the
 distances.
 
 All elements are named by numbers, lengths are those of the complex.
@@ -51,7 +51,7 @@ public:
   \tparam Complex a model of `NumberedComplex`
   \param complex the surface
   \param h a halfedge of the edge
-  \param is_constrained false for an edge of the border that is nothing else
+  \param is_constrained false for a mere border edge
   \param is_seam whether the edge runs along a seam of a cover: it is split until it is locally
     Delaunay
   */
@@ -131,8 +131,8 @@ public:
   }
 
   /*!
-  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner: a
-  line between them is as short as the angle makes it.
+  \brief tells whether two vertices are on the two sides of a small angle, neither at its corner:
+  the small angle makes the line between them short.
   \param v a vertex
   \param w another
   \param bound for angles below it, in radians, it is enough that they are on both sides; for others
@@ -156,9 +156,9 @@ public:
   }
 
   /*!
-  \brief tells whether on both sides of a segment a vertex is opposite that is across a small angle,
-  at the same distance from its corner as an end of the segment: opposite angles are acute then,
-  whatever rounding makes of slivers.
+  \brief tells whether both vertices opposite a segment lie across a small angle, at the same
+  distance from its corner as an end of the segment: then the opposite angles are acute, also where
+  rounding spoils slivers.
   \param view the triangulation
   \param h a halfedge of the segment
   */
@@ -245,8 +245,8 @@ private:
 
 namespace internal {
 
-// Knows which edges a property map constrains; gives the parts of those that are split what it says
-// of them, if it is writable.
+// Stores which edges a property map constrains. If the map is writable, the parts of a split edge
+// get its value.
 template <class Triangulation, class Map>
 class Constrained_parts {
   using Value = typename boost::property_traits<Map>::value_type;
@@ -264,7 +264,7 @@ public:
     }
   }
 
-  // tells of each edge, by number, whether it is constrained; empty: none is
+  // for each edge, by number, whether it is constrained; empty: none is
   std::vector<char> marks(const Triangulation& t) const {
     using Edge = typename Triangulation::edge_descriptor;
     std::vector<char> result;

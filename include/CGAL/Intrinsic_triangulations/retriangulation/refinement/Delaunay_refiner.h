@@ -29,7 +29,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What `delaunay_refine()` is asked for: one type whatever was named, so that refinement is
+// The options of `delaunay_refine()`: one type for all named parameters, so that refinement is
 // compiled once.
 struct Refinement_settings {
   static constexpr double any = std::numeric_limits<double>::infinity();
@@ -59,13 +59,12 @@ along a wide seam. Vertices that are removed near a split one are those in a Dij
 their copies. For a bound of at most 30 degrees the circumradius of such a face is at least its
 shortest side: new vertices keep this distance from all others.
 
-On a cover, copies must keep it, too. To change sides is an isometry of what is left when a cover is
-cut along its seams, see `Sheets`, and it maps the vertices to vertices: across no seam a copy is as
-far from others as the circumcenter. Seams that make wide angles with each other are segments:
-splits do not lead from one to the next without end (Ruppert). Small angles
-between seams are no angles of the surface, and a seam is no edge that anyone asked for: those are
-crossed like other edges. There the distances of copies are measured, and a vertex is put where all
-keep theirs, or nowhere.
+On a cover, copies must keep it, too. Exchanging sheets is an isometry of the cover cut along its
+seams, see `Sheets`, and maps vertices to vertices: unless seams are crossed, a copy is as far from
+other vertices as the circumcenter. Seams that make wide angles with each other are segments: splits
+do not lead from one to the next without end (Ruppert). Seams with small angles between them are
+crossed like other edges, since neither belongs to the user's surface. There the distances of copies
+are measured, and a vertex is inserted only where all copies keep theirs.
 */
 template <class Triangulation, class Visitor>
 class Delaunay_refiner {
@@ -86,7 +85,7 @@ public:
         cap_(asked.maximum_insertions.value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
   }
 
-  /// refines; `is_kept` tells of edges, by number, whether they are constrained; empty: none is.
+  /// refines; `is_kept` says which edges, by number, are constrained; empty: none.
   Result run(const std::vector<char>& is_kept) {
     moves_.find_segments(is_kept);
     for (const auto e : edges(mesh_)) moves_.suspect(halfedge(e, mesh_));
@@ -100,7 +99,7 @@ public:
     return std::move(state_.result);
   }
 
-  /// gives away the edges that were kept, and the parts of those that were split.
+  /// moves out the edges that were kept, and the parts of those that were split.
   Constrained_segments take_segments() { return std::move(moves_.segments()); }
 
 private:
@@ -151,7 +150,7 @@ private:
 
   void refine(std::uint32_t f) {
     if (!may_insert()) return;
-    // in thin faces lengths and area may be known too roughly for what they both tell to agree
+    // in thin faces lengths and area may be too inaccurate to agree
     const std::array<std::uint32_t, 3> face = corners(t_.numbers().face_at(f));
     const bool is_done =
         refine(f, view_) || (state_.touched.empty() && refine(f, Accurate_view<Triangulation>(t_)));
@@ -162,8 +161,8 @@ private:
     if (split_encroached()) check_touched();
   }
 
-  // whether there was a circumcenter, by what a view says of the faces, and a vertex could be
-  // inserted; if not, as a rule nothing has changed
+  // whether there was a circumcenter, by the values of a view, and a vertex was inserted; if not,
+  // usually nothing has changed
   template <class Complex>
   bool refine(std::uint32_t f, const Complex& view) {
     using Kind = Located_circumcenter::Kind;
@@ -201,10 +200,10 @@ private:
 
   // Splits a segment between a face and its circumcenter. The segment cuts off less than half of
   // the face's circle, and the face is inside: the part of the segment in the circle, whose ends
-  // are vertices outside, is at least as long as the longest side of the face. Rounding alone can
-  // show a shorter one: splitting that might go on for ever. Where the new vertex is outside the
-  // circle, too, the face stays and waits again; as each split halves the segment, up to the
-  // shells, that ends.
+  // are vertices outside, is at least as long as the longest side of the face. Only rounding can
+  // show a shorter part: splitting it might not end. If the new vertex is outside the circle, too,
+  // the face stays and waits again; this ends, since each split halves the segment, up to the
+  // shells.
   void split_between(Face f, Halfedge segment) {
     const Face_values<double> v = approximation(f);
     const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());
@@ -212,7 +211,7 @@ private:
       ++state_.result.counts.refused;
       return;
     }
-    refused_.clear(); // vertices near it are removed, and make way
+    refused_.clear(); // vertices near it are removed
     const std::uint32_t i = t_.index(f);
     // before: what changes is checked again, and removed if it goes
     state_.queue.push(i, priority(f));
@@ -242,7 +241,7 @@ private:
     return true;
   }
 
-  // splits constrained edges that are not locally Delaunay, if that is asked for
+  // splits constrained edges that are not locally Delaunay, if the options say so
   bool split_encroached() {
     while (state_.is_going_on && !state_.encroached.empty()) {
       const Halfedge h = state_.encroached.back();
@@ -256,8 +255,8 @@ private:
 
   // ---- the end
 
-  // Seams that are not Delaunay are split until they are. Where that is stopped, they are flipped,
-  // and every face is Delaunay.
+  // Seams that are not Delaunay are split until they are. If refinement stops before, they are
+  // flipped instead.
   void flip_over_seams() {
     for (const auto e : edges(mesh_))
       if (moves_.segments().is_seam(t_.index(e))) moves_.suspect(halfedge(e, mesh_));

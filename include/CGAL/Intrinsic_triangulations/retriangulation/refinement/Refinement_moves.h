@@ -28,7 +28,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What refinement has to look at, and what it has done.
+// The work that waits for refinement, and its result so far.
 template <class Triangulation>
 struct Refinement_state {
   using Face = typename Triangulation::face_descriptor;
@@ -40,7 +40,7 @@ struct Refinement_state {
   bool is_going_on = true;
   Refinement_result<Face> result;
 
-  // makes a status the result; returns false
+  // sets the status of the result; returns false
   bool stop(Status status) {
     result.status = status;
     return is_going_on = false;
@@ -49,8 +49,8 @@ struct Refinement_state {
 
 /*!
 Inserts and removes vertices of a triangulation that is being refined, with their copies on the
-sheets of a cover, and flips it back to Delaunay; notes which faces changed. What is done next is
-for `Delaunay_refiner` to decide.
+sheets of a cover, and flips it back to Delaunay; notes which faces changed. `Delaunay_refiner`
+decides what comes next.
 */
 template <class Triangulation>
 class Refinement_moves {
@@ -65,14 +65,14 @@ class Refinement_moves {
   using State = Refinement_state<Triangulation>;
 
 public:
-  // What became of a vertex.
+  // The result of an insertion.
   enum class Insertion {
     done,     // it is there, with its copies
     not_here, // a copy would come too close to other vertices: nothing has changed
     refused   // edges have been flipped
   };
 
-  // notes down in `state` what changes, and what is done
+  // records changes and results in `state`
   Refinement_moves(Triangulation& t, bool is_conforming, State& state)
       : t_(t), mesh_(t.mesh()), state_(state), copies_(t), session_(t), view_(t),
         flipper_(t, session_), is_conforming_(is_conforming) {}
@@ -80,7 +80,7 @@ public:
   Session& session() { return session_; }
   Constrained_segments& segments() { return segments_; }
 
-  // \param is_kept tells of edges, by number, whether they are constrained; empty: none is
+  // \param is_kept which edges, by number, are constrained; empty: none
   void find_segments(const std::vector<char>& is_kept) {
     state_.result.counts.flips += copies_.restore_seams(session_);
     for (const auto e : edges(mesh_)) {
@@ -98,8 +98,7 @@ public:
   // an edge that may not be Delaunay
   void suspect(Halfedge h) { flipper_.push(h); }
 
-  // Flips until all edges that were suspected are Delaunay; `may_go_on` is asked before every
-  // check.
+  // Flips until all waiting edges are Delaunay; calls `may_go_on` before every check.
   template <class May_go_on>
   bool flip(const May_go_on& may_go_on) {
     Observer<May_go_on> observer{*this, may_go_on};
@@ -153,7 +152,7 @@ public:
   }
 
 private:
-  // what the flipper asks and tells
+  // the observer of the flipper
   template <class May_go_on>
   struct Observer {
     Refinement_moves& moves;
@@ -197,7 +196,7 @@ private:
 
   void touch(Face f) { state_.touched.push_back(f); }
 
-  // such a copy stays: without it the parts of the segment would be no edges
+  // such a copy stays: without it the parts of the segment would not be edges
   bool is_on_segment(Vertex v) const {
     bool is_on_one = false;
     for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one = is_on_one || is_segment(h); });
@@ -297,7 +296,7 @@ private:
     std::vector<Halfedge> rim;
     std::vector<std::uint32_t> old;
     for_each_outgoing(v, mesh_, [&](Halfedge h) {
-      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which goes
+      const Halfedge opposite_side = next(h, mesh_); // unless there is a loop, which is removed
       if (target(h, mesh_) != v && target(opposite_side, mesh_) != v) rim.push_back(opposite_side);
       old.push_back(t_.index(face(h, mesh_)));
     });

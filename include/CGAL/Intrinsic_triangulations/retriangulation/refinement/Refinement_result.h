@@ -14,19 +14,19 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief says what rounding took from a triangulation while an algorithm inserted, removed or moved
+\brief reports damage by rounding to a triangulation while an algorithm inserted, removed or moved
 vertices.
 */
 struct Inaccuracy {
-  /// What is not as it must be.
+  /// Kinds of damage.
   enum class Kind : std::uint8_t {
     face,       ///< a length or the area of a face is not a positive number
     shape,      ///< the sides of a face do not span its area
-    total_area, ///< the faces together have not the area that they had before
+    total_area, ///< the total area of the faces has changed
     topology    ///< the Euler characteristic has changed
   };
   Kind kind; ///< what it is
-  /// Number of the face; where none has failed alone, of that whose sides and area agree the least.
+  /// Number of the face; if no single face failed, of the one whose sides and area agree the least.
   std::uint32_t face;
   double area_before; ///< of all faces, in the units of the input
   double area_after;  ///< of all faces, in the units of the input; maybe not a number
@@ -44,9 +44,9 @@ enum class Refinement_order {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused,     ///< no vertex could be inserted: on a cover its copies come too close to other
-               ///< vertices, as where faces make a small angle at an edge; elsewhere rounding hides
-               ///< its place
+  refused,     ///< no vertex could be inserted. On a cover, its copies come too close to other
+               ///< vertices, for instance where faces meet at a small angle; elsewhere rounding
+               ///< hides its place
   stopped      ///< refinement was stopped before
 };
 
@@ -86,15 +86,15 @@ struct Refinement_counts {
 */
 template <std::semiregular Face>
 struct Refinement_result {
-  /// `done`, `cap` or `cancelled`: every face meets the criteria, except needles and small angles
-  /// that are listed, if it is `done`. `stalled`: those listed as `refused` do not, and no vertex
-  /// could be inserted for them. `inaccurate`: the triangulation must not be used.
+  /// `done`: every face meets the criteria, except the listed needles and small angles. `cap` or
+  /// `cancelled`: refinement stopped before. `stalled`: faces listed as `refused` do not meet them,
+  /// and no vertex could be inserted there. `inaccurate`: do not use the triangulation.
   Status status = Status::done;
   /// What was done.
   Refinement_counts counts;
   /// All faces that do not meet the criteria.
   std::vector<Unsatisfied_face<Face>> unsatisfied;
-  /// What rounding has spoilt, if it is `inaccurate`.
+  /// Damage by rounding, if it is `inaccurate`.
   std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
@@ -103,17 +103,16 @@ struct Refinement_result {
 */
 struct Refinement_visitor {
   /*!
-  \brief is called now and then: about every 256 insertions, and before the first one every 65536
-  edges and 16384 faces that are looked at.
+  \brief is called about every 256 insertions; before the first one, about every 65536 edges and
+  16384 faces that are tested.
   \return whether to go on; if not before the first insertion, some edges may not be locally
     Delaunay yet, except on covers
   */
   bool progress(const Refinement_counts&) { return true; }
   /*!
-  \brief tells whether a face is to be refined for other reasons than the criteria of
-  `delaunay_refine()`.
+  \brief tells whether to refine a face for reasons beyond the criteria of `delaunay_refine()`.
 
-  Refinement ends only if faces that are small enough are not.
+  Refinement ends only if it returns false for all small enough faces.
   */
   template <class Triangulation>
   bool is_bad(const Triangulation&, typename Triangulation::face_descriptor) {

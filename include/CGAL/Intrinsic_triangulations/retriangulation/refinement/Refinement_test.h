@@ -28,10 +28,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief lets faces wait, named by numbers, that with the highest priority first; of equal priorities
-the one that came first.
+\brief is a queue of faces by number: the highest priority first, and among equal priorities the
+first to arrive.
 
-A face that changes is pushed again, or removed: its old entry is passed over then.
+A face that changes is pushed again, or removed; its old entry is then skipped.
 */
 class Face_queue {
 public:
@@ -105,7 +105,7 @@ enum class Face_state {
 \brief decides whether faces meet the criteria of refinement (Algorithm 4 of the course), by signs
 that exact traits decide exactly.
 
-The bound of angles is the cotangent, rounded so that the angle is not below the one asked for.
+The bound on angles is a cotangent, rounded so that the angle is not below the given one.
 */
 class Refinement_test {
 public:
@@ -213,11 +213,11 @@ inline double squared_circumradius(const Face_values<double>& v) {
   return l[0] / a * l[1] * (l[2] / a);
 }
 
-// How near a vertex for a face, and its copies on other sheets, may come to others: were they
-// nearer, refinement might go on for ever. The circumcenter of a face of a Delaunay triangulation
-// is a circumradius from all vertices, which for bounds up to 30 degrees is not below the shortest
-// side of a thin face; for a face that is only too large, half of it is enough. Squared,
-// and a little less.
+// Least distance of a new vertex for a face, and of its copies on other sheets, from other
+// vertices: if they were nearer, refinement might not end. The circumcenter of a face of a Delaunay
+// triangulation is a circumradius from all vertices, which for bounds up to 30 degrees is not below
+// the shortest side of a thin face; for a face that is only too large, half of it is enough.
+// Squared, and a little less.
 inline double least_distance(const Face_values<double>& v, bool is_thin) {
   const auto& l = v.squared_lengths;
   return (1 - 0x1p-10) *
@@ -232,15 +232,15 @@ inline double refinement_priority(Refinement_order order, const Face_values<doub
   return (l[0] + l[1] + l[2] - 2 * std::min({l[0], l[1], l[2]})) / a;
 }
 
-// Why a face stays that does not meet the criteria.
+// Why a face stays although it does not meet the criteria.
 inline Unsatisfied_reason unsatisfied_reason(Face_state s, bool was_stopped) {
   if (s == Face_state::needle) return Unsatisfied_reason::needle;
   if (s == Face_state::small_angle) return Unsatisfied_reason::small_angle;
   return was_stopped ? Unsatisfied_reason::stopped : Unsatisfied_reason::refused;
 }
 
-// Halfedges of the faces inside a rim, one each, as many as are asked for at most; each face is
-// found from the first halfedge of the rim.
+// Halfedges of the faces inside a rim, one each, up to a maximal number; each face is found from
+// the first halfedge of the rim.
 template <class Triangulation>
 std::vector<typename Triangulation::halfedge_descriptor>
 faces_inside(const Triangulation& t,

@@ -34,13 +34,12 @@ inline double area_discrepancy(const Face_values<double>& v) {
 }
 
 /*!
-Checks that an algorithm that computes with rounding has kept the surface: constructed before, asked
-after.
+Checks whether an algorithm with rounding has kept the surface: construct it before, query it after.
 
 A move replaces faces by others of the same area up to eight units in the last place of it, 2^-50,
 as long as they are faces: a million moves on one spot stay within 2^-30 of the area, sums far
-below. Lengths that rounding has spoilt show in the faces that they do not span: where these fit to
-2^-16, so do the angles of faces that are not thin.
+below. Wrong lengths do not span the area of their faces: if they fit it to 2^-16, so do the angles
+of faces that are not thin.
 
 With exact traits nothing is computed. Else the time is linear.
 */
@@ -51,7 +50,7 @@ public:
     if constexpr (!Triangulation::Metric::is_exact) before_ = measure();
   }
 
-  /// returns what was lost since construction.
+  /// returns the damage since construction.
   std::optional<Inaccuracy> find_inaccuracy() const {
     if constexpr (!Triangulation::Metric::is_exact) {
       const Measure after = measure();
@@ -70,7 +69,7 @@ public:
     return std::nullopt;
   }
 
-  /// notes in the result of an algorithm what was lost.
+  /// records the damage in the result of an algorithm.
   template <class Result>
   void conclude(Result& result) const {
     result.inaccuracy = find_inaccuracy();

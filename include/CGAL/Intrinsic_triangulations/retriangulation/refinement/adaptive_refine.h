@@ -56,13 +56,12 @@ inline std::vector<std::size_t> mark_bulk(const std::vector<double>& indicators,
   return order;
 }
 
-// Remembers faces, as a visitor of `delaunay_refine()` that asks for their refinement.
+// A visitor of `delaunay_refine()` that stores faces and has them refined.
 //
-// A flip gives the number of a face to another one, so that a face is known by its corners and its
-// area. It is bad while it is there: until its circumcenter is inserted, or a vertex close by. A
-// face that has come to stand between the same vertices is bad too if it is not smaller. All bad
-// faces have at least the area of the smallest marked one, and with it a circumradius bounded from
-// below: refinement ends.
+// A flip gives the number of a face to another one, so that corners and area identify a face. It is
+// bad while it is there: until its circumcenter is inserted, or a vertex close by. A later face
+// between the same vertices is bad, too, if it is not smaller. All bad faces have at least the area
+// of the smallest marked one, and with it a circumradius bounded from below: refinement ends.
 template <RefinableTriangulation Triangulation>
 class Marked_faces : public Refinement_visitor {
 public:
@@ -75,7 +74,7 @@ public:
     }
     std::sort(faces_.begin(), faces_.end());
   }
-  // Whether a face is one of those marked, or has taken its place and is as large.
+  // Whether a face is marked, or has replaced a marked one and is as large.
   bool is_bad(const Triangulation& t, typename Triangulation::face_descriptor f) const {
     const Corners c = corners(t, f);
     const auto least =
@@ -109,7 +108,7 @@ struct Adaptive_refinement_round {
   std::size_t vertices = 0;
   /// Root of the sum of the squares of the indicators.
   double estimated_error = 0;
-  /// Faces that have the bulk of the error.
+  /// Number of faces with the bulk of the error.
   std::size_t marked_faces = 0;
 };
 
@@ -117,13 +116,13 @@ struct Adaptive_refinement_round {
 \brief reports what adaptive refinement did.
 */
 struct Adaptive_refinement_result {
-  /// `done`: the estimated error is at most the tolerance; `cap`: that on the number of vertices or
-  /// of rounds was reached; `stalled`: no vertex could be inserted in the faces of large error;
-  /// `cancelled`; `inaccurate`: the triangulation must not be used.
+  /// `done`: the estimated error is at most the tolerance; `cap`: the cap on vertices or rounds was
+  /// reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`;
+  /// `inaccurate`: do not use the triangulation.
   Status status = Status::done;
   /// The triangulations, the one refinement started from first; the last one is that in the end.
   std::vector<Adaptive_refinement_round> rounds;
-  /// What rounding has spoilt, if it is `inaccurate`.
+  /// Damage by rounding, if it is `inaccurate`.
   std::optional<Inaccuracy> inaccuracy = std::nullopt;
 };
 
@@ -166,7 +165,7 @@ struct Adaptive_limits {
   }
 };
 
-// the vertices, copies on a cover counted once where the triangulation knows them
+// the vertices; copies on a cover count once where the triangulation stores them
 template <class Triangulation>
 std::size_t number_of_rows(const Triangulation& t) {
   if constexpr (requires { t.number_of_vertices(); })
@@ -193,9 +192,9 @@ triangulation is made Delaunay and brought to the least angle, on which constant
 depend. The estimate is the user's: `residual_indicators()` has some.
 
 \tparam Triangulation a model of `RefinableTriangulation`
-\tparam Estimate a functor called with `Triangulation&`, of which it changes nothing but the
-  precision of values; it returns a `std::vector<double>` of error indicators, at the numbers of
-  faces, of size `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
+\tparam Estimate a functor called with `Triangulation&`, which may only change the precision of its
+  values; it returns a `std::vector<double>` of error indicators, at the numbers of faces, of size
+  `t.numbers().face_capacity(t.mesh())`. Their squares sum to that of the error.
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param estimate computes the function, and indicators of its error
@@ -209,7 +208,7 @@ depend. The estimate is the user's: `residual_indicators()` has some.
   `delaunay_refine()` - `visitor(v)`: see `Adaptive_refinement_visitor`
 \return status, and what was reached in every round; the last call of `estimate` was with the
   triangulation as it is in the end, unless that is `inaccurate`
-\throws std::invalid_argument if an option makes no sense, an indicator is negative or not finite,
+\throws std::invalid_argument if an option is out of range, an indicator is negative or not finite,
   or there are not as many as numbers of faces
 \complexity that of the functor and of `delaunay_refine()`, per round
 */

@@ -21,45 +21,43 @@ namespace CGAL::Intrinsic_triangulations {
 \brief inserts vertices until faces meet criteria, and keeps the triangulation Delaunay (§4.3 of the
 course, Algorithms 3 to 5; with constraints, §4.4).
 
-A face that does not meet them gets a vertex at its circumcenter. Where an edge of the border or a
-constrained one is in between, that is split, and vertices inserted before are removed near it, also
-those of an earlier refinement that this one goes on with, or of the user, unless they lie on such
-edges. Some faces cannot meet a bound of angles: those that wrap around a vertex whose total angle
-is too small, and those between border or constrained edges that make too small an angle. They are
-left alone, and listed. So are faces where the triangulation refuses an insertion. All others meet
-the criteria; with exact traits that is certain, and so is that every edge is locally Delaunay
-unless it is constrained. With inexact traits areas, lengths and topology are checked in the end:
-the status is `inaccurate` where rounding has spoilt them.
+A face that does not meet them gets a vertex at its circumcenter. If a border edge or a constrained
+edge is in between, that edge is split, and inserted vertices near it are removed, also those of an
+earlier refinement or of the user, unless they lie on such edges. Some faces cannot meet a bound of
+angles: those that wrap around a vertex whose total angle is too small, and those between border or
+constrained edges that make too small an angle. These faces stay and are listed, and so are faces
+where the triangulation refuses an insertion. All others meet the criteria, and every edge that is
+not constrained is locally Delaunay; with exact traits this is certain. With inexact traits, areas,
+lengths and topology are checked at the end: the status is `inaccurate` if rounding has spoilt them.
 
 On a cover (see `make_domain()`), the copies of a vertex on all sheets are inserted together and
-share a row of matrices, if the triangulation knows the places of vertices,
-`Intrinsic_triangulation::places()`. Edges over edges of one face of the user, or of more than two,
-are segments like constrained edges, and `conforming`, where they make angles of at least 60
-degrees: those that were flipped away before are put back first. If refinement stops before its end,
-they are flipped like others: every edge is locally Delaunay unless it is constrained, whatever the
-status.
+share a row of matrices, if the triangulation stores the places of vertices,
+`Intrinsic_triangulation::places()`. Seams, the edges with one face of the user or more than two,
+are `conforming` segments where they make angles of at least 60 degrees; flips restore them first.
+If refinement stops early, they are flipped like others: whatever the status, every edge that is not
+constrained is locally Delaunay.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param np optional named parameters:
   - `minimum_angle(x)`: least angle of faces, in degrees; 0: any. Up to 30 degrees refinement ends
-    by Chew's argument; beyond, up to about 34 as a rule, by experience. Default: 25.
+    by Chew's argument; up to about 34 it usually ends in practice. Default: 25.
   - `maximum_circumradius(x)`: largest circumradius of faces, in the units of the input. Default:
     any.
   - `maximum_edge_length(x)`: largest length of edges, in the units of the input. Default: any.
   - `maximum_insertions(n)`: cap on the number of insertions. Default: a million and ten per face.
   - `order(o)`: which face comes next, a `Refinement_order`. Default: `first_come`.
   - `conforming(b)`: whether constrained edges that are not locally Delaunay are split, so that all
-    edges become locally Delaunay; if not, they may stay as they are (the two flavours of §4.4 of
-    the course). Default: false.
+    edges become locally Delaunay; if not, they may stay (the two variants of §4.4 of the course).
+    Default: false.
   - `edge_is_constrained_map(m)`: a property map from edges to `bool`, or to labels that convert to
     it; constrained edges are never flipped. If it is writable, the parts of a constrained edge have
     its value in the end, and other edges that are new are not constrained. Default: none is.
   - `visitor(v)`: derived from `Refinement_visitor`
 \return status, counts, and the faces that do not meet the criteria
-\throws std::invalid_argument if a bound makes no sense
-\complexity linear in the number of vertices inserted, as a rule
+\throws std::invalid_argument if a bound is out of range
+\complexity usually linear in the number of vertices inserted
 */
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Refinement_result<typename Triangulation::face_descriptor>

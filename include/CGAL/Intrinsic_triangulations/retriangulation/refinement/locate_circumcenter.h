@@ -34,18 +34,18 @@ inline std::array<double, 3> circumcenter(const std::array<double, 3>& squared_l
           ij / area * ((ki + jk - ij) / area)};
 }
 
-/// Where the way from a face to its circumcenter ends.
+/// Where the walk from a face to its circumcenter ends.
 struct Located_circumcenter {
   /// The kinds of ends.
   enum class Kind {
     point,   ///< at the circumcenter
     segment, ///< at an edge that may not be crossed
-    none     ///< nowhere: rounding led the walk astray
+    none     ///< nowhere: rounding misled the walk
   };
   /// What was found.
   Kind kind;
-  /// The circumcenter; no point of it is at a vertex, nor closer to an edge than rounding can tell
-  /// without being on it.
+  /// The circumcenter. It is never at a vertex; if it is close to an edge up to rounding, it is on
+  /// it.
   Surface_point point;
   /// The edge that may not be crossed: the halfedge of the side that was reached.
   std::uint32_t segment;
@@ -83,10 +83,10 @@ Located_circumcenter arrived(Surface_point p, const Geodesic_face& face,
 /*!
 \brief finds the circumcenter of a face, or a point near it: from the barycenter straight on.
 
-In a Delaunay triangulation the disk about it has no vertex inside, thus is flat.
+In a Delaunay triangulation the disk about it contains no vertex and is therefore flat.
 \tparam Complex a model of `NumberedComplex`
-\tparam Is_segment a functor that tells of a halfedge whether its edge must not be crossed: true on
-the border
+\tparam Is_segment a functor from a halfedge to whether its edge must not be crossed: true on the
+border
 \param complex the surface
 \param h a halfedge of the face
 \param is_segment the functor

@@ -33,8 +33,8 @@ struct Shortening_result {
   std::uint64_t wedge_checks = 0;
   /// Number of those that were exactly pi.
   std::uint64_t exact_ties = 0;
-  /// Number of flips refused: the arithmetic made an area that is not positive, or an edge crosses
-  /// too much of the input.
+  /// Number of flips refused: a computed area was not positive, or an edge would cross too much of
+  /// the input.
   std::uint64_t refused_flips = 0;
 
   /// adds counts; the status is the last one.
@@ -50,8 +50,8 @@ struct Shortening_result {
 };
 
 /*!
-\brief flips edges and remembers how to take the flips back, at the cost of what they have touched.
-\tparam Triangulation a model of `IntrinsicTriangulation` of which the sessions take flips back
+\brief flips edges and can take the flips back, at a cost linear in the flips.
+\tparam Triangulation a model of `IntrinsicTriangulation` whose sessions take flips back
 */
 template <IntrinsicTriangulation Triangulation>
   requires requires { typename Triangulation::Session::Before_flip; }
@@ -144,8 +144,8 @@ private:
   std::vector<Halfedge> inner_;
 };
 
-// Whether segments pass through no face twice, which they may do only where a triangulation winds
-// about the surface. `crossed` projects a segment to the edges that it crosses, in order.
+// Whether segments pass through no face twice; they can do so only where a triangulation winds
+// around the surface. `crossed` projects a segment to the edges that it crosses, in order.
 template <class Triangulation, class Segments, class Crossed = std::identity>
 bool pass_faces_once(const Triangulation& t, const Segments& segments, Crossed crossed = {}) {
   const auto& mesh = t.mesh();
@@ -165,9 +165,9 @@ bool pass_faces_once(const Triangulation& t, const Segments& segments, Crossed c
 // The faces that the segment passes through, laid out in the plane, are a strip. On the left of the
 // segment, its border is a chain of edges. Where the angle of the chain at a vertex is below pi on
 // the side of the strip, all edges of the strip from that vertex are flipped away, as in FlipOut:
-// their far ends are on the right of the segment, so that none of them is in the way, and the chain
-// loses the vertex. The vertex that is farthest from the segment has such an angle: in the end none
-// is left.
+// their far ends are on the right of the segment, so that they do not cross the segment, and the
+// chain loses the vertex. The vertex that is farthest from the segment has such an angle: in the
+// end none is left.
 template <class Triangulation>
 class Segment_flipper {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -185,7 +185,7 @@ public:
   \param crossed at least one edge; the segment passes through no face twice
   \param most cap on the number of flips
   \param result counts them
-  \param flipped is called with an edge after its flip
+  \param flipped called with an edge after its flip
   \return the segment, an edge; or, if rounding or the cap prevents that, the chain on its left
   */
   template <class Function>
@@ -242,9 +242,9 @@ private:
                                         next(crossed_[begin], t_.mesh()));
   }
 
-  // Takes note of the flip of an edge of the fan that begins at i. At an end of the fan, the
-  // segment crosses it again unless that is the end of the segment, too. Returns its halfedge from
-  // the near side, which turns into one that leads on along the segment.
+  // Records the flip of an edge of the fan that begins at i. At an end of the fan, the segment
+  // crosses it again unless that is the end of the segment, too. Returns its halfedge from the near
+  // side, which turns into one that leads on along the segment.
   Halfedge crossed_flipped(std::size_t& i, Halfedge e) {
     std::size_t k = i;
     while (edge(crossed_[k], t_.mesh()) != edge(e, t_.mesh())) ++k;
