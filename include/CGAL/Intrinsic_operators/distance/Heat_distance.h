@@ -81,8 +81,7 @@ public:
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
-  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a
-    row)
+  \throws std::runtime_error if rounding makes the matrix indefinite (the message names a row)
   \complexity that of a sparse factorization: about n^1.5 for n vertices
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -102,7 +101,7 @@ public:
   is no source. An empty vector if the visitor stops the computation
   \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline
     are not in one face
-  \throws std::runtime_error if rounding has left no positive definite matrix
+  \throws std::runtime_error if rounding makes the matrix indefinite
   \complexity about n log n: solutions with a factored matrix; with more than twenty sources also a
   factorization, unless they are those of the last call. Do not call it from two threads at once
   */

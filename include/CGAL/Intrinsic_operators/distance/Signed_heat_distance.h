@@ -96,8 +96,7 @@ public:
   \throws Invalid_input if a face has no area, or `t` is a cover, where left and right share a row
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
-  \throws std::runtime_error if rounding has left no positive definite matrix (the message names a
-    row)
+  \throws std::runtime_error if rounding makes the matrix indefinite (the message names a row)
   \complexity that of a sparse factorization with three times as many rows as there are vertices
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -116,7 +115,7 @@ public:
     is no curve: on other components and at isolated vertices
   \throws std::invalid_argument if there are vertices or points among the curves, or consecutive
     points of a polyline are not in one face
-  \throws std::runtime_error if rounding has left no positive definite matrix
+  \throws std::runtime_error if rounding makes the matrix indefinite
   \complexity that of a solution, and of a factorization of the Laplacian without the rows of the
   curve, unless the curve is that of the last call. Do not call it from two threads at once
   */

@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// What a vector is multiplied by along an edge, in the power `order`.
+// The factor of a vector along an edge, to the power `order`.
 template <class Scalar>
 Scalar transport_factor(const Connection_edge& e, int order) {
   if constexpr (std::is_same_v<Scalar, double>)
@@ -58,7 +58,7 @@ Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int 
     if (e.weight == 0) continue;
     const double w = factor * e.weight;
     const Scalar r = transport_factor<Scalar>(e, order);
-    if (e.source == e.target) { // a loop: |z - r z|^2 is what it costs
+    if (e.source == e.target) { // a loop: its energy is |z - r z|^2
       at(e.source) += w * std::norm(Scalar(1) - r);
       continue;
     }
@@ -84,11 +84,11 @@ Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int 
 /*!
 \brief computes parallel transport along halfedges (§2.4 of the course).
 
-Of a vector `z` at the source of halfedge `h`, in its polar coordinates, `r[h] * z` is the parallel
-vector at the target in the coordinates there: the transport keeps the angle with the edge. Around a
-face it turns vectors by the sum of its corner angles as they are scaled, minus pi; over all faces
-these angles sum up to 2 pi times the Euler characteristic. Along the border vectors keep their
-angle with the border.
+Let `z` be a vector at the source of halfedge `h`, in polar coordinates. Then `r[h] * z` is the
+parallel vector at the target, in the coordinates there: the transport keeps the angle with the
+edge. Around a face it turns vectors by the sum of its corner angles as they are scaled, minus pi;
+over all faces these angles sum up to 2 pi times the Euler characteristic. Along the border vectors
+keep their angle with the border.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \return complex numbers of absolute value 1, by `t.numbers().halfedge(h)`; the numbers of opposite
@@ -109,20 +109,19 @@ std::vector<std::complex<double>> transport_along_halfedges(const Triangulation&
 }
 
 /*!
-\brief assembles the connection Laplacian: of tangent vectors, or of directions of which `order` at
-a vertex are alike.
+\brief assembles the connection Laplacian of tangent vectors, or of `order` equivalent directions
+per vertex.
 
     z^H L z = sum over edges of w_ij |z_j - r_ij^order z_i|^2
 
 with the cotangent weight w_ij of the edge and the transport r_ij along it. The matrix is Hermitian
-bit by bit and positive semidefinite. It is the weak form, to which the lumped masses belong, on
-covers those of each copy of a vertex. A loop, an edge from a vertex to itself, turns vectors, and
-adds w |1 - r^order|^2 to the diagonal. Weights that are negative are taken as zero: in a Delaunay
-triangulation only edges on the border have such weights, and where the surface is curved there the
-matrix would be indefinite.
+bit by bit and positive semidefinite. It is the weak form and goes with the lumped masses, on covers
+those of each copy of a vertex. A loop, an edge from a vertex to itself, turns vectors: it adds w |1
+- r^order|^2 to the diagonal. Negative weights count as zero: on a curved surface they could make
+the matrix indefinite. In a Delaunay triangulation only border edges have such weights.
 
-As the cotangent Laplacian, it does not depend on which Delaunay triangulation it is, but for the
-real axes at vertices: edges that may be flipped have the weight zero.
+Like the cotangent Laplacian, it is the same for all Delaunay triangulations of the surface, up to
+the real axes at vertices: edges in which they differ have weight zero.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param order the power of the transport: 1 for vectors, 4 for crosses; 0 gives the cotangent

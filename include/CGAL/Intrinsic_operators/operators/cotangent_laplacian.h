@@ -36,7 +36,7 @@ template <class Triangulation>
           "Delaunay, or build it with mollification");
 }
 
-// the smaller of the faces at an edge, which is the one whose cotangent overflows
+// the smaller face at an edge: its cotangent overflows
 template <class Triangulation>
 typename Triangulation::face_descriptor smaller_face(const Triangulation& t,
                                                      typename Triangulation::edge_descriptor e) {
@@ -79,8 +79,8 @@ std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
   return entries;
 }
 
-// Refuses zero rows of vertices that have edges to others: they have the Dirichlet energy of a
-// function that is not constant.
+// Refuses zero rows of vertices with edges to others: such functions are not constant, so their
+// Dirichlet energy is not zero.
 template <class Triangulation>
 void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero) {
   const auto& mesh = t.mesh();
@@ -109,26 +109,25 @@ The matrix is symmetric bit by bit and positive semidefinite, with constants in 
 It is the weak form: the smooth equation Laplacian u = f becomes `L u = M f`, with a mass matrix `M`
 of `mass_matrix.h`. Border edges have one cotangent, which is the natural (Neumann) boundary
 condition. Several edges between the same vertices add up; edges from a vertex to itself do not
-contribute. Of a cover (`make_domain()`), vertices that are copies of one share its row, and the sum
-is divided by the number of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay
-triangulation no inner edge has a negative weight (a border edge has one where it faces an obtuse
-angle), and the matrix does not depend on which one it is (Bobenko and Springborn 2007).
+contribute. On a cover (`make_domain()`), copies of a vertex share a row, and sums are divided by
+the number of sheets: the matrix is that of the user's surface (§6.1). In a Delaunay triangulation
+no inner edge has a negative weight (a border edge has one if it faces an obtuse angle), and all
+Delaunay triangulations of a surface have the same matrix (Bobenko and Springborn 2007).
 
-All diagonal entries are stored, those of isolated vertices as zeros. Of the others those of nonzero
-weight are stored. With exact traits weights that are zero (cocircular faces) are certified, so that
-the pattern too is that of the Delaunay tessellation alone. Weights are right to 1e-12 of
-themselves, or of min(1, E), where E is the least Dirichlet energy in the two faces of functions
-that change by one along the edge (`Exact_euclidean_metric::cotangent_weight()`). Every face has
-three edges, so that x^T L x of a Delaunay triangulation without border is right to 4e-12 of itself
-for all x, on slivers too. Each diagonal entry is minus the sum of the others in its column, in
-their order.
+All diagonal entries are stored, also zeros of isolated vertices. Other entries are stored if their
+weight is not zero. Exact traits certify zero weights (cocircular faces), so the pattern too depends
+only on the Delaunay tessellation. Weights have an error of at most 1e-12 times themselves or min(1,
+E), where E is the least Dirichlet energy in the two faces of functions that change by one along the
+edge (`Exact_euclidean_metric::cotangent_weight()`). So x^T L x of a Delaunay triangulation without
+border has a relative error of at most 4e-12 for all x, also on slivers. Each diagonal entry is
+minus the sum of the others in its column, in their order.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation, whose predicates may sharpen stored values
 \return a compressed matrix with a row and column per vertex, in the numbering of the input, without
   dimension
-\throws Invalid_input if a face has no area; flips to Delaunay remove caps, mollification the rest;
-  or if rounding has left the row of a vertex with faces zero, not with exact traits
+\throws Invalid_input if a face has no area (flips to Delaunay remove caps, mollification the rest),
+or if rounding makes the row of a vertex with faces zero, which exact traits exclude
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>

@@ -21,8 +21,8 @@ Exterior derivatives and Hodge stars of discrete differential forms on an intrin
 
 A 0-form has a value per vertex `v`, at `t.input_vertex(v)`; a 1-form a value per number of an edge,
 `t.index(e)`, along its first halfedge `halfedge(e, t.mesh())`; a 2-form a value per number of a
-face, `t.index(f)`. Of a cover, forms on edges and faces are those of all sheets, and stars are
-divided by their number, so that d0^T star1 d0 is the cotangent Laplacian of the user's surface.
+face, `t.index(f)`. On a cover, forms have values on the edges and faces of all sheets, and stars
+are divided by the number of sheets: d0^T star1 d0 is the cotangent Laplacian of the user's surface.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -31,8 +31,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief assembles the derivative of 0-forms: (d u)_ij = u_j - u_i.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
-\return a compressed matrix with a row per number of an edge and a column per vertex; rows of
-  numbers that no edge has, and of edges from a vertex to itself, are zero
+\return a compressed matrix with a row per edge number and a column per vertex; rows of numbers
+without an edge, and of edges from a vertex to itself, are zero
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
@@ -94,7 +94,7 @@ Eigen::VectorXd hodge_star_0(const Triangulation& t) {
 \brief returns the Hodge star of 1-forms: the cotangent weight of each edge, the length of its dual
 edge by its own. In a Delaunay triangulation no inner edge has a negative one.
 \tparam Triangulation a model of `MeasuredTriangulation`
-\return a value per number of an edge, without dimension; zero at numbers that no edge has
+\return a value per number of an edge, without dimension; zero at numbers without an edge
 \throws Invalid_input if a face has no area
 \complexity linear
 */
@@ -109,9 +109,9 @@ Eigen::VectorXd hodge_star_1(const Triangulation& t) {
 }
 
 /*!
-\brief returns the Hodge star of 2-forms: what is integrated over a face, by its area.
+\brief returns the Hodge star of 2-forms: one over the area of each face.
 \tparam Triangulation a model of `MeasuredTriangulation`
-\return a value per number of a face, in units of 1 / area; zero at numbers that no face has
+\return a value per number of a face, in units of 1 / area; zero at numbers without a face
 \throws Invalid_input if a face has no area
 \complexity linear
 */

@@ -20,8 +20,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The area of a face on each sheet of a cover: together, its sheets have the area of the user's
-// surface.
+// The area of a face divided by the number of sheets: so all sheets together have the area of the
+// user's surface.
 template <class Triangulation>
 double area_per_sheet(const Triangulation& t, typename Triangulation::face_descriptor f) {
   return t.area(f) / t.input().names().sheets;
@@ -47,8 +47,8 @@ Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
 \brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the
 faces at each vertex, on the diagonal.
 
-A face that has a vertex at several corners counts at each. The trace is the area of the surface; of
-a cover, of the surface below it, by the vertices of which rows are numbered.
+A face that has a vertex at several corners counts at each. The trace is the area of the surface; on
+a cover, of the user's surface, whose vertices number the rows.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
@@ -68,9 +68,9 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
     M_ii = 1/6 of the area of the faces at i,    M_ij = 1/12 of the area of the faces at ij
 
 so that u^T M v is the integral of u v, exactly, for piecewise linear functions u and v. A face that
-has a vertex at several corners counts with every pair of its corners, as this asks: an edge from
-vertex i to itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the
-area of the surface. Positive definite if no vertex is isolated and every face has an area.
+has a vertex at several corners counts with every pair of its corners: an edge from vertex i to
+itself adds twice 1/12 of the area of its faces to M_ii. The sum of all entries is the area of the
+surface. Positive definite if no vertex is isolated and every face has an area.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
@@ -107,9 +107,9 @@ and Barr 2003): on the diagonal the area of the circumcentric cell of each verte
     M_ii = 1/4 sum over edges ij of w_ij |ij|^2,    w_ij the cotangent weight,
 
 as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the
-cells of the intrinsic Voronoi diagram: nonnegative but at a border edge that faces an obtuse angle.
-Elsewhere areas are signed where angles are obtuse, and can be negative. The trace is the area of
-the surface, up to rounding.
+cells of the intrinsic Voronoi diagram: nonnegative except at a border edge that faces an obtuse
+angle. In other triangulations, areas at obtuse angles can be negative. The trace is the area of the
+surface, up to rounding.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation, whose predicates may sharpen stored values
 \return a compressed diagonal matrix as that of `lumped_mass_matrix()`

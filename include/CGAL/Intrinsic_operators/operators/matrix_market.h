@@ -39,8 +39,8 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
 /*!
 \brief writes a sparse matrix to a Matrix Market file, ordinarily with extension `.mtx`.
 
-The data are written to a temporary file beside it, which replaces the file at the end: whatever
-fails, the file is complete or what it was before.
+It writes a temporary file beside it, which replaces the file at the end: after any failure, the
+file is complete or unchanged.
 \param path the file
 \param m the matrix
 \param comment see above

@@ -25,7 +25,7 @@ struct Reaction_diffusion {
 
 namespace internal {
 
-// \throws std::invalid_argument if a coefficient makes no sense
+// \throws std::invalid_argument if a coefficient is out of its range
 void check(const Reaction_diffusion& e);
 
 // \param mass the Galerkin mass matrix
@@ -52,9 +52,9 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \param load b, in the numbering of the input
 \return values at the vertices, in the numbering of the input; zero at vertices without faces
 \throws Invalid_input if a face has no area
-\throws std::invalid_argument if a coefficient or the size of the load makes no sense; if c is zero
-  and the load does not sum to zero, or the surface is not connected
-\throws std::runtime_error if rounding has left no positive definite matrix
+\throws std::invalid_argument if a coefficient is out of its range, or the load has the wrong size;
+  if c is zero and the load does not sum to zero, or the surface is not connected
+\throws std::runtime_error if rounding makes the matrix indefinite
 \complexity that of a sparse factorization
 */
 template <MeasuredTriangulation Triangulation>

@@ -28,10 +28,10 @@ enum class Error_norm {
   L2      ///< |e|^2 = integral of e^2
 };
 
-/// What is asked for on the border.
+/// The condition on the border.
 enum class Border_condition {
   natural, ///< no flux through it
-  values   ///< given values, which the solution has: nothing is estimated there
+  values   ///< given values: no error is estimated there
 };
 
 namespace internal {
@@ -69,7 +69,7 @@ private:
     return function[t_.input_vertex(source(h, mesh_))];
   }
 
-  // min(h, sqrt(a/c)): beyond that length the solution is that without diffusion
+  // min(h, sqrt(a/c)): beyond that length diffusion has no effect
   double resolved(double size) const {
     return std::min(size, std::sqrt(equation_.diffusion / equation_.reaction));
   }
@@ -144,13 +144,12 @@ to a factor that depends on the least angle of the faces only, not on a, c and h
 bounds it likewise (Verfürth, Robust a posteriori error estimators for a singularly perturbed
 reaction-diffusion equation, Numerische Mathematik 78, 1998).
 
-In the L2 norm the factor depends on the surface too: by Aubin and Nitsche's trick, if smooth
-problems have solutions with square integrable second derivatives. They have not where a total angle
-is above 2 pi or the border is reentrant: there, and where h is larger than sqrt(a/c), it is an
-indicator.
+In the L2 norm the factor depends on the surface too (Aubin and Nitsche's trick), and needs
+solutions with square integrable second derivatives. Where a total angle is above 2 pi, the border
+is reentrant or h is larger than sqrt(a/c), eta_T is only an indicator.
 
-**Point sources** at vertices have infinite energy: estimate in the L2 norm. They add nothing to the
-indicators, since the bound compares with an interpolant that is exact at vertices (Araya, Behrens,
+**Point sources** at vertices have infinite energy: estimate in the L2 norm. They do not change the
+indicators, since the bound uses an interpolant that is exact at vertices (Araya, Behrens,
 Rodríguez, A posteriori error estimates for elliptic problems with Dirac delta source terms,
 Numerische Mathematik 105, 2006): f is the density without them.
 
@@ -161,10 +160,9 @@ Numerische Mathematik 105, 2006): f is the density without them.
 \param f the right side, likewise
 \param norm the norm of the error
 \param np optional named parameters:
-  - `border_condition(x)`: what is asked for on the border, a `Border_condition`. Default:
-    `natural`.
-\return eta_T, at the numbers of faces; zero at numbers that no face has
-\throws std::invalid_argument if a coefficient or the size of a vector makes no sense
+  - `border_condition(x)`: the condition on the border, a `Border_condition`. Default: `natural`.
+\return eta_T, at the numbers of faces; zero at numbers without a face
+\throws std::invalid_argument if a coefficient is out of its range, or a vector has the wrong size
 \throws Invalid_input if a face has no area
 \complexity linear
 */

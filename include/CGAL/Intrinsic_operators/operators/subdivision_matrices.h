@@ -28,9 +28,8 @@
 Integrals over the faces of a common subdivision. Areas need no positions in space: they come
   from the places of the corners in one of the two faces that contain them.
 
-And the way from values at the vertices of the input, or of the intrinsic triangulation, to values
-at the vertices of their common subdivision (§4.11.1 of the course): both are piecewise linear
-there.
+Also the matrices that interpolate values from the vertices of the input, or of the intrinsic
+triangulation, at the vertices of the common subdivision (§4.11.1 of the course).
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,10 +43,9 @@ inline double area_fraction(const std::array<double, 3>& p, const std::array<dou
   return std::max(0.0, x1 * y2 - x2 * y1); // the corners of convex faces turn left, up to rounding
 }
 
-// Places corners of a face of a subdivision in the smaller one of the two faces that contain it:
-// rounding of barycentric coordinates changes areas by a part of the area of the face in which they
-// are taken, so that areas add up to that of a sliver if it is cut by large faces, and to that of a
-// face that is cut by slivers.
+// Places the corners of a subdivision face in the smaller of the two faces that contain it:
+// rounding of barycentric coordinates changes areas in proportion to that face. So the areas add up
+// well where slivers and large faces cut each other.
 template <class Triangulation>
 class Cell_in_face {
 public:

@@ -54,8 +54,8 @@ public:
     }
   }
 
-  // \param diagonal called with a column and its entries, sorted, as an iterator range; returns the
-  // entry on the diagonal
+  // \param diagonal takes a column and the iterator range of its sorted entries; returns the
+  // diagonal entry
   template <class Diagonal>
   Eigen::SparseMatrix<double> matrix(const Diagonal& diagonal) {
     const int size = static_cast<int>(end_.size()) - 1;
@@ -84,8 +84,8 @@ public:
 private:
   using Iterator = std::vector<Entry>::iterator;
 
-  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of
-  // what is left
+  // Sorts entries by rows and adds up those of the same row, in their order. \return the end of the
+  // result
   static Iterator merge(Iterator begin, Iterator end) {
     constexpr std::ptrdiff_t few = 24;
     if (end - begin > few)
@@ -106,7 +106,7 @@ private:
     return last;
   }
 
-  std::vector<std::size_t> end_; // of each column, when entries are in it
+  std::vector<std::size_t> end_; // the end of each column
   std::vector<Entry> entries_;
 };
 
@@ -120,7 +120,7 @@ Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
 \param diagonal those on it
 \return the matrix, compressed
 \pre `0 <= i, j < diagonal.size()` and `i != j` for every entry
-\complexity linear in size and number of entries, but n log n for n entries of a row
+\complexity linear in size and number of entries, except n log n for n entries of a row
 */
 inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
                                                     const Eigen::VectorXd& diagonal) {
@@ -142,7 +142,7 @@ inline void expect_countable(std::uint64_t number, const std::string& has) {
 /*!
 \brief checks that the numbers of rows and of entries fit the index type of `Eigen::SparseMatrix`.
 
-Vertices that have been removed have a row too, until their number is taken again.
+Removed vertices keep a row until their number is used again.
 \return the number of rows
 \throws Invalid_input if they do not
 */

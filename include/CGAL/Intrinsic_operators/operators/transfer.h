@@ -35,7 +35,7 @@ Transfer of piecewise linear functions between an intrinsic triangulation and it
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Where a function is taken to.
+/// The target of a transfer.
 enum class Transfer_direction {
   to_input,    ///< from the intrinsic triangulation to the input
   to_intrinsic ///< from the input to the intrinsic triangulation
@@ -44,7 +44,8 @@ enum class Transfer_direction {
 /*!
 \brief copies values at vertices from the intrinsic triangulation to the input.
 
-Needs no correspondence: no vertex of the input was removed, and both numbers are equal.
+It needs no correspondence, since both triangulations have the vertices of the input with equal
+numbers.
 \param t the triangulation
 \param f values at the vertices of the intrinsic triangulation, a function per column
 */
@@ -57,7 +58,7 @@ typename Derived::PlainObject copy_to_input(const Triangulation& t,
 
 /*!
 \brief copies values at vertices from the input to the intrinsic triangulation; inserted vertices
-take the value that the function has there.
+get the value of the function there.
 \param t the triangulation, with a correspondence if vertices were inserted
 \param g values at the vertices of the input, a function per column
 \return values at the vertices
@@ -75,7 +76,7 @@ typename Derived::PlainObject copy_to_intrinsic(const Triangulation& t,
       continue;
     }
     const Weighted_vertices w = weighted_vertices(t, t.correspondence().location(t.index(v)));
-    f.row(row).setZero(); // a copy of the vertex may have been there
+    f.row(row).setZero(); // a copy of the vertex may have values here
     for (std::size_t i = 0; i < w.size; ++i) f.row(row) += w.weights[i] * g.row(w.vertices[i]);
   }
   return f;
@@ -92,9 +93,9 @@ matrices from here and from there, and M_S the mass matrix of the common subdivi
 
 The error is orthogonal to all functions there; so integrals are preserved, functions that are
 linear on both triangulations are reproduced, and copying is never better in this norm. The matrix
-is factored once for any number of functions. It is a mass matrix: scaled to a unit diagonal its
-eigenvalues lie between 1/2 and 2 however bad the triangles (Wathen 1987), so that the solution is
-accurate on every mesh. Vertices without area keep their values.
+is factored once for any number of functions. It is a mass matrix: scaled to a unit diagonal, it has
+eigenvalues between 1/2 and 2 for all triangles (Wathen 1987), so the solution is accurate on every
+mesh. Vertices without area keep their values.
 */
 class L2_transfer {
 public:
@@ -103,9 +104,9 @@ public:
   \tparam Triangulation a model of `NumberedTriangulation`
   \param t the triangulation
   \param s its common subdivision with the input
-  \param direction where functions are taken to
+  \param direction the target of the functions
   \throws Invalid_input if the subdivision is too large for the index type of Eigen
-  \throws std::runtime_error if rounding has left no positive definite matrix
+  \throws std::runtime_error if rounding makes the matrix indefinite
   \complexity that of a sparse factorization
   */
   template <NumberedTriangulation Triangulation>
@@ -137,8 +138,8 @@ public:
     return solver_.solve(right);
   }
 
-  /// returns Q^T M_S Q, the mass matrix of the triangulation that functions are taken to, with ones
-  /// for vertices without area.
+  /// returns Q^T M_S Q, the mass matrix of the target triangulation, with ones for vertices without
+  /// area.
   const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_; }
   /// returns Q^T M_S P: integrals of products of functions there and here.
   const Eigen::SparseMatrix<double>& cross_mass_matrix() const { return cross_; }
@@ -146,7 +147,7 @@ public:
 private:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  // rows without area become those of copying
+  // rows without area copy values
   void keep_values_without_area(const Common_subdivision& s, bool back) {
     std::vector<Eigen::Triplet<double>> ones, copies;
     const Eigen::VectorXd diagonal = mass_.diagonal();
@@ -199,14 +200,13 @@ double L2_distance(const Triangulation& t, const Common_subdivision& s, const Ei
 its input, to the nearest ones in the L2 norm (§4.11.2 of the course).
 
 A vector is a complex number in the frame of its face, whose real axis runs along the first halfedge
-of the face, `halfedge_of_face()`. Faces have the numbers of the subdivision: those of the input for
-the user, intrinsic ones for the triangulation. A face of the subdivision lies in one face of each;
-its corners in both frames give the rotation r between them, and the nearest field is the average
+of the face, `halfedge_of_face()`. Faces have the numbers of the subdivision. A face of the
+subdivision lies in one face of each; its corners in both frames give the rotation r between them,
+and the nearest field is the average
 
     v_g = sum over cells c in g of |c| r_c v_f(c) / |g|
 
-Fields are interpreted face by face, and no vector is carried through a vertex: the rotation is
-well-defined though the surface is curved.
+No vector passes through a vertex, so rotations are well-defined also on a curved surface.
 */
 class Face_vector_transfer {
 public:

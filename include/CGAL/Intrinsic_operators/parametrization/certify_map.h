@@ -18,8 +18,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells, exactly, whether a map to the plane is injective: of the doubles that it is, not of
-what they round.
+\brief tells whether a map to the plane, given by doubles, is injective; the answer is exact.
 */
 struct Map_certificate {
   std::size_t faces = 0;      ///< number of faces
@@ -36,9 +35,10 @@ struct Map_certificate {
   /*!
   \brief tells whether the map is injective.
 
-  If all faces turn counterclockwise and the border is a simple polygon, a point inside has as many
-  preimages as the border goes around it, counted with signs (the degree of the map); the signs are
-  all positive, and a simple border goes around once: one preimage. Convexity is not needed.
+  Let all faces turn counterclockwise and the border be a simple polygon. The number of preimages of
+  a point inside, counted with signs, is the number of turns of the border around it (the degree of
+  the map). All signs are positive, and a simple border turns once: one preimage. The border need
+  not be convex.
   */
   bool is_injective() const { return is_locally_injective() && border_is_simple; }
 };
@@ -73,8 +73,8 @@ inline Map_certificate shortened(Map_certificate c) {
 } // namespace internal
 
 /*!
-\brief certifies a map of a disk to the plane, that is linear on the faces of a triangulation, with
-exact predicates.
+\brief certifies, with exact predicates, a map of a disk to the plane that is linear on the faces of
+a triangulation.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param uv a point per row of `t.input_vertex()`; the doubles are taken as they are
@@ -89,12 +89,11 @@ Map_certificate certify_map(const Triangulation& t, const Eigen::MatrixX2d& uv) 
 }
 
 /*!
-\brief certifies a map of triangles to the plane, such as those of the user's mesh: there, a map
-that was computed on an intrinsic triangulation is another one between the vertices.
+\brief certifies a map of triangles to the plane, such as the user's mesh. There, the values of a
+map from an intrinsic triangulation give another map between the vertices.
 \param triangles a disk, as triples of vertices
 \param uv a point per vertex
-\return the certificate; a surface whose border is not one loop through different vertices has none
-  that is simple
+\return the certificate; a border is simple only if it is one loop through different vertices
 \throws std::invalid_argument as above
 \complexity O(n log n)
 */

@@ -17,13 +17,13 @@
 
 /*!
 \file
-Maps to the plane with a free border that are as conformal as may be: they minimise the
-  conformal energy
+Maps to the plane with a free border that are as conformal as possible: they minimise the conformal
+energy
 
     E = 1/2 integral of |grad w|^2 - area of the image = w^H C w,    w = x + i y
 
-which is not negative, and zero if all angles are kept. C is Hermitian: half the cotangent
-Laplacian, less the area as a form on the border.
+which is not negative, and zero if all angles stay the same. C is Hermitian: half the cotangent
+Laplacian minus the area as a form on the border.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -62,17 +62,18 @@ template <MeasuredTriangulation Triangulation>
 \brief maps a disk to the plane with least conformal energy, two vertices fixed (Lévy, Petitjean,
 Ray, Maillot, Least squares conformal maps, 2002).
 
-The two are the vertex of the border with the least row, and the one that halves the length of the
-border with it. The result is scaled to the area of the surface, and the first vertex is at the
-origin. It depends on the two vertices, if no conformal map exists; `spectral_conformal_map()` does
-not. Faces may be turned around, and parts may overlap: `certify_map()` tells, exactly.
+The two are the border vertex with the least row, and the border vertex half the length of the
+border away. The result is scaled to the area of the surface, and the first vertex is at the origin.
+If no conformal map exists, the result depends on the two vertices; that of
+`spectral_conformal_map()` does not. Faces may turn over, and parts may overlap: `certify_map()`
+finds out exactly.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation of a disk
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
   are at (0, 0)
 \throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
-\throws Indefinite_matrix if rounding has left no definite matrix
+\throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers
 */
 template <MeasuredTriangulation Triangulation>
@@ -87,10 +88,10 @@ template <MeasuredTriangulation Triangulation>
 \brief maps a disk to the plane with least conformal energy for the extent of its border (Mullen,
 Tong, Alliez, Desbrun, Spectral conformal parameterization, 2008).
 
-It is the eigenvector with the least eigenvalue of C w = lambda B w, of those with mean zero on the
-border, where B is the length of the border at its vertices. No vertex is fixed: the result follows
-the surface, turned so that the first vertex of the border (see `circular_border()`) is on the
-positive x-axis, and is scaled to the area of the surface. `certify_map()` tells whether it is
+It is the eigenvector of C w = lambda B w with the least eigenvalue among those with mean zero on
+the border, where B is the length of the border at its vertices. No vertex is fixed: the result
+follows the surface, turned so that the first vertex of the border (see `circular_border()`) is on
+the positive x-axis, and is scaled to the area of the surface. `certify_map()` tells whether it is
 injective.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
@@ -98,7 +99,7 @@ injective.
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
   are at (0, 0)
 \throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
-\throws Indefinite_matrix if rounding has left no definite matrix
+\throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers, and of some solutions
 */
 template <MeasuredTriangulation Triangulation>

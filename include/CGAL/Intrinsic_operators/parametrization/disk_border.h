@@ -33,7 +33,8 @@ struct Disk_border {
   std::vector<double> lengths; // from the vertex of the same place to the next
 };
 
-// \throws Invalid_input if the surface is no disk with three vertices on its border, or a cover
+// \throws Invalid_input if the surface is not a disk with three vertices on its border, or is a
+// cover
 Disk_border disk_border(const Face_table& table, std::uint32_t sheets);
 template <NumberedTriangulation Triangulation>
 Disk_border disk_border(const Triangulation& t) {
@@ -63,15 +64,15 @@ Border_map circular_border(const Triangulation& t) {
 /*!
 \brief maps the border of a disk to a convex polygon, in proportion to length.
 
-A vertex is at each corner: the one that is nearest to there in proportion to length. Between these
-the map is in proportion to length again. The first corner belongs to the vertex with the least row.
+Each corner gets the vertex nearest to it in proportion to length. Between corners the map is
+proportional to length. The first corner belongs to the vertex with the least row.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation of a disk
 \param corners the corners of the polygon, three at least \pre convex, counterclockwise
 \return the map
 \throws Invalid_input as `circular_border()` does
-\throws std::invalid_argument if the polygon does not turn left at each corner, or the border has
-  less vertices than it has corners
+\throws std::invalid_argument if the polygon does not turn left at each corner, or has more corners
+than the border has vertices
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>

@@ -32,27 +32,25 @@ namespace CGAL::Intrinsic_triangulations {
 \brief maps a disk to the plane by harmonic functions with given values on the border (§4.10, Fig.
 30 of the course).
 
-Each vertex inside is the mean of its neighbours, weighted by cotangents. Of a Delaunay
-triangulation the weights are not negative: if the border is convex, no vertex inside leaves it, and
-by Tutte and Floater faces are not turned around. They may be *degenerate*, where the tessellation,
-that is the triangulation without the edges of weight zero, is not 3-connected: two vertices
-separate a part from the border, or a face has three vertices on one side of a polygon; and by
-rounding, where parts are mapped to less than its size. `certify_map()` tells, exactly, and
-`injective_harmonic_map()` refines the triangulation until there are none.
+Each inner vertex is the mean of its neighbours, weighted by cotangents. On a Delaunay triangulation
+no weight is negative: if the border is convex, no inner vertex leaves it, and no face turns over
+(Tutte, Floater). Faces may be *degenerate* where the triangulation without its edges of weight zero
+is not 3-connected (two vertices separate a part from the border, or a face has three vertices on
+one side of a polygon), or where the map is smaller than rounding. `certify_map()` finds them
+exactly, and `injective_harmonic_map()` refines the triangulation until there are none.
 
-On `t.mesh()` as it is built, before `flip_to_delaunay()`, the map is defined as well, without that
-guarantee.
+Without `flip_to_delaunay()` the map exists too, but without that guarantee.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation of a disk
-\param border where its border goes, see `circular_border()` and `polygonal_border()`; vertices
-  inside may be fixed as well
-\return a point, x and y, per row of `t.input_vertex()`; given positions are there bit by bit;
-  isolated vertices are at (0, 0)
+\param border the positions of the border, see `circular_border()` and `polygonal_border()`; inner
+vertices may be fixed too
+\return a point, x and y, per row of `t.input_vertex()`; given positions stay exactly; isolated
+  vertices are at (0, 0)
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if rows and positions do not fit, or no value is fixed on a component
-\throws Indefinite_matrix (a `std::runtime_error`) if rounding has left no definite matrix; it names
-  a row
+\throws Indefinite_matrix (a `std::runtime_error`) if rounding makes the matrix indefinite; it names
+a row
 \complexity that of a sparse factorization
 */
 template <MeasuredTriangulation Triangulation>
@@ -89,9 +87,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(harmonic_map)
 \brief holds a harmonic map of a triangulation that was refined for it.
 */
 struct Injective_map {
-  /// `done`: the map is injective; `cap`: it is not after that many rounds; `inaccurate`: all that
-  /// is not turned counterclockwise is so small that rounding decides; `stalled`: some of it is
-  /// not, but no edge of these faces can be split.
+  /// `done`: the map is injective; `cap`: the rounds did not suffice; `inaccurate`: all faces that
+  /// do not turn counterclockwise are so small that rounding decides; `stalled`: larger ones
+  /// remain, but none of their edges can be split.
   Status status = Status::done;
   Eigen::MatrixX2d uv;         ///< a point per row, see `harmonic_map()`
   Map_certificate certificate; ///< of that map
@@ -101,8 +99,8 @@ struct Injective_map {
 
 namespace internal {
 
-// Of some faces, those whose image is large enough for doubles to tell how it is turned, also when
-// it is a part of that size: with half of their digits.
+// Keeps the faces whose image is large enough: half of the digits of doubles suffice for its
+// orientation, also after a split.
 template <class Triangulation>
 std::vector<std::uint32_t> large_faces(const Triangulation& t,
                                        const std::vector<std::uint32_t>& faces,
@@ -120,9 +118,8 @@ std::vector<std::uint32_t> large_faces(const Triangulation& t,
 }
 
 // Where to split the longest edge of a face whose sides, from that edge on, have squared lengths a,
-// b and c: in the middle of a face that is no needle. Of a needle, at the geometric mean of its
-// lengths from its short side: sizes that differ by a factor q are reached in log log q rounds
-// then, not in log q.
+// b and c: in the middle, or in a needle at the geometric mean of its lengths from the short side.
+// So a ratio q of sizes takes log log q rounds, not log q.
 inline double split_parameter(double a, double b, double c) {
   const double from_end = std::sqrt(std::sqrt(std::min(b, c) / a));
   if (!(from_end < 0.5)) return 0.5;
@@ -164,37 +161,34 @@ std::size_t split_longest_inner_edges(Triangulation& t, const std::vector<std::u
 } // namespace internal
 
 /*!
-\brief makes a triangulation of a disk Delaunay and maps it to the plane by harmonic functions, and
-refines it where faces do not turn counterclockwise until the map is injective, by certificate.
+\brief makes a triangulation of a disk Delaunay, maps it to the plane by harmonic functions, and
+refines it where faces do not turn counterclockwise, until the map is certified to be injective.
 
-An intrinsic Delaunay triangulation may have two edges with the same ends and vertices between them,
-or vertices of degree one or two: what two vertices separate from the border, any map by means of
-neighbours takes to a line. So it does with a face whose corners are on one side of a polygon.
-There, the longest edge of the face is split, which joins its parts with others: in the middle, or
-nearer to the short side of a needle, so that sizes of any ratio take few rounds. On `t` the surface
-stays the same, no point of it moves.
+In an intrinsic Delaunay triangulation, two vertices may separate a part from the border: two edges
+with the same ends, or a vertex of degree one or two. A map by means of neighbours takes that part
+to a line, and also a face with all corners on one side of a polygon. A split of the longest edge
+connects the part with others. The split is in the middle, or nearer to the short side of a needle,
+so that few rounds suffice. The surface itself does not change.
 
-**What it cannot do.** A cone of less than 60 degrees has a tip that is joined to one vertex only in
-any Delaunay triangulation, however fine: then the status is `cap` or `inaccurate`. Maps of long
-parts shrink exponentially along them, with ten times their width to 10^-27. Of parts that are
-mapped to less than 2^-28 of the whole (needles of 10^-8), doubles hold less than half of the
-digits, and faces are not split: then the status is `inaccurate`. To split those too does not help,
-as rounding decides how their parts turn: of a rough grid with needles of 10^-9 and faces down to
-2^-40 of the whole there were more than 2600 vertices more after 20 rounds, and at least 100 faces
-still turned wrongly, where 27 had with the limit.
+**What it cannot do.** The tip of a cone of less than 60 degrees has one neighbour only in every
+Delaunay triangulation, however fine: then the status is `cap` or `inaccurate`. Maps of long parts
+shrink exponentially along them: to 10^-27 at ten times their width. Faces whose image is less than
+2^-28 of the whole (needles of 10^-8) have less than half of the digits of doubles, and are not
+split: then the status is `inaccurate`. Splits would not help, since rounding decides how their
+parts turn: on a rough grid with needles of 10^-9, splits down to 2^-40 inserted more than 2600
+vertices in 20 rounds and left at least 100 wrong faces; the limit leaves 27.
 \tparam Triangulation a model of `RefinableTriangulation`
-\param t the triangulation of a disk; it stays refined, whatever the status, and if an exception is
-  thrown
-\param border where its border goes, see `circular_border()` and `polygonal_border()`: a convex
-  polygon
+\param t the triangulation of a disk; it stays refined for every status, and if an exception is
+thrown
+\param border the positions of the border, a convex polygon; see `circular_border()` and
+`polygonal_border()`
 \param np optional named parameters:
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 20.
 \return the map, its certificate and status
-\throws Invalid_input if a face has no area, or the surface is no disk
+\throws Invalid_input if a face has no area, or the surface is not a disk
 \throws std::invalid_argument as `harmonic_map()` does
-\throws Indefinite_matrix (a `std::runtime_error`) if rounding has left no definite matrix, as of
-  `harmonic_map()`
-\complexity that of a harmonic map per round; as a rule there are few, or none
+\throws Indefinite_matrix as `harmonic_map()` does
+\complexity that of a harmonic map per round; most inputs need few or none
 */
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,

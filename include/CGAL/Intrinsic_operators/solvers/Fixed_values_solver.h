@@ -46,7 +46,7 @@ public:
   \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not
     exist; or if no value is fixed in a component of the free rows on which constants are in the
     kernel (the message names a row of it), so that there are infinitely many solutions or none
-  \throws Indefinite_matrix if rounding has left no definite matrix
+  \throws Indefinite_matrix if rounding makes the matrix indefinite
   \complexity that of a sparse factorization
   */
   Fixed_values_solver(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> rows);
@@ -86,7 +86,7 @@ conditions), once; see `Fixed_values_solver`.
 \throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not
   symmetric, a row does not exist or has two values; or if no value is fixed in a component of the
   free rows on which constants are in the kernel
-\throws Indefinite_matrix if rounding has left no definite matrix
+\throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization, once for all columns
 */
 template <class B, class Values>
