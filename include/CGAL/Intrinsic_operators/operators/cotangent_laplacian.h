@@ -79,8 +79,8 @@ std::vector<Symmetric_entry> cotangent_entries(const Triangulation& t) {
   return entries;
 }
 
-// Refuses zero rows of vertices with edges to others: such functions are not constant, so their
-// Dirichlet energy is not zero.
+// Refuses zero rows of vertices with edges to others: the diagonal entry is the Dirichlet energy of
+// a hat function, which is not constant.
 template <class Triangulation>
 void expect_no_lost_row(const Triangulation& t, const std::vector<char>& is_zero) {
   const auto& mesh = t.mesh();

@@ -14,13 +14,12 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief says how a map to the plane changes angles and areas. A face is mapped linearly, with
+\brief describes how a map to the plane changes angles and areas. A face is mapped linearly, with
 stretches s1 >= s2 in two directions at right angles.
 
-The figures do not depend on the unit of the map. A face of the triangulation that has no area, or
-so little that its stretches or their products are beyond the range of doubles, has none that are
-defined: it is left out of all figures, and counted. No figure is NaN; one that no face defines is
-that of the identity.
+The figures do not depend on the unit of the map. They leave out, and count, faces without area or
+with so little that stretches or their products exceed the range of doubles. No figure is NaN:
+without any face left, figures are those of the identity.
 */
 struct Map_distortion {
   double mean_quasi_conformal =

@@ -16,13 +16,12 @@ namespace CGAL::Intrinsic_triangulations {
 \brief maps a cloud of points near a disk to the plane with least conformal energy for the extent
   of its border (§6.2 of the course).
 
-The energy is a third of that of all triangles at points among their neighbours, oriented alike
-(see `Point_cloud_vectors`): no border has
-to be traced, and each triangle has an energy that is not negative. The map is the eigenvector of
-least eigenvalue, as that of `spectral_conformal_map()`; the points whose
-cells are not bounded are the border. In the plane the result is the points, turned.
+The energy is a third of the sum over all triangles at points among their neighbours, with equal
+orientation (see `Point_cloud_vectors`): this needs no traced border, and no triangle has negative
+energy. The map is the eigenvector of the least eigenvalue, as for `spectral_conformal_map()`; the
+border consists of the points with unbounded cells. Points in a plane are only turned.
 \param points the points, in any order
-\param neighbours how many are triangulated around each point; two at least
+\param neighbours the number of neighbours to triangulate around each point; at least two
 \return a point, x and y, per point, scaled to the area of the surface, the first point of the
   border on the positive x-axis; not numbers at points
   without triangles

@@ -16,9 +16,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a matrix that was factored once, for any number of right sides.
+\brief requires a matrix factored once, for any number of right sides.
 
-Syntax of \ref ::Factorization, where its meaning is described.
+Syntax of \ref ::Factorization, which describes the meaning.
 */
 template <class F>
 concept Factorization = std::copyable<F> && requires(const F& f, const typename F::Vectors& b) {
@@ -44,7 +44,8 @@ private:
 
 namespace internal {
 
-// What a library makes of a matrix. A pivot of row i is what is left of the diagonal entry a_ii.
+// The factor of a matrix by Eigen or CHOLMOD. The pivot of row i is the rest of the diagonal entry
+// a_ii.
 template <class Scalar>
 class Cholesky_factor {
 public:
@@ -65,13 +66,12 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
 \brief factors a positive definite matrix once, for any number of right sides. A model of
 `Factorization`.
 
-Large matrices (from 100,000 rows, where measurements found it faster) are factored by CHOLMOD,
-supernode by supernode, if programs link it; CMake finds it, and
-`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` says so. Others are factored by Eigen
-(`SimplicialLDLT`). Either orders rows by approximate minimum degree.
+If the program links CHOLMOD, it factors large matrices (from 100,000 rows, where it is faster in
+measurements) supernode by supernode; CMake finds it and defines
+`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD`. Eigen (`SimplicialLDLT`) factors the others. Both order
+rows by approximate minimum degree.
 
-Copies share the factor, which does not change. Solving is not to be done by two threads at a time
-with CHOLMOD.
+Copies share the factor, which does not change. With CHOLMOD, only one thread may solve at a time.
 
 \tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
 */
@@ -85,7 +85,7 @@ public:
 
   /*!
   \brief factors a matrix.
-  \param a the matrix, of which the lower triangle is read
+  \param a the matrix; only its lower triangle is read
   \throws std::invalid_argument if it is not square or an entry is not finite
   \throws Indefinite_matrix if it is not positive definite, up to rounding; it names a row
   \complexity for matrices of a surface with n vertices about \f$n^{3/2}\f$, and memory for \f$n
@@ -123,9 +123,9 @@ template <class Scalar>
 
 namespace internal {
 
-// Factors a matrix that would be positive definite, were there no rounding. Where weights are so
-// large that it has lost the masses beside them, the diagonal is raised, also in `m`, by a part of
-// it in the order of rounding errors: 2^-40 at most, which needles and caps of 10^-15 need.
+// Factors a matrix that is positive definite up to rounding. If masses are lost beside large
+// weights, it raises the diagonal, also in `m`, in the order of rounding errors: by a factor of at
+// most 1 + 2^-40, which needles and caps of 10^-15 need.
 template <class Scalar>
 Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
   for (const double raise : {0x1p-48, 0x1p-40}) {

@@ -24,18 +24,18 @@ conditions), which are eliminated:
 
     A_ff x_f = b_f - A_fc x_c
 
-with f the free rows and c the fixed ones, in which the equations do not hold. What is left is
-factored once; right sides and values may then be given many times. No condition on the border is
-the natural one (Neumann) of a cotangent Laplacian.
+with f the free rows and c the fixed ones, in which the equations do not hold. The matrix A_ff is
+factored once; then right sides and values may change. Without fixed border rows, a cotangent
+Laplacian has its natural border condition (Neumann).
 
 With `a` the cotangent Laplacian and `b` zero, x is the harmonic function with these values; with
-`b` the mass matrix times f, the solution of a Poisson problem. With a row of
-`rows_with_constant_kernel()` fixed at zero it is solved up to a constant in each component. The
-Laplacian of a graph without negative weights is factored without subtraction, see
-`Laplacian_factorization`: it stays definite, and solutions accurate, whatever the weights are. Row
-sums that rounding may have made, in components where all are such, count as zero. Negative weights,
-as those of squares of Laplacians, carry no promise beyond that of a Cholesky factorization. Rows
-are those of vertices, `t.input_vertex(v)`, inserted ones included.
+`b` the mass matrix times f, the solution of a Poisson problem. With the rows of
+`rows_with_constant_kernel()` fixed at zero, it gives one solution; others differ by a constant per
+component. The Laplacian of a graph without negative weights is factored without subtraction, see
+`Laplacian_factorization`: it stays definite, and solutions accurate, for all such weights. If
+rounding explains all row sums of a component, they count as zero. With negative weights, as in
+squares of Laplacians, the accuracy is that of a Cholesky factorization. Rows are those of vertices,
+`t.input_vertex(v)`, inserted ones included.
 */
 class Fixed_values_solver {
 public:
@@ -45,7 +45,7 @@ public:
   \param rows the fixed rows, in any order, repeated or not
   \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not
     exist; or if no value is fixed in a component of the free rows on which constants are in the
-    kernel (the message names a row of it), so that there are infinitely many solutions or none
+    kernel (the message names a row of it)
   \throws Indefinite_matrix if rounding makes the matrix indefinite
   \complexity that of a sparse factorization
   */
@@ -54,9 +54,9 @@ public:
   /*!
   \brief solves for some right sides.
   \param b right sides, a column each
-  \param values a value per fixed row as they were given, and column of `b`; equal ones for rows
-    that were repeated
-  \return the solutions, a column each; fixed values are there bit by bit
+  \param values a value per fixed row as they were given, and column of `b`; equal ones for repeated
+  rows
+  \return the solutions, a column each, with exactly the fixed values
   \throws std::invalid_argument if sizes do not fit, a number is not finite, or a row has two values
   \complexity linear in the entries of the factor, for each column
   */
@@ -66,8 +66,8 @@ private:
   void factor_with_subtraction(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& excess);
   Eigen::MatrixXd fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
-  std::vector<std::uint32_t> rows_;    // fixed ones, as they were given
-  Eigen::SparseMatrix<double> matrix_; // with the sign, which makes it positive definite
+  std::vector<std::uint32_t> rows_;    // fixed ones, in the given order
+  Eigen::SparseMatrix<double> matrix_; // with the sign that makes it positive definite
   double sign_ = 1;
   // nothing, if all rows are fixed
   std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>>
@@ -82,7 +82,7 @@ conditions), once; see `Fixed_values_solver`.
 \param b the right side, a problem per column
 \param rows the fixed rows, in any order; a row may be repeated with the same value
 \param values a value per fixed row, and column of `b`
-\return the solutions, a column each; fixed values are there bit by bit
+\return the solutions, a column each, with exactly the fixed values
 \throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not
   symmetric, a row does not exist or has two values; or if no value is fixed in a component of the
   free rows on which constants are in the kernel
@@ -102,7 +102,7 @@ typename B::PlainObject solve_with_fixed_values(const Eigen::SparseMatrix<double
 \brief finds a row of each component of a symmetric matrix in which all rows sum to zero up to
 rounding, so that constants there are in its kernel.
 
-For a cotangent Laplacian that is a vertex of each component of the surface, and every isolated one.
+For a cotangent Laplacian: a vertex of each component of the surface, and every isolated vertex.
 \return the least row of each, in ascending order
 \complexity linear in the number of entries
 */

@@ -22,17 +22,17 @@ struct Laplacian_factor;
 \brief factors L + D with the Laplacian L of a weighted graph and a diagonal D that is not negative,
   without any subtraction.
 
-Off its diagonal L is minus the weights, and its rows sum to zero; the diagonal is not read, and D
-is given apart: rounding does not lose a D of 1e-15 beside weights of 1e15, as it does in their sum.
-Where no weight is negative, neither is any number that is met: the factor, and solutions for right
-sides that are not negative, have full relative accuracy entry by entry, whatever the condition of
-the matrix is (Grassmann, Taksar and Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then
-definite if D is not zero in each component, and rounding cannot make it indefinite. Few negative
-weights, as at the border, are no harm.
+Off its diagonal L is minus the weights, and its rows sum to zero, so the diagonal of L is not read.
+D is separate: rounding does not lose a D of 1e-15 beside weights of 1e15, as it does in their sum.
+If no weight is negative, no intermediate number is: the factor, and solutions for nonnegative right
+sides, have full relative accuracy in each entry, for any condition of the matrix (Grassmann, Taksar
+and Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D has a positive entry in
+each component, and rounding cannot make it indefinite. A few negative weights, as at the border, do
+no harm.
 
-Rows are permuted by approximate minimum degree, and eliminated supernode by supernode. Copies share
-the factor. Different threads may solve at once. Large matrices are factored by two threads, where
-there are two processors; the result is the same with one.
+Rows are ordered by approximate minimum degree, and eliminated supernode by supernode. Copies share
+the factor. Different threads may solve at once. With two processors, two threads factor large
+matrices; the result is the same with one.
 */
 class Laplacian_factorization {
 public:
@@ -55,7 +55,7 @@ public:
   \brief factors `L + D` and `m L + E` at once, which takes far less than twice the time of one.
   \param laplacian the matrix L, compressed, both triangles of it
   \param diagonal D, a number per row
-  \param multiple m, as a time step
+  \param multiple m, such as a time step
   \param diagonal_of_multiple E, a number per row
   \return both factorizations
   \throws std::invalid_argument,Indefinite_matrix as the constructor, for either

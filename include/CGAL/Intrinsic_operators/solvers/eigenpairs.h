@@ -20,7 +20,7 @@ struct Eigenpairs {
   Eigen::VectorXd values; ///< the eigenvalues, in ascending order
   Eigen::MatrixXd
       vectors; ///< an eigenvector per column, orthonormal in the inner product of the mass matrix
-  Status status = Status::done; ///< `cancelled` by the caller: there are none then
+  Status status = Status::done; ///< `cancelled` by the caller: then there are no pairs
 };
 
 namespace internal {
@@ -31,24 +31,24 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
 
 /*!
 \brief computes the smallest eigenvalues of `a x = lambda m x`, and their eigenvectors, by the
-Lanczos method of Spectra, inverted near zero, several times until none is missing of eigenvalues
-that are several times there.
+Lanczos method of Spectra, inverted near zero. It repeats the method until no multiple eigenvalue
+misses a vector.
 
 With `a` the cotangent Laplacian and `m` a mass matrix they are the squared frequencies and modes of
-the surface: zero once for each of its components, with constants there. Where `m` is diagonal and
-rows of `a` sum to zero, as of the cotangent Laplacian, the matrix is factored without subtraction
-(`Laplacian_factorization`), and the shift is made no greater than the smallest frequencies: values
-are right to rounding whatever the weights of slivers are. Matrices of up to 64 rows, or of which
-half of the eigenvalues are asked for, are solved densely, to rounding of the greatest eigenvalue.
-Of a matrix without entries, as of isolated vertices, all eigenvalues are zero, with any vectors.
+the surface: zero once for each of its components, with constants there. If `m` is diagonal and rows
+of `a` sum to zero, as for the cotangent Laplacian, the matrix is factored without subtraction
+(`Laplacian_factorization`), with a shift no greater than the smallest frequencies: values are right
+up to rounding, also with slivers. Small matrices (up to 64 rows), or if `count` is at least half of
+the rows, are solved densely, up to rounding of the greatest eigenvalue. If `a` is zero, as for
+isolated vertices, all eigenvalues are zero and vectors are arbitrary.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
 \param np optional named parameters:
-  - `visitor(v)`: `v.progress(n)` is called before each solution with a factored matrix, those that
-    look for the shift included, with the number of those before, a `std::size_t`, and returns
-    whether to go on. Small matrices are solved without a call.
-\return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is that of rounding
+  - `visitor(v)`: `v.progress(n)` is called before each solution with a factored matrix (also in the
+    search of the shift) with the number of previous ones, a `std::size_t`; it returns whether to go
+    on. Dense solutions do not call it.
+\return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is due to rounding only
 \throws std::invalid_argument if sizes do not fit
 \throws Indefinite_matrix if a matrix is not definite up to rounding
 \throws std::runtime_error if the method does not converge within its cap of restarts, or a residual

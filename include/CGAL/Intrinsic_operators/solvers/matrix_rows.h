@@ -24,7 +24,7 @@ namespace internal {
 // negative
 inline std::size_t row_number(Eigen::Index row) { return static_cast<std::size_t>(row); }
 
-// The matrix with some entries; those at one place are added.
+// The matrix with given entries; entries at the same place add up.
 template <class Scalar>
 Eigen::SparseMatrix<Scalar> matrix_of(Eigen::Index rows, Eigen::Index columns,
                                       const std::vector<Eigen::Triplet<Scalar>>& entries) {
@@ -52,8 +52,8 @@ template <class Scalar>
 
 namespace internal {
 
-// Sums of the rows of a symmetric matrix, and what rounding may make of them where they are zero:
-// of the entries on the diagonal, which were summed, and of the sums.
+// The sums of the rows of a symmetric matrix, and bounds for their rounding errors, including those
+// of the diagonal entries.
 struct Row_sums {
   explicit Row_sums(const Eigen::SparseMatrix<double>& a);
   bool may_be_zero(Eigen::Index row) const { return std::abs(sum[row]) <= bound[row]; }
@@ -61,7 +61,7 @@ struct Row_sums {
   Eigen::VectorXd sum, bound;
 };
 
-// Marks the components, at their least rows, of which all rows may sum to zero.
+// Marks, at their least rows, the components whose rows all may sum to zero.
 std::vector<char> laplacian_components(const Row_sums& sums,
                                        const std::vector<std::uint32_t>& component);
 
@@ -71,8 +71,8 @@ bool is_laplacian(const Eigen::SparseMatrix<double>& a);
 // Whether no weight is negative.
 bool has_no_positive_entry_off_diagonal(const Eigen::SparseMatrix<double>& a);
 
-// Makes the rows and columns of a symmetric matrix that are fixed those of the identity: what is
-// left solves for the free rows.
+// Replaces the fixed rows and columns of a symmetric matrix by those of the identity: the result
+// solves for the free rows.
 template <class Scalar>
 Eigen::SparseMatrix<Scalar> with_fixed_rows(Eigen::SparseMatrix<Scalar> a,
                                             const std::vector<char>& is_fixed) {
@@ -86,8 +86,8 @@ Eigen::SparseMatrix<Scalar> with_fixed_rows(Eigen::SparseMatrix<Scalar> a,
   return a;
 }
 
-// What belongs to that matrix, of a Laplacian and a diagonal: the diagonal of free rows has the
-// weights to fixed ones as well.
+// The diagonal of that matrix, for a Laplacian and a diagonal: free rows also get their weights to
+// fixed rows.
 Eigen::VectorXd diagonal_with_fixed_rows(const Eigen::SparseMatrix<double>& laplacian,
                                          Eigen::VectorXd diagonal,
                                          const std::vector<char>& is_fixed);

@@ -16,24 +16,23 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What takes long of a direction field.
+/// A long step of the computation of a direction field.
 enum class Direction_step {
-  factored, ///< the matrix was factored
-  improved  ///< eigenvectors were improved, by some solutions; of fields without wishes, some times
+  factored, ///< the matrix is factored
+  improved  ///< eigenvectors are better by some solutions; repeated for fields without a guide
 };
 
 namespace internal {
 
-// What a direction field is asked for, in powers of its directions.
+// The constraints of a direction field, in powers of its directions.
 struct Direction_problem {
   int degree;
-  Eigen::VectorXcd guide; // what to be near, zero where there is no wish
-  double strength;        // of that, in multiples of 1 / squared mean length of edges
+  Eigen::VectorXcd guide; // the wanted direction, zero if there is none
+  double strength;        // of the guide, in multiples of 1 / squared mean length of edges
   std::vector<std::pair<std::size_t, std::complex<double>>> fixed;
 };
 
-// The smoothest field, its values of length 1; zero at isolated vertices. Nothing if it was
-// cancelled.
+// The smoothest field, its values of length 1; zero at isolated vertices. Empty if cancelled.
 std::vector<std::complex<double>> solve(const Direction_problem& problem,
                                         const Connection_graph& graph,
                                         const std::function<bool(Direction_step)>& progress);

@@ -20,10 +20,10 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What takes long before vectors are transported.
+/// A long step before the transport of vectors.
 enum class Transport_step {
-  functions_factored, ///< the matrix of the heat of functions was factored
-  vectors_factored    ///< and that of vectors
+  functions_factored, ///< the matrix for the heat of functions is factored
+  vectors_factored    ///< the matrix for vectors is factored
 };
 
 namespace internal {
@@ -33,8 +33,7 @@ struct Heat;
 class Function_flow;
 class Vector_flow;
 
-// Vectors that start at vertices, or at a point between some: with what is to be diffused of their
-// lengths.
+// Vectors at vertices or points, with the lengths to diffuse.
 struct Vector_sources {
   explicit Vector_sources(std::size_t size)
       : vectors(Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size))),
@@ -53,19 +52,18 @@ struct Source_corner {
   int vertex;                  // the number of the copy
   double weight;               // of the source; they sum to 1
   std::complex<double> offset; // from the source to here, in the frame of the source
-  std::complex<double> frame;  // what vectors there are multiplied by in the frame here
+  std::complex<double> frame;  // the factor from the frame of the source to the frame here
 };
 
-// Makes logarithms at least as long as chords in space from the source; those without a direction
-// are not known.
-// \param at where vertices are, which may be unknown \param unit what the logarithms are multiples
-// of
+// Makes logarithms at least as long as chords in space from the source; a logarithm without
+// direction becomes unknown.
+// \param at positions of vertices, possibly unknown \param unit the unit of the logarithms
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
                         const std::vector<Source_corner>& source, double unit,
                         std::vector<std::complex<double>>& log);
 
-// Functions and tangent vectors that are diffused for a short time, by the numbers of a graph and
-// in scaled units. Matrices are factored when they are first needed, and once.
+// Diffuses functions and tangent vectors for a short time, by the numbers of a graph, in scaled
+// units. Each matrix is factored once, when it is first needed.
 class Heat_transport {
 public:
   // \param time_factor of the time, in squares of the mean length of edges
@@ -73,11 +71,11 @@ public:
 
   const Connection_graph& graph() const { return graph_; }
 
-  // Factors both matrices of heat, unless they are. \param progress is called after each; tells
-  // whether to go on \return whether both are
+  // Factors both matrices of heat, unless they are. \param progress is called after each; returns
+  // whether to go on \return whether both are factored
   bool factor(const std::function<bool(Transport_step)>& progress) const;
 
-  // for each vertex, one that stands for all that heat connects it with
+  // for each vertex, the representative of its part, which heat connects
   const std::vector<std::uint32_t>& parts() const { return part_; }
 
   // the natural logarithm of the heat that comes from a source
@@ -87,9 +85,10 @@ public:
   Eigen::VectorXd extended(const Vector_sources& sources) const;
   // the vectors from sources, with the mean of their lengths
   Eigen::VectorXcd transported(const Vector_sources& sources) const;
-  // positions in the frame of the source, by heat whose vectors know where it is
+  // positions in the frame of the source, by heat of affine vectors
   Eigen::VectorXcd affine_logarithm(const std::vector<Source_corner>& source) const;
-  // angles between two fields, one of them radial, and distances of which that is the gradient
+  // the angle between a radial and a parallel field, and the distance whose gradient is the radial
+  // field
   Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
 
 private:

@@ -21,18 +21,16 @@ namespace CGAL::Intrinsic_triangulations {
 \brief transports tangent vectors over a cloud of points, and finds logarithmic maps and direction
   fields there (§6.2 of the course).
 
-The surface of `make_point_cloud()` has several neighbourhoods at each point, and so no tangent
-plane that is the point's own. Here each point has one: orthogonal to
-the mean normal of the triangles at the point among its neighbours, `axes()`. Planes are oriented
-alike along a minimum spanning tree of edges of these triangles.
-An edge has the cotangent weight of all triangles at it, a third of the sum as they are there about
-three times, and in both
-planes the direction of its projection: that is a connection, for which all works as in a
-triangulation (`Vector_heat_method`). In the plane logarithms are
-exact. Surfaces with one side have a seam, which no heat crosses.
+The surface of `make_point_cloud()` has several neighbourhoods at each point, and so no common
+tangent plane. This class gives each point one plane, `axes()`: orthogonal to the mean normal of the
+triangles at the point among its neighbours. Orientations agree along a minimum spanning tree of
+edges of these triangles. The weight of an edge is a third of the sum of the cotangent weights of
+all triangles at it, since each triangle occurs about three times. Its direction in both planes is
+that of its projection. This gives a connection, as in a triangulation (`Vector_heat_method`). In
+the plane logarithms are exact. Surfaces with one side have a seam, which no heat crosses.
 
-Vectors are complex numbers in the axes of their point. Those that are not known are not numbers:
-on components without a source, and at points without triangles.
+Vectors are complex numbers in the axes of their point. Unknown ones are NaN: on components without
+a source, and at points without triangles.
 */
 class Point_cloud_vectors {
 public:
@@ -43,11 +41,11 @@ public:
   /*!
   \brief finds tangent planes.
   \param points the points, in any order
-  \param neighbours how many are triangulated around each point; two at least
+  \param neighbours the number of neighbours to triangulate around each point; at least two
   \param time_factor the time of diffusion, in squares of the mean length of edges
   \throws Invalid_input as `make_point_cloud()`
   \throws std::invalid_argument if the time is not positive, or so long that heat is even everywhere
-  \complexity that of triangles at n points, O(n log n); the first question factors matrices
+  \complexity that of triangles at n points, O(n log n); the first query factors matrices
   */
   explicit Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
                                std::size_t neighbours = 30, double time_factor = 1);
@@ -79,9 +77,10 @@ public:
   std::vector<Complex> logarithmic_map(std::size_t i) const;
 
   /*!
-  \brief finds the smoothest field of directions, see the function of this name.
-  \param degree the number of directions at a point that are alike
-  \param fixed points, and directions in their axes that are not to change
+  \brief finds the smoothest field of directions, see
+  `smoothest_direction_field()`.
+  \param degree the number of equivalent directions at a point
+  \param fixed points, and their fixed directions in their axes
   \throws std::invalid_argument if the degree is not positive, or a direction cannot be fixed
   */
   Direction_field
@@ -97,7 +96,7 @@ private:
   void expect_plane(std::size_t i) const;
 
   std::vector<std::array<double, 3>> points_;
-  int exponent_ = 0; // points times 2^-exponent are what is computed with
+  int exponent_ = 0; // computations use the points times 2^-exponent
   std::vector<Axes> axes_;
   std::size_t seam_edges_ = 0;
   std::optional<internal::Heat_transport> heat_;

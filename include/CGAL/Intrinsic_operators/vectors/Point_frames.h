@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point near one at a vertex, inside the face: where all directions are those of the plane.
+// Moves a point at a vertex into the face, where directions are those of the plane.
 inline Surface_point off_vertex(const Surface_point& p) {
   const unsigned k = corner_of(p);
   if (k == 3) return p;
@@ -33,8 +33,8 @@ inline Surface_point off_vertex(const Surface_point& p) {
   return result;
 }
 
-// The frames in which solvers diffuse vectors: those of a `Tangent_field`, but for border vertices,
-// whose angles are as they are.
+// The frames in which solvers diffuse vectors: those of a `Tangent_field`, except that angles at
+// border vertices are not scaled.
 template <class Triangulation>
 class Point_frames {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -65,7 +65,7 @@ public:
     return on_border_[i] == 0 ? z : turned(z, on_border_[i], std::numbers::pi);
   }
 
-  // The corners of a face from which a point is seen: one if the point is there.
+  // The corners of the face of a point; only one if the point is at a vertex.
   std::vector<Source_corner> corners(const Surface_point& p) const {
     const Intrinsic_view<Triangulation> view(*t_);
     const Geodesic_face face(view, p.halfedge);
@@ -89,7 +89,7 @@ public:
     const double turn = std::remainder(std::atan2(v[1], v[0]) - c.middle, full_turn);
     return std::polar(std::hypot(v[0], v[1]), c.polar_middle + c.scale * turn);
   }
-  // What `at_corner()` makes of a vector, back.
+  // The inverse of `at_corner()`.
   std::complex<double> from_corner(const Surface_point& p, const std::complex<double>& z) const {
     const Corner c(*this, p);
     const double turn = std::remainder(std::arg(z) - c.polar_middle, full_turn);
@@ -139,7 +139,7 @@ private:
     return is_on_border ? angles_[t_->numbers().halfedge(last)] : 0;
   }
 
-  // with the angles up to `from` stretched to `to`, and those beyond to what is left of the circle
+  // stretches the angles up to `from` to `to`, and the others to the rest of the circle
   static std::complex<double> turned(const std::complex<double>& z, double from, double to) {
     double a = std::arg(z);
     if (a < 0) a += full_turn;

@@ -29,15 +29,15 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// How a logarithmic map is found.
+/// The method for a logarithmic map.
 enum class Logarithm_method {
   /// by exact distances and the shortest paths: `logarithmic_map()`, without heat
   exact,
-  /// by heat that knows where it comes from: exact on flat surfaces, smooth, fast for many sources
-  /// (Soliman and Sharp 2025)
+  /// by heat of affine vectors: exact on flat surfaces, smooth, fast for many sources (Soliman and
+  /// Sharp 2025)
   affine,
-  /// by the angle between a radial and a parallel field, and the distance of which that is the
-  /// gradient (Sharp et al. 2019)
+  /// by the angle between a radial and a parallel field, and the distance whose gradient is the
+  /// radial field (Sharp et al. 2019)
   polar
 };
 
@@ -50,19 +50,19 @@ Sharp, Y. Soliman, K. Crane, *The Vector Heat Method*, 2019), and finds logarith
 
 with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix M: at each vertex,
 the vector that arrives along the shortest path from the nearest source, with its length. On flat
-surfaces transport is exact. Matrices are factored when they are first needed, and once: all further
-sources cost triangular solves. They have nonnegative weights in Delaunay triangulations, which
-other ones should be made first.
+surfaces transport is exact. Each matrix is factored once, when it is first needed: further sources
+cost triangular solves. Weights are nonnegative in Delaunay triangulations: call
+`flip_to_delaunay()` before.
 
-Vectors at vertices are those of a `Tangent_field`; at border vertices, whose angles are not scaled
-inside, a vector that points out of the surface is kept in the half of the circle beyond the border.
+Vectors at vertices are those of a `Tangent_field`. At border vertices, computations do not scale
+angles; a vector that points out of the surface stays in the half of the circle beyond the border.
 Points are places on the triangulation with vectors in the frame of their halfedge, as
-`Tangent_vector`; `surface_point(t, face_location)` makes one. Vectors that are not known are not
-numbers: those on components without a source, and those without direction. Heat falls with
-distance, below what doubles hold after some hundred edges; values have exponents of their own, so
-that any distance and lengths of any size will do.
+`Tangent_vector`; `surface_point(t, face_location)` makes one. Unknown vectors are NaN: on
+components without a source, and without direction. Heat falls with distance, below the range of
+doubles after some hundred edges; values have separate exponents, so distances and lengths may have
+any size.
 
-Functions that are const factor matrices at first: threads must not call them at once before.
+The first call of a const function factors matrices: only then may threads call them at once.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 */
 template <ConnectedTriangulation Triangulation_>
@@ -75,14 +75,14 @@ public:
 
   /*!
   \brief reads angles, weights and areas of a triangulation.
-  \param t the triangulation, which must outlive this and not change
+  \param t the triangulation; it must outlive this object unchanged
   \param np optional named parameters:
     - `time_factor(x)`: the time of diffusion is x times the square of the mean length of the edges.
       Default: 1.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if the time is not positive, or so long that heat is even
     everywhere, or the surface is that of a cloud of points, see `Point_cloud_vectors`
-  \complexity linear; the first question factors matrices
+  \complexity linear; the first query factors matrices
   */
   template <NamedParameters NP = parameters::Parameters<>>
   explicit Vector_heat_method(const Triangulation_& t, const NP& np = parameters::default_values())
@@ -92,12 +92,11 @@ public:
   }
 
   /*!
-  \brief factors the matrices that are factored at the first question otherwise: what takes long, so
-  that it can be followed and stopped.
+  \brief factors the matrices before the first query, so that the caller can observe and stop it.
   \param np optional named parameters:
     - `visitor(v)`: `v.progress(step)` is called with a `Transport_step` after each, and returns
       whether to go on.
-  \return `cancelled` if it told not to before all were factored; a question factors the rest
+  \return `cancelled` if the visitor stopped it; then a query factors the rest
   \complexity that of factoring a real and a complex matrix, once
   */
   template <NamedParameters NP = parameters::Parameters<>>
@@ -119,8 +118,8 @@ public:
   \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes
   from the nearest of several points.
   \param p the point
-  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity where none
-    arrives: on other components
+  \return natural logarithms, by the numbers of a `Tangent_field`; minus infinity on other
+  components
   \complexity that of solving with one factored real matrix; once more for each 700 edges or so from
     the point
   */
@@ -128,8 +127,7 @@ public:
     return heat_.log_heat(frames_.corners(p));
   }
 
-  /// tells whether points are on one component of the surface, so that heat goes from one to the
-  /// other. \complexity constant
+  /// returns whether two points are on one component of the surface. \complexity constant
   bool are_connected(const Surface_point& p, const Surface_point& q) const {
     return part(p) == part(q);
   }
@@ -139,10 +137,10 @@ public:
   const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
 
   /*!
-  \brief extends values at vertices to all: each takes that of the nearest source, smoothly.
+  \brief extends values at vertices to all vertices: smoothly, near the value of the nearest source.
   \param sources vertices and their values
   \return values by the numbers of a `Tangent_field`, between the least and the greatest value of
-    sources; not numbers on components without a source
+    sources; NaN on components without a source
   \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not
     finite
   \complexity that of solving with one factored real matrix
@@ -188,8 +186,8 @@ public:
     return transport(std::vector<std::pair<vertex_descriptor, Complex>>{{v, z}});
   }
 
-  /// transports vectors from points; see above. In a face, a vector is taken to its corners, by
-  /// their weights.
+  /// transports vectors from points; see above. A vector in a face moves to the corners, by their
+  /// weights.
   Tangent_field transport(const std::vector<Tangent_vector>& sources) const {
     internal::Vector_sources s(heat_.graph().size);
     for (const Tangent_vector& v : sources) {
@@ -210,14 +208,14 @@ public:
   }
 
   /*!
-  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` of which the
-  exponential map is there, along the shortest path (see `exponential_map()`). By heat, vectors are
-  no shorter than chords in space, and near the cut locus, where several paths are shortest, not
-  more than that can be said of them.
-  \param v the vertex, not an isolated one
+  \brief finds the logarithmic map of a vertex: for each vertex, the vector at `v` along the
+  shortest path, whose exponential map is that vertex (see `exponential_map()`). By heat, vectors
+  are no shorter than chords in space; near the cut locus, where several paths are shortest, that is
+  the only guarantee.
+  \param v the vertex, which is not isolated
   \param method how to find it
-  \return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
-    numbers where nothing arrives
+  \return by the numbers of a `Tangent_field`, vectors in the coordinates of `v`; NaN on other
+  components
   \throws std::invalid_argument if the vertex is isolated
   \complexity exact: that of `logarithmic_map()`; else that of solving twice with one factored real
     and once with one factored complex matrix
@@ -251,11 +249,11 @@ public:
 
   /*!
   \brief finds a logarithmic map between two points: interpolates one in the face of `q`.
-  \param log what `logarithmic_map(p)` has returned
+  \param log the result of `logarithmic_map(p)`
   \param p a point
   \param q another point; in the same face, the result is exact
   \return the vector to `q`, in the frame of `p.halfedge`
-  \throws std::invalid_argument if `log` has not a vector per vertex
+  \throws std::invalid_argument if `log` does not have a vector per vertex
   */
   Complex logarithm_at(const std::vector<Complex>& log, const Surface_point& p,
                        const Surface_point& q) const {

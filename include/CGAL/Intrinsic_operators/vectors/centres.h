@@ -33,14 +33,14 @@ struct Karcher_mean {
   Surface_point point;   ///< where it is
   double residual = 0;   ///< length of the mean of the vectors to the points, zero at a centre
   double energy = 0;     ///< mean of the squared distances
-  std::size_t steps = 0; ///< number of logarithmic maps that were found
+  std::size_t steps = 0; ///< number of logarithmic maps
   Status status =
       Status::done; ///< `cap`: the number of steps did not suffice; `cancelled` by the caller
 };
 
 namespace internal {
 
-// Points with weights, as they are seen from a point.
+// Points with weights, and their mean as seen from a point.
 template <class Triangulation>
 class Weighted_points {
 public:
@@ -95,8 +95,8 @@ private:
 \brief finds the centre of points on a surface: a point where the mean of the vectors to them
 vanishes, a local minimum of the mean of squared distances.
 
-Each step goes along that mean, as far as the energy falls, from the point of greatest weight.
-Points at vertices are moved by a thousandth of an edge.
+It starts at the point of greatest weight; each step goes along that mean as far as the energy
+falls. Points at vertices move by a thousandth of an edge first.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param heat logarithmic maps on the triangulation
 \param points points of it, and their weights
@@ -125,7 +125,7 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
   mean.residual = std::abs(step);
   const double enough = internal::value_or<tags::tolerance>(np, 1e-4) * heat.mean_edge_length();
   double part =
-      1; // of the step; so small that the energy falls no more for the errors of logarithmic maps
+      1; // of the step; below it, errors of logarithmic maps dominate the energy
   for (mean.steps = 1; mean.residual > enough && part >= 0x1p-10; ++mean.steps) {
     if (mean.steps >= maximum_steps) {
       mean.status = Status::cap;
@@ -154,8 +154,8 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
 */
 struct Voronoi_centres {
   std::vector<Surface_point> sites; ///< the points
-  /// Of each vertex, by the numbers of a `Tangent_field`, the nearest site; `Gluing::none` on
-  /// components without one.
+  /// The nearest site of each vertex, by the numbers of a `Tangent_field`; `Gluing::none` on
+  /// components without a site.
   std::vector<std::uint32_t> cell;
   double largest_move = 0; ///< by which a site moved in the last step
   std::size_t steps = 0;   ///< number of steps
@@ -165,7 +165,7 @@ struct Voronoi_centres {
 
 namespace internal {
 
-// The nearest of several sites for each vertex: that from which most heat comes.
+// The nearest of several sites for each vertex: the one that sends most heat.
 template <class Triangulation>
 std::vector<std::uint32_t> voronoi_cells(const Vector_heat_method<Triangulation>& heat,
                                          const std::vector<Surface_point>& sites) {
@@ -189,10 +189,10 @@ std::vector<std::uint32_t> voronoi_cells(const Vector_heat_method<Triangulation>
 
 /*!
 \brief moves points on a surface to the centres of their cells (Lloyd's method, as in §8.4 of Sharp
-et al. 2019): a sampling that is even.
+et al. 2019), for an even sampling.
 
 Each step finds the vertices nearest to each site, and moves the site along the mean of the vectors
-to them, weighted by area. Sites at vertices are moved by a thousandth of an edge.
+to them, weighted by area. Sites at vertices move by a thousandth of an edge first.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param heat logarithmic maps on the triangulation
 \param sites points of it, where to start

@@ -34,7 +34,7 @@ Smoothest fields of directions (F. Knoeppel, K. Crane, U. Pinkall, P. Schroeder,
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds `degree` directions at each vertex that are alike: vectors, lines, crosses.
+\brief holds `degree` equivalent directions at each vertex: vectors, lines, crosses.
 */
 struct Direction_field {
   /// Number of directions: 1 for vectors, 2 for lines, 4 for crosses.
@@ -42,7 +42,7 @@ struct Direction_field {
   /// The powers of the directions, of absolute value 1, by the numbers of a `Tangent_field`; zero
   /// at isolated vertices.
   std::vector<std::complex<double>> powers;
-  /// `cancelled` by the caller: there is no power then
+  /// `cancelled` by the caller: then there are no powers
   Status status = Status::done;
 
   /// returns one of the directions at each vertex. \param which a number below `degree`
@@ -112,12 +112,12 @@ among those whose powers `z` have length 1 in the mean, the eigenvector of the c
 for the least eigenvalue, in every component; values are then divided by their lengths. On the
 border directions are free.
 
-With directions fixed somewhere, as along curves (`directions_along_path()`), it is the solution of
-a linear problem in the components where there are any, with the others elsewhere.
+In components with fixed directions, as along curves (`directions_along_path()`), the field is the
+solution of a linear problem.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, Delaunay
 \param t the triangulation
-\param degree the number of directions at a vertex that are alike: 1 for vectors, 4 for crosses
-\param fixed vertices, and directions in their polar coordinates that are not to change
+\param degree the number of equivalent directions at a vertex: 1 for vectors, 4 for crosses
+\param fixed vertices, and their fixed directions in polar coordinates
 \param np optional named parameters:
   - `visitor(v)`: `v.progress(step)` is called with a `Direction_step` after each step that takes
     long but the last, and returns whether to go on.
@@ -145,15 +145,15 @@ It solves `(L + s M) z = M q` with the connection Laplacian L and the mass matri
 the given directions with their lengths as weights, and s the strength divided by the square of the
 mean length of edges.
 \param t the triangulation, see `smoothest_direction_field()`
-\param degree the number of directions at a vertex that are alike
-\param guide vectors in polar coordinates by the numbers of a `Tangent_field`: one of the directions
-  wanted at each vertex, longer where that matters more, zero where there is no wish. Principal
-  directions have degree 2: of either sign.
-\param strength zero for the smoothest field that is guided at all; the greater, the nearer
-\param fixed as there
-\param np as there
+\param degree the number of equivalent directions at a vertex \param guide vectors in polar
+  coordinates by the numbers of a `Tangent_field`: one of the directions wanted at each vertex,
+  longer where it matters more, zero where any direction will do. Principal directions have degree
+  2: both signs.
+\param strength zero gives the smoothest guided field; larger values bring it closer to the guide
+\param fixed see `smoothest_direction_field()`
+\param np see `smoothest_direction_field()`
 \throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and
-  as there
+as `smoothest_direction_field()` does
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Direction_field aligned_direction_field(const Triangulation& t, int degree,
@@ -178,11 +178,11 @@ Direction_field aligned_direction_field(const Triangulation& t, int degree,
 }
 
 /*!
-\brief returns the directions along a path of edges, at its vertices: what fields that follow it are
-fixed to.
+\brief returns the directions along a path of edges, at its vertices, to fix in fields that follow
+it.
 
-At a vertex between two edges of the path it is the middle one. A vertex that the path passes twice
-has the direction of the first time.
+A vertex between two edges of the path gets the middle direction. If the path passes a vertex twice,
+the first time counts.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param path halfedges of `t.mesh()`, each from the target of the one before

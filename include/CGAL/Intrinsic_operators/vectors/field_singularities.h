@@ -23,7 +23,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds how often a direction field turns about faces, and along the border.
+\brief holds the numbers of turns of a direction field about faces and along the border.
 
     sum of the indices of faces = degree * Euler characteristic + sum of the turns along the border
 
@@ -32,8 +32,8 @@ that are not manifold count once for each of their fans.
 */
 template <ConnectedTriangulation Triangulation>
 struct Field_singularities {
-  /// Of each face, at `t.index(f)`: times 1 / degree, the turns of a direction about it. Zero at
-  /// most faces.
+  /// Of each face, at `t.index(f)`: 1 / degree times the index is the number of turns of a
+  /// direction about the face. Most are zero.
   std::vector<int> index;
   /// A halfedge beside the border of each boundary loop, its face on the left, and the turns of the
   /// powers relative to the border along the loop: zero if the field follows the border.
@@ -101,15 +101,14 @@ std::uint32_t next_beside_border(const View& view, std::uint32_t h) {
 \brief counts how often a direction field turns about each face: its singularities.
 
 Along an edge the field turns by the least angle, from -pi to pi, of its power relative to parallel
-transport. Around a face these angles and the curvature that polar coordinates put there, `degree`
-times the sum of the scaled corner angles minus pi, sum up to full turns: the index is that number,
-which rounding to an integer finds as long as it is off by less than half a turn. Angles of edges
-are met twice, with opposite signs, so that the sum of all indices is exact.
+transport. Around a face these angles and its curvature in polar coordinates, `degree` times the sum
+of the scaled corner angles minus pi, sum up to full turns. The index is their number, rounded to an
+integer. Each edge occurs twice, with opposite angles, so the sum of all indices is exact.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
-\param field the field; where it is zero, it is taken to be the real axis
+\param field the field; zero counts as the real axis
 \return indices of faces, and turns along the border
-\throws std::invalid_argument if the field has not a value per vertex
+\throws std::invalid_argument if the field does not have a value per vertex
 \complexity linear
 */
 template <ConnectedTriangulation Triangulation>

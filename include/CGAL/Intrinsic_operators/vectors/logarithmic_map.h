@@ -28,11 +28,11 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the
-face that it points into; on the border, one that points out of the surface to the side of the
-border that is nearer.
+face that it points into. If it points out of the surface, the nearer side of the border replaces
+it.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
-\param v the vertex, not an isolated one
+\param v the vertex, which is not isolated
 \param z the vector
 \complexity linear in the degree
 */
@@ -43,7 +43,7 @@ Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::ve
   const std::uint32_t first = view.outgoing_halfedge(t.index(v));
   bool is_on_border = false;
   const double all = cone_angle(view, first, is_on_border), full = 2 * std::numbers::pi;
-  double a = std::arg(z); // on the border, what points out belongs to the nearer side of it
+  double a = std::arg(z); // outward vectors turn to the nearer side of the border
   if (a < (is_on_border ? -full / 4 : 0.)) a += full;
   const double turn = a * all / (is_on_border ? full / 2 : full);
   return internal::at_start(
@@ -53,10 +53,10 @@ Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::ve
 
 /*!
 \brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the
-course): the exponential map, which logarithmic maps undo.
+course): the exponential map, the inverse of logarithmic maps.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
-\param v the vertex, not an isolated one
+\param v the vertex, which is not isolated
 \param z the vector, in the polar coordinates of the vertex and the units of the input
 \return the geodesic, whose last point is the result
 \complexity that of `trace_geodesic()`
@@ -78,7 +78,7 @@ Geodesic exponential_map(const Triangulation& t, const Surface_point& p,
 
 namespace internal {
 
-// What `to_frame` makes of the logarithm of each vertex, by its number.
+// The result of `to_frame` for the logarithm of each vertex, by its number.
 template <class Triangulation, class To_frame>
 std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& frames,
                                              const Polyhedral_distance<Triangulation>& distance,
@@ -96,23 +96,18 @@ std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& 
 
 /*!
 \brief finds the logarithmic map of a vertex, without discretization: for each vertex the vector at
-  `v` along the shortest path to it,
-as long as the path (see `exponential_map()`).
+  `v` along the shortest path to it, as long as the path (see `exponential_map()`).
 
-Lengths and directions are those of `Polyhedral_distance`, so that the result does not depend on
-the triangulation of the surface. In the plane it is
-the displacement. Shortest paths bend only at vertices whose angles are more than a full turn: all
-that lies behind such a vertex has
-its direction.
+Lengths and directions are those of `Polyhedral_distance`, so the result does not depend on the
+triangulation of the surface. In the plane it is the displacement. Shortest paths bend only at
+vertices with more than a full turn of angle: all vertices behind such a vertex have its direction.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
-\param v the vertex, not an isolated one
+\param v the vertex, which is not isolated
 \param np named parameters of `Polyhedral_distance`: `maximum_distance(d)` finds the map near the
-  vertex, in a time that depends only on
-  what is there
-\return by the numbers of a `Tangent_field`, vectors that are all in the coordinates of `v`; not
-  numbers at vertices that no path
-  reaches: on other components, or farther away than asked for
+vertex only, and takes less time
+\return by the numbers of a `Tangent_field`, vectors in the coordinates of `v`; NaN on other
+components and beyond the maximum distance
 \throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
   points, see `Point_cloud_vectors`
 \complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest

@@ -42,7 +42,7 @@ double bending(const Input& input, std::uint32_t h, const Place& at) {
   return std::atan2(e.dot(normal.cross(other)) / length, normal.dot(other)) * length;
 }
 
-// \param at where in space the source of a halfedge of the input is
+// \param at the position in space of the source of a halfedge of the input
 template <class Triangulation, class Place>
 Tangent_field principal_directions_at(const Triangulation& t, const Place& at) {
   const Input& input = kept_input(t);
@@ -76,9 +76,9 @@ The curvature of a neighbourhood is the sum over its edges of the angle between 
 \tparam Mesh the type of the user's mesh
 \param t the triangulation
 \param mesh the mesh that `t` was built from, its faces triangles
-\return a vector at each vertex in the coordinates of `t`, either of two opposite ones: as long as
-  half the difference of the principal curvatures, in 1 / length; zero at inserted vertices, where
-  fields interpolate
+\return a vector at each vertex in the coordinates of `t`, one of two opposite ones, as long as half
+  the difference of the principal curvatures, in 1 / length; zero at inserted vertices, where fields
+  interpolate
 \throws Invalid_input if the mesh is another one
 \complexity linear, and that of `tangent_field_to_intrinsic()`
 */
@@ -96,7 +96,7 @@ Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
 }
 
 /*!
-\brief finds them from the points of the user's vertices, where there is no mesh; see above.
+\brief finds them from the points of the user's vertices, without a mesh; see above.
 \param t the triangulation
 \param points a point per row of the input
 \throws std::invalid_argument if there are fewer points
