@@ -45,20 +45,20 @@ struct Path_point {
 };
 
 /*!
-\brief is the way of an edge of one triangulation over the other.
+\brief is the path of an edge of one triangulation over the other.
 */
 struct Edge_path {
-  /// `done`; `inaccurate`, with `Signposts` only: some vertex is so close to the way that rounding
-  /// may have decided on which side, so points may lack or be too many; or `not_traceable` and
-  /// there are no points.
+  /// `done`; `inaccurate`, with `Signposts` only: some vertex is so close to the path that rounding
+  /// may have decided its side, so that points may be missing or superfluous; or `not_traceable`,
+  /// without points.
   Status status = Status::done;
-  /// The halfedge of the other triangulation along which the whole edge runs, in its direction, or
-  /// a part of which it is; `Gluing::none` if there is none.
+  /// The halfedge of the other triangulation that contains the whole edge, in its direction;
+  /// `Gluing::none` if there is none.
   std::uint32_t along = Gluing::none;
   /// Its start, the points where it crosses or meets edges and vertices of the other triangulation,
-  /// and its end: two at least. Between them it is straight and in one face of both. A crossing of
-  /// an intrinsic edge with an input edge is named in the input face that the intrinsic edge
-  /// enters.
+  /// and its end: at least two points. Between them it is straight and in one face of both. A
+  /// crossing of an intrinsic edge with an input edge is named in the input face that the intrinsic
+  /// edge enters.
   std::vector<Path_point> points;
 };
 

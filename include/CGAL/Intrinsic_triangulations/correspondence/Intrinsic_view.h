@@ -40,7 +40,7 @@ typename boost::graph_traits<Mesh>::halfedge_descriptor graph_halfedge(Descripto
 
 /*!
 \brief reads an intrinsic triangulation by the numbers of its elements, with the same functions as
-`Input`: what walks over one can walk over the other.
+`Input`: algorithms can walk over both.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \cgalModels{NumberedComplex}
 */
@@ -110,9 +110,9 @@ private:
 
 namespace internal {
 
-// Views a triangulation; what it says of a thin face is as accurate as of any other, if traits are
-// exact. In a face beside a very short edge the middle of the interval of an area may be far off,
-// and the angle between the edge and a line with it.
+// Views a triangulation; with exact traits, values of thin faces are as accurate as others. In a
+// face beside a very short edge the middle of the interval of an area may be far off, and the angle
+// between the edge and a line with it.
 template <class Triangulation>
 class Accurate_view : public Intrinsic_view<Triangulation> {
   using Base = Intrinsic_view<Triangulation>;

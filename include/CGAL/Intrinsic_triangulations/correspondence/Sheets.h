@@ -21,22 +21,22 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether a triangulation may know the places of inserted vertices on its input.
+// Whether a triangulation may store the places of inserted vertices on its input.
 template <class Triangulation>
 concept Knows_places = Triangulation::has_correspondence && requires(const Triangulation& t) {
   t.places();
 };
 
 /*!
-Knows which points of a double cover are copies of one point of the user's faces: the front and the
-back of a face, by name 2f and 2f + 1, and all edges of the cover that lie over one edge of the
+Finds the points of a double cover that are copies of one point of the user's faces: on the front
+and the back of a face, by name 2f and 2f + 1, and on all edges of the cover over one edge of the
 user.
 
-To change sides is an isometry of the cover away from *seams*: front and back of two faces that meet
-at an edge are glued by front to front and back to back. Where k > 2 faces meet, the front of the
-first is glued to the second, but its back to the last. So edges that have not two faces are seams:
-those with one, over which a tufted cover turns to the other side, too, as there a point and its
-copy are as near to each other as they are to the edge.
+Exchanging front and back is an isometry of the cover away from *seams*: front and back of two faces
+that meet at an edge are glued by front to front and back to back. Where k > 2 faces meet, the front
+of the first is glued to the second, but its back to the last. So edges with more than two faces are
+seams, and so are edges with one face, over which a tufted cover turns to the other side: a point
+near the edge is close to its copy.
 */
 class Sheets {
 public:
@@ -46,8 +46,8 @@ public:
   // whether there are two sides
   bool is_cover() const { return is_cover_; }
 
-  // Marks the edges of the cover that are seams, but those that make an angle below 60 degrees with
-  // another, and those over the same edges. \complexity linear
+  // Marks the seams of the cover, except those that make an angle below 60 degrees with another
+  // seam, and those over the same edges. \complexity linear
   std::vector<char> wide_seams() const;
 
   // the other points that are copies of the same point as `p`, each once
@@ -63,13 +63,12 @@ private:
   std::uint32_t other_face(std::uint32_t f) const;
   std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
 
-  // whether sides are changed at an edge other than by an isometry; an edge of the border is no
-  // seam
+  // whether an edge is a seam; border edges are not
   bool is_seam(std::uint32_t edge) const;
 
-  // The edges over the user's edge that one lies over: a halfedge of each, the given one first; all
-  // run along it in one direction.
-  // \param most how many are wanted at most
+  // The edges over the same edge of the user: a halfedge of each, the given one first; all run in
+  // one direction.
+  // \param most the maximal number of edges
   std::vector<std::uint32_t>
   edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
@@ -85,9 +84,8 @@ private:
 };
 
 /*!
-Finds out which inserted vertices lie over one point of the user's faces; they are told one after
-the other.
-\tparam Coordinates know where vertices are
+Finds the inserted vertices over one point of the user's faces; the caller adds them one by one.
+\tparam Coordinates store where vertices are
 */
 template <class Coordinates>
 class First_copies {
@@ -110,7 +108,8 @@ public:
     };
     const auto here = name(i);
     const auto [place, is_new] = by_place_.insert({here, i});
-    if (!is_new && name(place->second) != here) place->second = i; // that one was moved away
+    if (!is_new && name(place->second) != here) place->second = i; // removes one that was moved
+                                                                   // away
     return place->second;
   }
 
@@ -122,9 +121,9 @@ private:
 
 // Counts the inserted vertices without the gaps that removals leave in their numbers: rows of
 // matrices, in the order of the numbers. On a cover, the copies of a vertex have one row, that of
-// the first of them. What was inserted last is counted when somebody asks; after a removal those
-// after it are, on a cover all.
-// \tparam Coordinates know where inserted vertices are
+// the first of them. Counting is lazy: the next query counts new vertices, and those after a
+// removed one (on a cover, all).
+// \tparam Coordinates store where inserted vertices are
 template <class Coordinates>
 class Vertex_rows {
 public:
@@ -165,7 +164,7 @@ public:
   }
 
 private:
-  // Not copied: it refers to an input, which the copy may have another of.
+  // Not copied: it refers to an input, and the copy may have another one.
   struct Cache {
     std::unique_ptr<First_copies<Coordinates>> copies;
 
@@ -178,8 +177,8 @@ private:
     }
   };
 
-  // The row of this vertex and of all after it may be another now. Whether another copy is the
-  // first now takes all of them.
+  // The rows of this vertex and of all after it may change. On a cover all rows may change, since
+  // another copy may be the first.
   void forget_from(std::size_t i) {
     if (i >= row_.size()) return;
     if (is_cover_) i = 0;

@@ -25,7 +25,7 @@
 Faces in the plane, and angles about vertices, read by number from the input or from the intrinsic
 triangulation (§2.3.7 and §2.4 of the course).
 
-What they are read from is a model of `NumberedComplex`: `Input`, `Intrinsic_view`.
+Both are models of `NumberedComplex`: `Input`, `Intrinsic_view`.
 */
 
 namespace CGAL::Intrinsic_triangulations {

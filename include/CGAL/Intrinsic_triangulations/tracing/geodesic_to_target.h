@@ -19,17 +19,17 @@
 
 /*!
 \file
-Geodesics whose end is known: a direction and a length lead close to it, and the straight line
-through the same faces that ends there exactly is proved to stay in them.
+Traces geodesics with a known end: a direction and a length lead close to it, and then the straight
+line through the same faces that ends there exactly is proven to stay in them.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// A point where a geodesic is known to end: a vertex, or a point of a face.
+/// The known end of a geodesic: a vertex, or a point of a face.
 struct Geodesic_target {
   /// The vertex, or `Gluing::none`.
   std::uint32_t vertex = Gluing::none;
-  /// Descriptions of the point if it is no vertex; one on an edge has two.
+  /// Descriptions of the point if it is not a vertex; one on an edge has two.
   std::array<Surface_point, 2> point{Surface_point{Gluing::none, {}},
                                      Surface_point{Gluing::none, {}}};
 
@@ -40,7 +40,7 @@ struct Geodesic_target {
     return t;
   }
 
-  /// makes a target of a point that is no vertex.
+  /// makes a target of a point that is not a vertex.
   template <NumberedComplex Complex>
   static Geodesic_target at_point(const Complex& complex, const Surface_point& p) {
     Geodesic_target t;
@@ -92,12 +92,11 @@ struct Strip_side {
   }
 };
 
-/// How a geodesic was found to lead to its target.
+/// The straight line of a geodesic to its target.
 struct Geodesic_to_target {
-  /// Whether it does: a straight line through the faces ends at the target.
+  /// Whether a straight line through the faces ends at the target.
   bool is_reached = false;
-  /// Whether it does so beyond rounding: no vertex is as close to the line as rounding may have
-  /// moved it.
+  /// Whether this is certain: no vertex is as close to the line as its error.
   bool is_certain = false;
   /// The side of the face that the whole line lies on, or `Gluing::none`. It starts at the source
   /// of the halfedge, or nearer to it than it ends.
@@ -214,14 +213,12 @@ private:
 } // namespace internal
 
 /*!
-\brief traces a geodesic to a target that is known to be at its end, up to errors of direction and
-length.
+\brief traces a geodesic to a known target, despite errors of direction and length.
 
 Where the line comes close to the target, it is replaced by the straight line through the same faces
-that ends at the target. That one is accepted if all vertices are on the side of it where the faces
-have them. As it starts with nearly the same direction and has nearly the same length, it is the
-geodesic, unless a vertex is so close to it that rounding cannot tell the side: then the result is
-not certain.
+that ends at the target. It accepts that line if all vertices of the faces are on their sides of it.
+Since the line has nearly the same direction and length, it is the geodesic, unless a vertex is so
+close to it that rounding hides the side: then the result is not certain.
 \tparam Complex a model of `NumberedComplex`
 \param complex the surface
 \param walk the start

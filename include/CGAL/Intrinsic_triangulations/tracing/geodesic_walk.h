@@ -24,19 +24,18 @@ struct Geodesic_crossing {
 };
 
 /*!
-\brief is a straight line on its way through the faces of a surface: the steps that every tracing
-algorithm repeats (§2.4.2 of the course).
+\brief is a straight line on its way through the faces of a surface: the common steps of all tracing
+algorithms (§2.4.2 of the course).
 
-The line is known in the frame of the face that it has entered: by the weights of the point of entry
-and a unit vector. In each face the corners that lie to the left of the line are told from those to
-the right, and it leaves through the side between them: never through the one that it entered by,
-and at a parameter that is a ratio of distances from the line and so lies between 0 and 1. Where the
-line passes a vertex closely, the angle that is left to turn about it falls with every face passed:
-the walk cannot go back and forth.
+The weights of the point of entry and a unit vector give the line in the frame of the current face.
+The line leaves the face through the side between the corners on its left and on its right, never
+through the side of its entry, at a parameter that is a ratio of distances from the line and so lies
+between 0 and 1. If the line passes close to a vertex, the remaining angle around it falls with
+every face: the walk cannot go back and forth.
 
-Bounds of the first order are kept of what rounding has done to the line: `angle_error()` and
-`position_error()`. Stored squared lengths have relative errors u, thus the angle between two sides
-has error u L / (l l'), L the greatest of the face; needles make it large.
+`angle_error()` and `position_error()` are first-order bounds on rounding errors of the line. Stored
+squared lengths have relative errors u, thus the angle between two sides has error u L / (l l'), L
+the greatest of the face; needles make it large.
 \tparam Complex a model of `NumberedComplex`
 */
 template <NumberedComplex Complex>
@@ -89,7 +88,7 @@ public:
     leave_vertex(d);
   }
 
-  /// tells whether the direction points out of the surface, so that there is nothing to walk.
+  /// tells whether the direction points out of the surface, so that the walk is empty.
   bool is_blocked() const { return is_blocked_; }
   /// returns the face that the line is in.
   const Geodesic_face& face() const { return face_; }

@@ -19,12 +19,12 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief assigns tangent vectors at the vertices of a surface their coordinates (§2.4 of the course).
 
-The halfedges that start at a vertex form a *fan*; a nonmanifold vertex has several. The first
-halfedge of a fan is the reference direction: the one with the border on its right if there is one.
-The *cone angle* of a direction is the sum of the angles of the corners passed from there
-counterclockwise; the tangent vector has the polar angle phi = 2 pi / Theta times the cone angle,
-scaled once, with Theta the sum of all angles. At a border vertex the scale is pi / Theta, so that
-the vectors that point into the surface fill a half-plane.
+The halfedges from a vertex form a *fan*; a nonmanifold vertex has several. The first halfedge of a
+fan is the reference direction: the one with the border on its right, if any. The *cone angle* of a
+direction is the sum of the angles of the corners passed from there counterclockwise; the tangent
+vector has the polar angle phi = 2 pi / Theta times the cone angle, scaled once, with Theta the sum
+of all angles. At a border vertex the scale is pi / Theta, so that the vectors that point into the
+surface fill a half-plane.
 */
 class Tangent_frames {
 public:

@@ -19,12 +19,12 @@
 \file
 The exponential map (§2.4.2 of the course): a geodesic from a point, in a direction, for a length.
 
-Inside faces and across edges a geodesic is a straight line. At an interior vertex it goes
-straightest: with equal angles on both sides. At the border, border vertices included, it stops.
+A geodesic is straight inside faces and across edges. At an interior vertex it continues
+straightest, with equal angles on both sides. It stops at the border, also at border vertices.
 
-**Vertices.** A line that leaves a face so close to a vertex that rounding may have decided on which
-side it passes (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the
-side) is taken to hit the vertex. On a flat vertex that changes nothing beyond rounding.
+**Vertices.** A line hits a vertex if it leaves a face so close to it that rounding may have decided
+the side (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the side).
+On a flat vertex this changes nothing beyond rounding.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -38,10 +38,10 @@ struct Geodesic_end {
   Plane_vector<double>
       direction; ///< unit vector along the geodesic, in the frame of `point.halfedge`
   double length; ///< length from start to end
-  double error;  ///< bound of the first order on the error of the end
+  double error;  ///< first-order bound on the error of the end
 };
 
-/// What a geodesic does on its way.
+/// Options of a geodesic.
 struct Trace_options {
   /// Number of faces after which to give up: every trace ends.
   std::size_t maximum_faces = std::size_t{1} << 22U;
@@ -64,7 +64,7 @@ bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Comp
   return true;
 }
 
-// Where a walk that is given a length ends.
+// End of a walk with a given length.
 template <NumberedComplex Complex>
 Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, double length,
                          const Trace_options& options, std::vector<Geodesic_crossing>& crossings) {
@@ -100,8 +100,8 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, do
 }
 
 // Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of
-// `NumberedComplex` in its units. The edges that are crossed are appended to `crossings`; one that
-// goes through a vertex crosses the edge that it leaves the face at with parameter 0 or 1.
+// `NumberedComplex` in its units. Appends the crossed edges to `crossings`; a geodesic through a
+// vertex crosses the edge where it leaves the face, with parameter 0 or 1.
 template <NumberedComplex Complex>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Plane_vector<double>& direction, double length,

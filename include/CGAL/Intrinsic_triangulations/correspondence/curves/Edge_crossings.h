@@ -136,7 +136,7 @@ Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordin
 }
 
 /*!
-\brief tells where crossings are along the edges.
+\brief holds where crossings are along the edges.
 */
 struct Crossing_parameters {
   /// Per crossing: 0 at the source of the even halfedge of the input edge, 1 at its target.
@@ -203,7 +203,7 @@ private:
   Straight_line line_{{0, 0}, {0, 0}};
 };
 
-// What is in order along an edge stays in order.
+// Keeps the order along edges.
 void make_monotone(const Edge_crossings& crossings, Crossing_parameters& p);
 
 } // namespace internal
@@ -212,8 +212,8 @@ void make_monotone(const Edge_crossings& crossings, Crossing_parameters& p);
 \brief computes where crossings are: for each intrinsic edge the input triangles that it passes are
 unfolded, and its ends joined by a straight line.
 
-Nothing but the input and the connectivity of the crossings enters, so that errors do not grow with
-the number of moves.
+It uses only the input and the connectivity of the crossings, so that errors do not grow with the
+number of moves.
 \param t the triangulation
 \param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
 \param crossings what `edge_crossings()` returned

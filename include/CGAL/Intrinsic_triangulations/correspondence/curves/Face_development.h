@@ -34,17 +34,16 @@ struct Place_in_face {
 };
 
 /*!
-\brief finds the input triangles over which an intrinsic face lies, and which region of the face is
-in which.
+\brief finds the input triangles under an intrinsic face, and the region of the face in each of
+them.
 
 The curves (input edges) in a face ijk cut off corners or emanate from one corner. In the first case
 a middle region is left, from which the regions at each corner are reached across the curves that
 cut it off; in the second the regions form one strip along the side opposite that corner. Each lies
-in one input triangle. All are known from the lists of the curves that cross one or two sides (§3.5
-of the course).
+in one input triangle. The lists of curves across one or two sides determine all of them (§3.5 of
+the course).
 
-Nothing but the input and integers enters: errors do not depend on the moves that made the face.
-Memory stays from face to face.
+It uses only the input and integers: errors do not depend on earlier moves. It reuses its memory.
 */
 class Face_development {
 public:
@@ -113,8 +112,8 @@ public:
 
   /*!
   \brief finds the region of a point.
-  \param is_beyond tells of a triangle but the first whether the point is beyond the side over which
-    it is entered
+  \param is_beyond says for a triangle (not the first) whether the point is beyond the side over
+    which it is entered
   \param region becomes the region
   \return the triangle
   */

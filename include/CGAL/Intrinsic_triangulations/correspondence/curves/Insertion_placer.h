@@ -29,7 +29,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// tells where a vertex that is to be inserted lies.
+/// holds the place of a vertex before its insertion.
 struct Placed_insertion {
   bool along_side = false; ///< on the first side of the face, which runs along an input edge
   Face_region region;      ///< the region of the face
@@ -72,12 +72,11 @@ std::optional<Place_in_face> place_in(const Face& face, const View& view,
 } // namespace internal
 
 /*!
-\brief finds a place on the input for a vertex that is to be inserted in an intrinsic face, and what
-lengths and areas that place makes.
+\brief finds a place on the input for a new vertex in an intrinsic face, and the new lengths and
+areas.
 
 Barycentric coordinates in an input face are rounded to multiples of 2^-52, which then *define* the
-vertex: all that follows from it, in whatever arithmetic, depends on the input alone. See
-`Unfolded_face`.
+vertex: all values at it, in any arithmetic, depend on the input alone. See `Unfolded_face`.
 */
 class Insertion_placer {
 public:
@@ -89,13 +88,12 @@ public:
   \param t the triangulation; if its metric is exact, its scope is live
   \param coordinates a model of `CurveCoordinates`
   \param h a halfedge of the face
-  \param weights barycentric coordinates, approximately; if the last one is zero, the vertex will be
-    on the side, if that runs along an input edge, else within rounding of it, inside the face
-  \param wanted the place, if it is not to be found
-  \note For exact metrics a place on a curve beyond a side is replaced by one beside the curve, and
-  a point that rounding puts outside of the face is moved inwards, by a part of the height that is
-  below 2^-28 or, in thin faces, of which few points can be represented, by less than 2^-44 of the
-  longest side.
+  \param weights barycentric coordinates, approximately; if the last one is zero, the vertex is on
+    the side if that runs along an input edge, otherwise inside the face within rounding of the side
+  \param wanted the place, if it is given
+  \note For exact metrics, a place on a curve beyond a side is replaced by one beside the curve, and
+  a point that rounding puts outside of the face is moved inwards: by less than 2^-28 of the height,
+  or by less than 2^-44 of the longest side in thin faces, which have few representable points.
   \return the place; nothing if it is within rounding of a vertex, or, for exact metrics, not proven
   to be in the face
   */
@@ -114,8 +112,8 @@ public:
         const auto p = place_near(face_, t, coordinates, h, weights, along_side, wanted);
         if (p || along_side) return p;
       }
-      // intervals grow with the number of triangles that are unfolded one from another, and what is
-      // in the middle of them means less and less; centers of balls lose no more than rounding does
+      // intervals grow with the number of unfolded triangles, and their middles lose accuracy;
+      // centers of balls only have rounding errors
       return internal::to_nearest([&] {
         unfold(short_, coordinates.input());
         return place_near(short_.face, t, coordinates, h, weights, along_side, wanted);
@@ -135,9 +133,8 @@ public:
   /// exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 
-  /// returns the corner of the face that is seen best from the place that was found last, for such
-  /// a metric; nothing if intervals are too wide to tell its direction, and were not needed in more
-  /// bits.
+  /// returns the corner of the face with the most accurate direction from the last place, for such
+  /// a metric; nothing if intervals are too wide to give a direction.
   /// \pre rounding is upwards, and the face has not changed
   std::optional<Seen_corner> seen_corner(const Input& input) const;
 
@@ -182,8 +179,7 @@ private:
       const bool is_there = p && is_in_face(t, coordinates.input(), *p, along_side);
       return is_there ? placed(p, along_side) : std::nullopt;
     }
-    // a point of a side that runs across input faces cannot be represented, as a rule: one beside
-    // it can
+    // a point of a side across input faces is usually not representable: one beside it is
     double distance = weights[2] == 0 && !along_side ? nearness : 0;
     const auto place_at_distance = [&] {
       return place_in_face(face, t, coordinates, h, beside(view, h, weights, distance), along_side);
@@ -199,7 +195,7 @@ private:
   // the point, or one nearby that has a distance from all sides
   static std::array<double, 3> inside(std::array<double, 3> w, double distance);
 
-  // where a point is put on a curve if that is in the face, else beside the curve
+  // puts a point on a curve if that is in the face, else beside the curve
   template <class Face, class Triangulation, class Coordinates>
   std::optional<Placed_insertion>
   place_in_face(const Face& face, const Triangulation& t, const Coordinates& coordinates,
@@ -242,7 +238,7 @@ private:
 
   // whether the values are those of a point of the face
   bool are_positive(bool along_side) const;
-  // whether that cannot be told
+  // whether the values leave it open
   bool is_open(bool along_side) const;
 
   // balls with centers of a type
@@ -261,7 +257,7 @@ private:
     numbers.is_unfolded = true;
   }
 
-  // in more bits; an area that shows no sign in the most of them is not worth an insertion
+  // in more bits; if an area has no certain sign even there, the insertion is refused
   template <class Center>
   void find_values(Numbers<Center>& numbers, const Input& input, bool along_side) {
     const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {

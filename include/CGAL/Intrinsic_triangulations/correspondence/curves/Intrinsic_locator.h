@@ -25,7 +25,7 @@
 
 /*!
 \file
-From points of the input to points of the intrinsic triangulation, by integer coordinates.
+Maps points of the input to points of the intrinsic triangulation, by integer coordinates.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -150,8 +150,8 @@ private:
     return walk(h, {{0, 0}, {1, 0}}, {foot(p), 0}, p);
   }
 
-  // From where on the segment from 0 to 1 to walk to a point. At an end it would be open which way
-  // round the vertex to go.
+  // Start of the walk to a point, on the segment from 0 to 1. Not an end: from there the way around
+  // the vertex would be ambiguous.
   static double foot(const Point& p) { return p.x >= 0 && p.x <= 1 ? p.x : 0.5; }
 
   // the curve from 0 to 1: first the face at the foot of the perpendicular, then up
@@ -172,9 +172,9 @@ private:
   // Walks straight from a point of the face of a halfedge to another point, and returns the
   // latter's face. `z`: where the face is in the plane.
   //
-  // The walk never goes back over the side by which it came, and ends where the point is outside by
-  // no more than rounding: else a point on an edge, or at a vertex, could be sent to and fro for
-  // ever. Where rounding leads over the border, the last point before it is returned.
+  // The walk never goes back over the side by which it came, and ends if the point is outside only
+  // by rounding: otherwise it might not end for a point on an edge or at a vertex. If rounding
+  // leads over the border, it returns the last point before it.
   Walked walk(std::uint32_t halfedge, std::vector<Point> z, const Point& from,
               const Point& to) const {
     Development<> faces;
@@ -219,7 +219,7 @@ private:
     return 0x1p-50 * size(b - a) * (size(a) + size(c));
   }
 
-  // more faces, which are kept, mean that rounding leads in circles
+  // more faces mean that rounding leads in circles
   static constexpr std::size_t maximal_steps = std::size_t(1) << 22U;
 
   View view_;

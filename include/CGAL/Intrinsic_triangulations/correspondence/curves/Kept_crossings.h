@@ -25,10 +25,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 \brief keeps a short list of numbers per edge.
 
-A list of up to three is kept in its record, which is all that most edges need; a longer one in a
-block of one array, whose size is a power of two and follows from the length. Blocks that are given
-back are linked per size. Thus a change of a list seldom allocates memory, and a copy is that of two
-arrays.
+A record stores up to three numbers, enough for most edges. A longer list is in a block of one
+array; its length determines the size of the block, a power of two. Free blocks are linked per size.
+So changes of a list seldom allocate memory, and a copy copies two arrays.
 */
 class Crossing_lists {
 public:
@@ -145,29 +144,28 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
 }
 
 /*!
-\brief keeps the input halfedges that each intrinsic edge crosses, through moves that its owner,
-which has the normal coordinates, announces: see `Explicit_crossings`; or nothing, as long as that
-is faster.
+\brief keeps the input halfedges that each intrinsic edge crosses, see `Explicit_crossings`, or
+nothing, as long as that is faster. Its owner has the normal coordinates and announces moves.
 */
 class Kept_crossings {
 public:
   /// Normal coordinates of three sides.
   using Normals = std::array<Normal_coordinate, 3>;
 
-  /// tells whether crossings are kept. The functions below but the next three ask for that.
+  /// tells whether crossings are kept. All functions below except the next three require it.
   explicit operator bool() const { return are_kept_; }
 
-  /// keeps crossings for ever, from a triangulation on whose edges cross nothing.
+  /// keeps crossings permanently, from a triangulation without crossings on.
   void keep_always(std::size_t number_of_edges);
-  /// keeps crossings for ever, from those on.
+  /// keeps crossings permanently, starting with the given ones.
   void keep_always(const Edge_crossings& all);
 
   /*!
   \brief decides whether to keep crossings.
 
-  Where input edges that cross many intrinsic ones were followed again and again, for as long as it
-  takes to note down what crosses each edge, that is done: else the time of insertions would grow
-  with the length of the edges followed. Lists that get long are worse than that: moves change them.
+  It stores all crossings once following curves has taken as long as storing them would: otherwise
+  the time of insertions would grow with the length of the followed edges. It drops lists that get
+  long, since moves change them.
   \param t, coordinates the triangulation, its coordinates
   \param steps number of steps taken along curves since the last call
   \complexity constant, amortized over these steps
@@ -216,19 +214,18 @@ public:
   */
   void announce(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g,
                 Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along);
-  /// keeps what was announced, of a flip that makes an edge with `n` crossings.
+  /// stores the announced crossings of a flip, whose new edge has `n` of them.
   void store(const Flip& move, Normal_coordinate n);
 
   /// finds the crossings of the edges from the corners of a face to a region of it.
   void announce(const std::array<std::uint32_t, 3>& sides, const Normals& normals,
                 const Face_region& region);
-  /// keeps what was announced, of the edge from corner `k`, of which a halfedge starts there, with
-  /// `n` crossings.
+  /// stores the announced `n` crossings of the edge from corner `k`, whose halfedge starts there.
   void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
     store(halfedge, n, announced_[k]);
   }
 
-  /// makes room for edges, which cross nothing.
+  /// makes room for edges without crossings.
   void grow(std::size_t number_of_edges) { lists_.grow(number_of_edges); }
   /// forgets the crossings of an edge that goes.
   void clear(std::uint32_t edge) {

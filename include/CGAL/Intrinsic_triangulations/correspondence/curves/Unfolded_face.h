@@ -110,10 +110,10 @@ public:
   \brief places a point whose place on the input is known.
   \param input the input
   \param wanted the place: multiples of 2^-52; on an edge if the last weight is zero
-  \param weights barycentric coordinates of the point in the face, approximately: where the face
-    lies twice over an input triangle, they tell which is meant
-  \return the place; nothing if the face lies over no triangle with that place, or the edge runs
-  along a side of the face
+  \param weights barycentric coordinates of the point in the face, approximately: they select the
+    place if the face lies twice over an input triangle
+  \return the place; nothing if the place is not under the face, or its edge runs along a side of
+  the face
   */
   std::optional<Place> place_at(const Input& input, const Surface_point& wanted,
                                 const std::array<double, 3>& weights) const {
@@ -133,7 +133,7 @@ public:
     return at(result.triangle, result.location);
   }
 
-  /// tells whether errors of points are so large that the middle of their intervals means nothing.
+  /// tells whether errors of points are too large for the middles of their intervals.
   template <class Interval = FT> // other numbers have no bounds
   bool is_vague() const {
     const auto is_vague = [](const Interval& x) {

@@ -16,12 +16,12 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief numbers the curves that start from each vertex, counterclockwise: the order that roundabouts
-count in (§3.5.2 of the course).
+\brief numbers the curves that start from each vertex, counterclockwise: the order of roundabouts
+(§3.5.2 of the course).
 
-A *slot* is a number of a curve at its start. Slots of one fan of faces at a vertex are consecutive;
-a nonmanifold vertex has several fans. A vertex that was inserted on an input edge has a fan of the
-two parts of that edge.
+A *slot* is the number of a curve at its start. Slots of one fan of faces at a vertex are
+consecutive; a nonmanifold vertex has several fans. A vertex that was inserted on an input edge has
+a fan of the two parts of that edge.
 */
 class Vertex_fans {
 public:
@@ -85,7 +85,8 @@ private:
 };
 
 /*!
-\brief asks for integers that tell how the edges of the input run over the intrinsic triangulation.
+\brief requires integers that describe how the edges of the input run over the intrinsic
+triangulation.
 
 Syntax of \ref ::CurveCoordinates, where its meaning is described.
 */

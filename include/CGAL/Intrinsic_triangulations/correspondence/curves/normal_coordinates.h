@@ -16,8 +16,8 @@
 
 /*!
 \file
-Normal coordinates: what they tell of curves in one or two triangles, and curves followed from face
-to face (§3.5.1 of the course). Integers only.
+Normal coordinates: curves in one or two triangles, and curves followed from face to face (§3.5.1 of
+the course). Integers only.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -34,8 +34,8 @@ inline Normal_coordinate crossings(Normal_coordinate n) { return std::max(n, 0);
 inline Normal_coordinate parallels(Normal_coordinate n) { return std::max(-n, 0); }
 
 /*!
-\brief tells how curves run in a face: corner 0 is the source of side 0, side `k` runs from corner
-`k` to the next one.
+\brief describes how curves run in a face: corner 0 is the source of side 0, side `k` runs from
+corner `k` to the next one.
 */
 struct Corner_coordinates {
   /// Number of curves that cut off each corner, c in the course.
@@ -43,7 +43,7 @@ struct Corner_coordinates {
   /// Number of curves that emanate from each corner and cross the opposite side, e in the course.
   std::array<Normal_coordinate, 3> emanating;
 
-  /// returns the corner from which curves emanate, of which there is one at most, or 3.
+  /// returns the only corner from which curves emanate, or 3.
   unsigned fan_corner() const {
     return static_cast<unsigned>(std::find_if(emanating.begin(), emanating.end(),
                                               [](Normal_coordinate n) { return n > 0; }) -
@@ -97,7 +97,7 @@ struct Curve_end {
 };
 
 /*!
-\brief tells how curves run in the face of `h`, whose source is corner 0.
+\brief describes how curves run in the face of `h`, whose source is corner 0.
 \tparam Complex `Intrinsic_view`
 \tparam Coordinates has a function `normal_coordinate(edge)`
 */
@@ -255,8 +255,8 @@ std::array<Normal_coordinate, 3> inserted_normal_coordinates(const Corner_coordi
                                                              const Face_region& r);
 
 /*!
-\brief tells whether the edges to a vertex in a face are crossed as they are if the vertex is in one
-of the regions of the face: then the face can do without it.
+\brief tells whether the crossings of the edges to a vertex in a face are those of a vertex in a
+region of the face: then the vertex can be removed.
 \param c how curves run in the face without the vertex
 \param normal normal coordinates of the edges from the corners to the vertex
 \param is_on_curve whether the vertex is on a curve

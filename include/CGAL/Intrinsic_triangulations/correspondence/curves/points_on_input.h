@@ -69,7 +69,7 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
 }
 
 /*!
-\brief finds all of them for a side of a face; curves from the corner opposite need not be followed.
+\brief finds all of them for a side of a face; it does not follow curves from the opposite corner.
 \return the number of steps along curves
 */
 template <class View, CurveCoordinates Coordinates>
@@ -108,9 +108,8 @@ inline Face_side input_side(const Input& input, std::uint32_t halfedge) {
 }
 
 /*!
-\brief returns where a vertex is along an input halfedge that it lies on: 0 at its source, 1 at its
-target.
-\param coordinates a correspondence that knows the location of inserted vertices
+\brief returns the position of a vertex on an input halfedge: 0 at its source, 1 at its target.
+\param coordinates a correspondence with the locations of inserted vertices
 \param vertex an intrinsic vertex
 \param halfedge an input halfedge, of which a part starts or ends at the vertex
 \param starts whether a part of it starts from the vertex

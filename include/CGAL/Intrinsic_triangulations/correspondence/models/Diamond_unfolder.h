@@ -30,20 +30,20 @@ the input face in which ij starts: j by crossing the curves (input edges) that c
 turning about i across the curves that emanate from i into the face ijk, and then crossing those
 that cross ik; and m likewise. The curves that cross an edge are found in three ways:
 
-- those that emanate from a corner of one of the two faces are told by the roundabouts there;
+- roundabouts give those that emanate from a corner of one of the two faces;
 - those that cut off the corner i cross ij and ik in the same order;
-- others are followed to their end, over the faces around; side by side as long as they run so.
+- others are followed to their end over the faces around, side by side where possible.
 
-Paths are reduced words in crossings: one followed by its inverse cancels. As a diamond holds no
-vertex inside, the paths to its corners make one tree of triangles, whatever the order in which they
-were found.
+Paths are reduced words in crossings: a crossing followed by its inverse cancels. Since a diamond
+has no vertex inside, the paths to its corners form one tree of triangles, in whatever order they
+are found.
 
-Its memory stays from call to call.
+It reuses its memory.
 */
 class Diamond_unfolder {
 public:
-  /// Most crossings of an edge that are worth unfolding, with a megabyte of triangles;
-  /// `Integer_only_triangulation`, which knows nothing else, refuses flips that make more.
+  /// Maximal number of crossings of an edge that is unfolded, a megabyte of triangles.
+  /// `Integer_only_triangulation` has no other way and refuses flips with more.
   static constexpr Normal_coordinate maximal_crossings = Normal_coordinate(1) << 15;
 
   /*!
@@ -117,8 +117,7 @@ private:
     bool is_end_of(const Input& input, std::uint32_t h) const {
       return !is_inserted() && (halfedge == h || halfedge == input.next(h));
     }
-    // makes the path as short as it can be: an end of the last edge crossed is seen before crossing
-    // it
+    // shortens the path: an end of the last crossed edge is reached before crossing it
     void trim(const Input& input) {
       while (!path.empty() && is_end_of(input, path.back())) {
         const std::uint32_t to = path.back(), from = to ^ 1U;
@@ -132,8 +131,8 @@ private:
 
   const Unfolded_diamond& unfold_from_common_base();
 
-  // Moves the base of paths, given by how many crossings it has passed, across an edge that all
-  // cross, but for those to ends of that edge, if there is one.
+  // Moves the base of paths across the next edge if every path crosses it or leads to an end of it.
+  // The number of passed crossings gives the base.
   bool moves_base(std::size_t base);
 
   // joins the paths from the base on into one tree

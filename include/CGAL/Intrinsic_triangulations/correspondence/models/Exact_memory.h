@@ -22,10 +22,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Knows which intrinsic faces lie in a flat part of the input: faces in space that are connected
-// across edges over which they are exactly coplanar. Two intrinsic faces of one part make a diamond
-// in its plane, whatever edge they share, and two others when it is flipped. On CAD surfaces nearly
-// all flips are of this kind.
+// Stores which intrinsic faces lie in a flat part of the input: faces in space that are connected
+// across edges over which they are exactly coplanar. Two intrinsic faces of one part form a diamond
+// in its plane, before and after a flip. Nearly all flips on CAD surfaces are of this kind.
 class Flat_parts {
 public:
   // of no part
@@ -34,7 +33,7 @@ public:
   explicit Flat_parts(const Input& input) : part_of_input_(input.number_of_faces(), unknown) {}
 
   // The part in which a diamond of two faces lies, named by a face of the input in it. `unfold()`
-  // returns the input under the diamond, which is taken for flat or not as a whole.
+  // returns the input under the diamond, which is wholly flat or not flat.
   template <class Unfold>
   std::uint32_t part(const Input& input, std::uint32_t f, std::uint32_t g, const Unfold& unfold) {
     if (std::max(f, g) >= part_.size()) part_.resize(std::max(f, g) + 1, unknown);
@@ -48,10 +47,10 @@ public:
   }
   // the part in which all triangles are
   std::uint32_t part_of(const Input& input, const Unfolded_diamond::Triangles& triangles);
-  // how many diamonds have been unfolded for that
+  // number of diamonds unfolded for this
   std::size_t number_of_searches() const { return number_of_searches_; }
 
-  // follows a flip; two faces that are not flat hardly make flat ones
+  // follows a flip; two faces that are not flat rarely become flat
   void flip(std::uint32_t f, std::uint32_t g) {
     if (known(f) == known(g)) return;
     change(f);
@@ -76,19 +75,19 @@ private:
   std::size_t number_of_searches_ = 0;
 };
 
-// What is remembered for exact values, flat parts among it; a copy starts anew where it can.
+// The memory of exact values, flat parts included; a copy starts anew where possible.
 struct Exact_memory {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;
   std::optional<Flat_parts> flat_parts;
-  std::size_t steps = 0;        // taken for single elements since the last move or pass
-  std::size_t enough_steps = 0; // to ask for all, if there is no list of flips; or more
+  std::size_t steps = 0;        // steps for single elements since the last move or pass
+  std::size_t enough_steps = 0; // the least cost of a pass over all, without a list of flips
   unsigned passes = 0;          // over all elements
   bool are_sharp = false;       // all faces, since the last move
   bool are_weighed = false;     // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
 
-  // follows moves: what is done next must not depend on what was asked before them
+  // follows moves: later results must not depend on queries before them
   void after(const Flip& move) {
     forget();
     if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
@@ -109,7 +108,7 @@ struct Exact_memory {
   }
 };
 
-// Other metrics need none.
+// Other metrics need no memory.
 struct No_exact_memory {
   template <class Move>
   void after(const Move&) {}

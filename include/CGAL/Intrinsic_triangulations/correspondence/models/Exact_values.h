@@ -29,11 +29,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-Computes the values of a triangulation exactly, by where its edges run on the input: finds the
-figure from which an `Exact_ladder` evaluates. This is the input under a diamond. It is the list of
-flips instead if they are few and edges cross very many triangles, or if nothing can be unfolded:
-over an edge without length, about a face that is glued to itself, or where crossings are not
-counted.
+Computes the values of a triangulation exactly, from where its edges run on the input. It finds the
+figure that an `Exact_ladder` evaluates: usually the input under a diamond. It uses the list of
+flips instead if flips are few and edges cross very many triangles, or if unfolding is impossible:
+over an edge without length, around a face that is glued to itself, or if crossings are not counted.
 */
 template <class Triangulation, class Places = Vertex_places<Triangulation>>
 class Exact_values {
@@ -64,7 +63,7 @@ public:
   }
 
   // Calls a function with the number of each face and intervals that contain its values, computed
-  // in so many bits, or more: in 53 flips have gone into stored intervals already. Returns the
+  // in at least `bits` bits; stored intervals already are the result of flips in 53. Returns the
   // bits.
   template <class Visit>
   unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
@@ -80,8 +79,8 @@ public:
     return bits;
   }
 
-  // Whether values of all faces are to be found at once, or weights of all edges: when single ones
-  // have taken as long, or there is nothing to unfold yet.
+  // Whether to compute values of all faces, or weights of all edges, at once: if single ones have
+  // taken as long, or there is nothing to unfold yet.
   bool asks_for_faces() const { return !memory_.are_sharp && asks_for_all(); }
   bool asks_for_weights() const { return !memory_.are_weighed && asks_for_all(); }
 
@@ -204,7 +203,7 @@ private:
   }
   // of all edges, in one pass along the input edges; where flips are known, they are made again
   void note_crossings() const {
-    memory_.unfolder.take_steps(); // else these would be counted against the notes
+    memory_.unfolder.take_steps(); // else these would count against storing crossings
     if (places_.flips() == nullptr) places_.coordinates(t_)->keep_crossings(t_);
   }
   void count_pass() const {
@@ -217,7 +216,7 @@ private:
     return {{{d.f, {d.ij, d.jk, d.ki}}, {d.g, {d.ij, d.im, d.mj}}}};
   }
 
-  // noting crossings down if following them has taken as long
+  // storing crossings if following them has taken as long
   const Integer_coordinates& coordinates() const {
     const Integer_coordinates& c = *places_.coordinates(t_);
     const std::size_t steps = memory_.unfolder.take_steps();
@@ -264,8 +263,8 @@ private:
     return memory_.unfolder(view_, coordinates(), halfedge(d.f, d.ij, d.jk));
   }
 
-  // Two faces of the input, if flips alone were made and none of an edge of the diamond. Nothing
-  // else has to be known: on many meshes all ties are of this kind.
+  // Two faces of the input, if all moves were flips and none flipped an edge of the diamond. This
+  // needs no other data: on many meshes all ties are of this kind.
   std::optional<Input_diamond> untouched_diamond(const Diamond& d) const {
     const Flip_list* flips = places_.flips();
     if (flips == nullptr) return std::nullopt;
@@ -291,7 +290,7 @@ private:
            c.normal_coordinate(view_.next(n) / 2) < 0;
   }
 
-  // a plane in space, if the diamond is known to lie in it
+  // a plane in space that contains the diamond, if known
   std::optional<Flat_diamond> flat_diamond(const Diamond& d) const {
     if (!metric().is_in_space()) return std::nullopt;
     const std::uint32_t p = flat_part(d), h = halfedge(d.f, d.ij, d.jk);
@@ -306,8 +305,7 @@ private:
     const Input& input = coordinates().input();
     std::optional<Flat_parts>& parts = memory_.flat_parts;
     if (!parts) parts.emplace(input);
-    // where flips have gone on among faces that are not known, those that they made are not known
-    // either
+    // flips among unknown faces make unknown faces
     if (parts->number_of_searches() == input.number_of_faces() / 8) find_all_parts(input, *parts);
     return parts->part(input, d.f, d.g, [&]() -> const Unfolded_diamond& { return unfolded(d); });
   }

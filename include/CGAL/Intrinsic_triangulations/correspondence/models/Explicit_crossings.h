@@ -18,31 +18,30 @@ namespace CGAL::Intrinsic_triangulations {
 of the course): each intrinsic edge lists the input edges that it crosses, in order.
 
 This is the overlay of Fisher et al. 2007 with its faces left implicit: in one intrinsic face the
-curves do not cross each other, so that the numbers of crossings on its three sides tell which of
-them are joined (Eq. 9 and 10), and thus all vertices, edges and faces of the overlay in it. The
+curves do not cross each other, so that the numbers of crossings on its three sides determine which
+of them are joined (Eq. 9 and 10), and thus all vertices, edges and faces of the overlay in it. The
 overlay's edges along a side are the gaps of its list, and those along curves join two crossings, or
-a corner and a crossing. What no list tells, where curves start from vertices and along which edges
-they run, is kept as in `Integer_coordinates`.
+a corner and a crossing. `Integer_coordinates` store the rest: where curves start from vertices, and
+along which edges they run.
 
-In this form the overlay has more than flips, which are all that has been described. A flip of ij to
-km changes the list of that edge alone: a curve crosses km if it joins the two sides of the quad
-that km separates, and where it meets those sides it is in their lists, in the order along km. A
-vertex inserted in a face lies in one of the overlay's faces there, or on a curve: an edge from a
-corner to it crosses the curves that separate the two, which meet the sides of the face, and runs
-along the curve if that starts from the corner. Removal of a vertex of degree three undoes this. A
-vertex on an edge is one in a face of no area, followed by a flip; a vertex on the border needs one
-new edge, which is found in the same way. Whatever the new edge, its list is made of a few ranges of
-the lists of sides of faces. A vertex on a curve cuts it in two, but lists name the input edge and
-need not know.
+In this form, the overlay has all moves; the literature only describes flips. A flip of ij to km
+changes the list of that edge alone: a curve crosses km if it joins the two sides of the quad that
+km separates, and where it meets those sides it is in their lists, in the order along km. A vertex
+inserted in a face lies in one of the overlay's faces there, or on a curve: an edge from a corner to
+it crosses the curves that separate the two, which meet the sides of the face, and runs along the
+curve if that starts from the corner. Removal of a vertex of degree three undoes this. A vertex on
+an edge is one in a face of no area, followed by a flip; a vertex on the border needs one new edge,
+which is found in the same way. Whatever the new edge, its list is made of a few ranges of the lists
+of sides of faces. A vertex on a curve cuts it in two; lists stay, since they name the input edge.
 
-Flips cost time linear in the lists that they change. In return all that crosses an edge is at hand
+Flips cost time linear in the lists that they change. In return, the crossings of an edge are found
 without following curves; see `trace_edge()`.
 
 \cgalModels{CurveCoordinates}
 */
 class Explicit_crossings : public Integer_coordinates {
 public:
-  /// What the representation is called by programs.
+  /// Name of the representation in programs.
   static constexpr const char* name = "crossings";
 
   /// observes the triangulation that the input is: every edge runs along itself.

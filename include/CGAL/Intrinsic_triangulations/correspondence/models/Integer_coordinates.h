@@ -32,19 +32,18 @@ namespace CGAL::Intrinsic_triangulations {
 how often each intrinsic edge is crossed by input edges (normal coordinates), and for each intrinsic
 halfedge the first input halfedge counterclockwise from it (roundabouts).
 
-No rounding can make these inconsistent: the common subdivision always has the right connectivity. A
+Rounding cannot make them inconsistent: the common subdivision always has the right connectivity. A
 vertex that is inserted on an input edge cuts it into two curves.
 
-Where a vertex that is inserted lies is found by following the input edges that cross its face. If
-that has taken long, because input edges cross very many intrinsic ones, coordinates note down what
-crosses each edge, as `Explicit_crossings` do, and keep it through all moves to come: the same
-answers, without following.
+An insertion finds the place of the vertex by following the input edges that cross its face. If that
+takes long, because input edges cross very many intrinsic ones, the coordinates store the crossings
+of each edge from then on, as `Explicit_crossings` do: the results are the same.
 
 \cgalModels{CurveCoordinates}
 */
 class Integer_coordinates {
 public:
-  /// What the representation is called by programs.
+  /// Name of the representation in programs.
   static constexpr const char* name = "integer";
 
   /// constructs no coordinates.
@@ -90,7 +89,7 @@ public:
     *this = std::move(coordinates);
   }
 
-  /// returns itself: the triangulation need not make coordinates of its own where it needs some.
+  /// returns itself, so that the triangulation need not make its own coordinates.
   const Integer_coordinates& integer_coordinates() const { return *this; }
   /// returns the input.
   const Input& input() const { return *input_; }
@@ -103,7 +102,7 @@ public:
   /// returns the slot of the first curve counterclockwise from an intrinsic halfedge, itself
   /// included; none if no curve starts from its source.
   std::uint32_t roundabout(std::uint32_t halfedge) const { return roundabout_[halfedge]; }
-  /// tells whether the input edges that cross each intrinsic edge are known without following them.
+  /// tells whether the input edges that cross each intrinsic edge are stored.
   bool knows_crossings() const { return bool(kept_); }
   /// returns the input halfedges of the faces that intrinsic halfedge `2 * edge` enters, in order.
   /// \pre see above
@@ -113,7 +112,7 @@ public:
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
-  /// notes down what crosses each edge, unless that is very much. \complexity linear in crossings
+  /// stores the crossings of each edge, unless they are very many. \complexity linear in crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {
     kept_.keep_if_few(t, *this, std::size_t(1) << 25U); // four bytes each
@@ -149,7 +148,7 @@ public:
     return true;
   }
 
-  /// returns the normal coordinate of the edge that the flip which was announced last makes.
+  /// returns the normal coordinate of the new edge of the flip announced last.
   Normal_coordinate flipped_coordinate() const { return flipped_; }
 
   /// follows a flip.
@@ -200,8 +199,8 @@ public:
 
   /// returns the place of that vertex.
   const Surface_point& inserted_place() const { return insertion_.location; }
-  /// returns the corner of its face that is seen best from there, if known. \pre the metric is
-  /// defined by places
+  /// returns the corner of its face with the most accurate direction from there, if known. \pre the
+  /// metric is defined by places
   std::optional<Seen_corner> inserted_direction() const { return placer_.seen_corner(*input_); }
 
   /// follows the insertion of a vertex on the border.
@@ -219,12 +218,12 @@ public:
     roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
     if (kept_)
       kept_.store_spoke(2, pk ^ 1U,
-                        insertion_.normal[2]); // parts of the border edge are crossed by nothing
+                        insertion_.normal[2]); // parts of the border edge have no crossings
   }
 
   /// announces the removal of a vertex of degree three.
-  /// \return whether curves run straight through the face without the vertex; if not, which inexact
-  /// arithmetic can lead to, nothing has changed
+  /// \return whether curves run straight through the face without the vertex. Inexact arithmetic
+  /// may violate this; then nothing has changed
   template <class Triangulation>
   bool before(const Triangulation&, const Removal_from_face& move) {
     const std::array<std::uint32_t, 3>&to = move.spokes, &sides = move.sides;
@@ -258,7 +257,7 @@ public:
     return true;
   }
 
-  /// has followed a removal when it was announced.
+  /// does nothing: the announcement has followed the removal.
   template <class Triangulation, class Removal>
   void after(const Triangulation&, const Removal&) {}
 

@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Where the edges of a triangulation run that has nothing but integer coordinates.
+// Finds where the edges of a triangulation run from integer coordinates alone.
 template <class Triangulation>
 struct Places_by_coordinates {
   static const Flip_list* flips() { return nullptr; }
@@ -42,11 +42,11 @@ struct Places_by_coordinates {
 } // namespace internal
 
 /*!
-\brief decides predicates on an intrinsic triangulation from integers and the input: no length of an
-intrinsic edge is stored.
+\brief decides predicates on an intrinsic triangulation from integers and the input; it stores no
+intrinsic lengths.
 
-Intervals of doubles decide nearly all, from the figure that `Exact_values` finds; where they leave
-a sign open, that decides. All members ask for a live `Protect_FPU_rounding<true>`.
+Intervals of doubles on the figure of `Exact_values` decide nearly all signs; `Exact_values` decides
+the others. All members require a live `Protect_FPU_rounding<true>`.
 \tparam Triangulation has integer coordinates
 */
 template <class Triangulation>
@@ -120,7 +120,7 @@ public:
   \brief tells whether the first side of a face runs straight: the ends of each curve that it
   crosses lie on its two sides, where its triangles are unfolded.
 
-  Normal coordinates describe curves up to bending them; this tells that the straight one is among
+  Normal coordinates describe curves up to bending; this tests whether the straight one is among
   them.
   \complexity linear in the number of input triangles that are unfolded
   */

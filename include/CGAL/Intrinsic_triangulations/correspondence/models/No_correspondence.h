@@ -7,25 +7,25 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief keeps lengths only: nothing is known of where intrinsic edges run on the input.
+\brief is an empty correspondence: it does not store where intrinsic edges run on the input.
 \cgalModels{IntrinsicCorrespondence}
 */
 struct No_correspondence {
-  /// What the representation is called by programs.
+  /// Name of the representation in programs.
   static constexpr const char* name = "none";
 
   /// observes a triangulation before its first move.
   template <class Triangulation>
   void start(const Triangulation&) {}
-  /// observes a triangulation that is restored, and how it lies on its input.
+  /// observes a restored triangulation and how it lies on its input.
   template <class Triangulation, class Coordinates>
   void restore(const Triangulation&, const Coordinates&) {}
-  /// is asked before a move. \return true
+  /// is called before a move. \return true
   template <class Triangulation, class Move>
   bool before(const Triangulation&, const Move&) {
     return true;
   }
-  /// is told of a move that was made.
+  /// is called after a move.
   template <class Triangulation, class Move>
   void after(const Triangulation&, const Move&) {}
 };

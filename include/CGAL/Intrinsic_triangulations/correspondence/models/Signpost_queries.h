@@ -86,8 +86,8 @@ std::optional<Mapped_point> find_on_input(const Triangulation& t, const Signpost
       [&](std::uint32_t h, double angle) { return signposts.walk(h, angle); });
 }
 
-// Finds how a corner is seen from a place on the input that is known to be that of a point of the
-// face: along the first geodesic from a corner that leads there, the shortest first.
+// Finds the direction of a corner from a point of the face with a given place on the input: along
+// the first geodesic from a corner that leads there, the shortest first.
 template <class Triangulation, class Signposts>
 std::optional<Seen_corner> see_corner(const Triangulation& t, const Signposts& signposts,
                                       const Surface_point& p, const Surface_point& place) {

@@ -32,18 +32,18 @@ intrinsic halfedge at its source (§3.4 of the course).
 
 At a vertex of the input the direction is a cone angle in the frame of the input (`Tangent_frames`);
 at an inserted vertex it is an angle in the frame of the halfedge of its location on the input. A
-flip costs two arc tangents (Eq. 7, unscaled). Paths, points and vectors are found by tracing
-geodesics. Angles are rounded: whether a path was found, and is certain, is always reported. Where
-inserted vertices are is rounded too, unless their places define the metric, see
-`Insertion_in_face::place`: then paths start and end there.
+flip costs two arc tangents (Eq. 7, unscaled). Queries trace geodesics to find paths, points and
+vectors. Angles are rounded: results report whether a path was found and is certain. Places of
+inserted vertices are rounded too, unless they define the metric, see `Insertion_in_face::place`:
+then paths start and end there.
 
 \cgalModels{IntrinsicCorrespondence}
 */
 class Signposts {
 public:
-  /// What the representation is called by programs.
+  /// Name of the representation in programs.
   static constexpr const char* name = "signposts";
-  /// Insertions are to tell what is seen from places, see `Insertion_in_face::seen`.
+  /// Insertions must set `Insertion_in_face::seen`.
   static constexpr bool asks_for_directions = true;
 
   /// observes the triangulation that the input is.
@@ -261,7 +261,7 @@ public:
     return true;
   }
 
-  /// has followed a removal when it was announced.
+  /// does nothing: the announcement has followed the removal.
   template <class Triangulation, class Removal>
   void after(const Triangulation&, const Removal&) {}
 

@@ -31,7 +31,7 @@ concept Restorable = requires(Correspondence& c, const Triangulation& t,
   c.restore(t, coordinates);
 };
 
-// The integer coordinates that a correspondence has; null: it has none.
+// The integer coordinates of a correspondence; null if it has none.
 template <class Correspondence>
 const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
   if constexpr (requires { c.integer_coordinates(); })
@@ -40,16 +40,15 @@ const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
     return nullptr;
 }
 
-// Knows where the vertices and edges of a triangulation are on the input, for a metric that is
-// exact: by the correspondence, if that has integer coordinates on the input, else by coordinates
-// of its own. These are made from the list of flips when they are first asked for, and follow all
-// moves from then on. From the first insertion on they alone define the vertices, and there is no
-// list.
+// Stores where the vertices and edges of a triangulation are on the input, for an exact metric: in
+// the integer coordinates of the correspondence if there are any, else in its own. The first query
+// makes its own from the list of flips; from then on they follow all moves. From the first
+// insertion on they alone define the vertices, and there is no list.
 template <class Triangulation>
 class Vertex_places {
 public:
-  // takes the coordinates of a triangulation that is restored, which its correspondence has too if
-  // it can
+  // takes the coordinates of a restored triangulation, which its correspondence has, too, if
+  // possible
   void restore(const Triangulation& t, const Integer_coordinates& coordinates) {
     if (!is_shared(t)) own_ = coordinates;
     are_all_flips_ = false;
@@ -91,7 +90,7 @@ public:
   bool before(const Triangulation& t, const Move& move) {
     if (!own_ || own_->before(t, move)) return true;
     if (!std::same_as<Move, Flip> || !are_all_flips_) return false;
-    own_.reset(); // the flip is not to be refused: from now on the list tells all
+    own_.reset(); // the flip must not be refused: from now on the list is enough
     can_count_ = false;
     return true;
   }
@@ -125,7 +124,7 @@ private:
     const std::shared_ptr<const Input>& shared_input() const { return input; }
   };
 
-  // whether the surface of the input is known, and is what the metric defines
+  // whether the input keeps its surface, and the metric defines it
   bool is_defined_by_metric(const Triangulation& t) const {
     const Input* const surface = t.input().surface();
     if (!is_defined_by_metric_)
@@ -140,10 +139,10 @@ private:
 
   Flip_list flips_;
   bool are_all_flips_ = true; // that ever were
-  // mutable: a cache of what the list tells, until they define the vertices
+  // mutable: a cache of the list, until they define the vertices
   mutable std::optional<Integer_coordinates> own_;
   mutable bool can_count_ = true;
-  mutable std::optional<bool> is_defined_by_metric_; // the input; not known yet
+  mutable std::optional<bool> is_defined_by_metric_; // the input; not set yet
 };
 
 template <class Triangulation>

@@ -28,7 +28,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-/// Finds the first intrinsic edge at which coordinates contradict themselves or the places of
+/// Finds the first intrinsic edge at which coordinates are inconsistent or contradict the places of
 /// vertices. In every face curves meet (Eqs. 9 and 10 of the course), around every vertex each slot
 /// is the start of one curve (Eq. 12), and every curve ends where its input edge ends, or its part
 /// between inserted vertices.
@@ -132,7 +132,7 @@ private:
   // ---- each curve from end to end
 
   void follow_all() {
-    std::int64_t unseen = 0; // closed curves are no input edges
+    std::int64_t unseen = 0; // closed curves are not input edges
     for (std::uint32_t e = 0; e < coordinates_.number_of_edges(); ++e)
       unseen += crossings(coordinates_.normal_coordinate(e));
     for (const typename Triangulation::face_descriptor f : faces(t_.mesh())) {
@@ -220,7 +220,7 @@ std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates&
 \brief checks that every intrinsic edge has the length of the straight line between its ends through
 the input faces over which it runs by coordinates.
 \param t the triangulation
-\param coordinates what `first_inconsistent_edge()` finds nothing wrong with
+\param coordinates that pass `first_inconsistent_edge()`
 \return the first edge whose length differs by more than 1e-8 of the mean length of all edges; none
 if there is none
 \complexity linear in the number of edges and crossings

@@ -23,8 +23,8 @@
 
 /*!
 \file
-From signposts to integer coordinates: rounded directions are replaced by integers that are proved
-to be consistent, or refused.
+Converts signposts to integer coordinates: integers that are proven consistent replace rounded
+directions, or the conversion is refused.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -186,11 +186,10 @@ private:
 /*!
 \brief finds the integer coordinates of a triangulation that is represented by signposts.
 
-All intrinsic edges are traced over the input. What the traces say is accepted only if it is proved
-to be consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision
-is right, or there is none. A vertex whose location is exactly on an input edge cuts that edge;
-where rounding put it there, which only happens in doubles, other representations may have it beside
-the edge.
+It traces all intrinsic edges over the input, and accepts the traces only if they are proven
+consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision is
+right, or there is none. A vertex exactly on an input edge cuts that edge. If rounding put it there,
+which only happens in doubles, other representations may have it beside the edge.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Signposts its correspondence, `Signposts`
 \param t the triangulation

@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What a vertex of the common subdivision is.
+/// Kinds of vertices of the common subdivision.
 enum class Subdivision_vertex_kind : std::uint8_t {
   input,    ///< a vertex of the input, and of the intrinsic triangulation
   inserted, ///< a vertex that was inserted into the intrinsic triangulation
@@ -48,10 +48,10 @@ course): the coarsest polygon mesh in which every edge of both is a path.
 
 Vertices are numbered from 0: first the vertices of the intrinsic triangulation, then the crossings,
 those on one intrinsic edge together. Faces are convex polygons on the faces of both triangulations,
-counterclockwise, those in one intrinsic face together. Vertices and faces of the input go by their
-names, the user's numbers (see `Input_names`), intrinsic vertices by their rows
-(`Intrinsic_triangulation::input_vertex()`); intrinsic edges and faces, and input edges, by the
-numbers that the intrinsic triangulation and its input have.
+counterclockwise, those in one intrinsic face together. Vertices and faces of the input have the
+user's numbers (see `Input_names`), intrinsic vertices their rows
+(`Intrinsic_triangulation::input_vertex()`); intrinsic edges and faces, and input edges, have the
+numbers in the intrinsic triangulation and its input.
 */
 struct Common_subdivision {
   /// A number that names nothing.
@@ -70,7 +70,7 @@ struct Common_subdivision {
     Subdivision_vertex_kind kind = Subdivision_vertex_kind::input; ///< input or inserted
     std::uint32_t input_face = none; ///< a face of the input that contains it
     Weighted_vertices on_input;      ///< its location on the input
-    /// Of an inserted vertex: the halfedge of `input_face` from which `on_input` is given.
+    /// For an inserted vertex, the halfedge of `input_face` from which `on_input` is given.
     std::uint32_t input_halfedge = none;
   };
 
@@ -207,10 +207,10 @@ std::vector<std::array<double, 3>> points_of(const FaceGraph& mesh) {
 } // namespace internal
 
 /*!
-\brief returns the vertices of a point of the input, in the numbers that they have for the user.
+\brief returns the vertices of a point of the input, by the user's numbers.
 
-With `position()` it tells where points that functions such as `locate_on_input()` and
-`trace_geodesic()` return are in space.
+With `position()` it gives the position in space of points from functions such as
+`locate_on_input()` and `trace_geodesic()`.
 \param t the triangulation
 \param p a point of the input, not of the intrinsic triangulation
 */
@@ -242,8 +242,8 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
                                              std::span<const std::array<double, 3>> points);
 
 /*!
-\brief computes where the vertices of a common subdivision are in space, those in polygons that
-became planar as well.
+\brief computes where the vertices of a common subdivision are in space, also in polygons that
+became planar.
 
 A planar polygon is mapped to the corners of the one in space by mean value coordinates: linear on
 its sides, so that neighbours meet; its diagonals become curves.
@@ -271,8 +271,7 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const 
   return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)));
 }
 
-/// computes the same of a triangulation with input `input`: those in polygons that became planar as
-/// well.
+/// computes the same for a triangulation with input `input`, also in polygons that became planar.
 template <class FaceGraph>
   requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
 std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh,

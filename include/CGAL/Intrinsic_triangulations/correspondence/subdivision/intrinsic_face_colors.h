@@ -19,8 +19,8 @@ using Rgb_color = std::array<std::uint8_t, 3>;
 /*!
 \brief chooses a colour for each intrinsic face, so that neighbours differ.
 
-A face takes from twelve colours the first, from one that depends on its number only, that none of
-its neighbours has: three neighbours cannot take all.
+A face takes the first of twelve colours that its three neighbours do not have; its number
+determines where the search starts.
 \param s the subdivision
 \pre `s` is the common subdivision of two triangulations
 \return a colour for each number of an intrinsic face

@@ -36,7 +36,7 @@ triangulation, are whole intrinsic edges, of which the first side is visited.
 \tparam Visitor a function object with `operator()(std::uint32_t source, std::uint32_t target, const
   Common_subdivision::Side&)`
 \param s the subdivision
-\param visit is called with the ends of the edge and what lies along it
+\param visit called with the ends of the edge and what lies along it
 \pre `s` is the common subdivision of two triangulations
 \complexity linear
 */
@@ -65,7 +65,7 @@ after another.
 struct Edge_polylines {
   /// For each number of an edge the index of its first vertex, and one entry more.
   std::vector<std::size_t> begin{0};
-  /// The vertices; none for a number that no edge has.
+  /// The vertices; unused numbers have none.
   std::vector<std::uint32_t> vertices;
 
   /// returns the bound of the numbers of edges.
@@ -79,8 +79,8 @@ struct Edge_polylines {
 /*!
 \brief chains the vertices of a common subdivision along each intrinsic edge (§3.6 of the course).
 
-An edge with crossings runs as their locations on it say, from `vertices[0]` to `vertices[1]`; one
-without runs from its smaller vertex to the greater one.
+An edge with crossings has the direction of their locations, from `vertices[0]` to `vertices[1]`;
+one without runs from its smaller vertex to the greater one.
 \param s the subdivision
 \pre `s` is the common subdivision of two triangulations
 \return the polylines; polylines of interior edges, and those of the border
@@ -92,8 +92,8 @@ Edge_polylines intrinsic_edge_polylines(const Common_subdivision& s);
 \brief chains the vertices of a common subdivision along each edge of the input (§3.6 of the
 course): crossings, and vertices that were inserted on it.
 
-An edge with crossings runs as their locations on it say; one without runs from its smaller end to
-the greater one.
+An edge with crossings has the direction of their locations; one without runs from its smaller end
+to the greater one.
 \param s the subdivision
 \pre `s` is the common subdivision of two triangulations
 \return the polylines, by the numbers that edges have in the input
