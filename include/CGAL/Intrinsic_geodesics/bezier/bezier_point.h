@@ -33,7 +33,7 @@ Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, dou
 \brief returns the point that divides a curve by length.
 \tparam Triangulation a model of `NumberedTriangulation` that keeps its input
 \param t the triangulation
-\param curve what `trace_curve()` or a `Geodesic_finder` returned
+\param curve the result of `trace_curve()` or a `Geodesic_finder`
 \param share the length up to the point as a part of the whole; beyond 0 and 1 it is the start or
   the end
 \return the point, rounded, in the face where that part of the curve is straight
@@ -46,10 +46,10 @@ Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, 
 }
 
 /*!
-\brief is a point that `bezier_point()` has found.
+\brief is a point on a Bezier curve, see `bezier_point()`.
 */
 struct Bezier_point {
-  /// `done`; otherwise why a geodesic was not found, and `point` has no meaning.
+  /// `done`, or the reason why there is no geodesic; then `point` has no meaning.
   Status status = Status::done;
   /// The point on the input.
   Surface_point point{};
@@ -59,14 +59,14 @@ struct Bezier_point {
 \brief evaluates a Bezier curve at one parameter, by de Casteljau's algorithm with a new geodesic in
   every step.
 
-Geodesics join points next to each other, and are divided as x to 1 - x, until one point is left
-(§5.3 of the course with any parameter in place of 1/2). Each point depends on its parameter only;
-but where a geodesic changes from one side of a bump to the other as x grows, the curve jumps. That
-of `make_bezier_curve()` does not.
+In each step, geodesics join consecutive points and are divided as x to 1 - x, until one point
+remains (§5.3 of the course with any parameter instead of 1/2). Each point depends on its parameter
+only. So the curve jumps where a geodesic changes sides at a bump as x grows; that of
+`make_bezier_curve()` does not.
 
-The triangulation is as before afterwards. Sides of the control polygon may cross.
+The triangulation stays as it was. Sides of the control polygon may cross.
 \tparam Triangulation a model of `GeodesicTriangulation` and of `RefinableTriangulation`
-\param t the triangulation that `find` was made for
+\param t the triangulation of `find`
 \param find finds geodesics in `t`
 \param control_points points of the input, one at least
 \param x the parameter, from 0 to 1

@@ -34,8 +34,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <GeodesicTriangulation Triangulation>
 struct Bezier_curve {
-  /// `done`; `stalled` if control points are not connected or a vertex could not be inserted; or
-  /// that of `Geodesic_finder`. Unless it is `done`, there is no curve.
+  /// `done`; `stalled` if control points are not connected or a vertex cannot be inserted; or the
+  /// status of `Geodesic_finder`. There is a curve only if it is `done`.
   Status status = Status::done;
   /// Number of rounds.
   unsigned rounds = 0;
@@ -46,12 +46,11 @@ struct Bezier_curve {
   /// The way from the first control point to the last one, through all of them, along edges. It may
   /// cross itself.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
-  /// Vertices where it crosses itself, but for control points. Like control points they are to be
-  /// fixed in a network.
+  /// Vertices where it crosses itself, without control points. Fix both in a network.
   std::vector<typename Triangulation::vertex_descriptor> crossings;
   /// Length of the control polygon, in the units of the input.
   double length = 0;
-  /// What was done to make its sides geodesic.
+  /// The counts of the shortening of its sides.
   Shortening_result shortening;
 };
 
@@ -59,12 +58,12 @@ namespace internal {
 
 // Subdivides the control polygon of a curve by geodesics (§5.3 of the course; Morera et al.
 // 2008): a round makes two polygons of each, which share its point at 1/2, by de Casteljau's
-// triangle of midpoints. The next line from a midpoint to the one after it is not sought anew: it
-// is the way along the two halves, through the control point between them, made geodesic. So it
-// changes continuously with the control points, which a shortest path does not.
+// triangle of midpoints. The line from a midpoint to the next one is not a new shortest path: it is
+// the way along the two halves, made geodesic. So it changes continuously with the control points;
+// a shortest path does not.
 //
-// Each line is found alone, and kept as what it is over the input. Only in the end all are made
-// edges of one triangulation.
+// Each line is found alone and stored over the input. Only at the end all lines become edges of one
+// triangulation.
 template <class Triangulation>
 class Bezier_subdivider {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -127,7 +126,7 @@ public:
   }
 
 private:
-  // They lie on lines that are yet to be made edges, or within rounding of them.
+  // Up to rounding, they lie on lines that become edges later.
   void remove_unused_midpoints() {
     std::unordered_set<std::uint32_t> used;
     for (const Side& s : sides_) used.insert(t_.index(s.to));
@@ -161,13 +160,13 @@ private:
     return Status::done;
   }
 
-  // Halves that cross cannot be shortened together: the shortest path takes their place.
+  // Halves that cross cannot be shortened together: a shortest path replaces them.
   Status join(const Side& first, const Side& second, Side& side, Shortening_result& counts) {
     const Status s = finder_.join({first, second}, false, side, counts);
     return s == Status::stalled ? finder_.find(first.from, second.to, side, counts) : s;
   }
 
-  // Halves of a side, at a vertex that is inserted unless there is one.
+  // The halves of a side, at the vertex in its middle, which is inserted if needed.
   bool bisect(const Side& side, Sides& halves) {
     const Traced_curve& way = side.way;
     if (way.faces.empty()) {
@@ -206,13 +205,13 @@ private:
 
 The sides of the control polygon are shortest paths. Each round subdivides it: de Casteljau's
 algorithm at 1/2, with midpoints of geodesics, makes two polygons of each, which share the point in
-the middle. The polygon converges to the curve. Halves of two sides are shortened to the geodesic
-between them; new shortest paths would jump from one side of a bump to the other as the parameter
-grows, and the curve with them. Only where two halves cross, a shortest path takes their place.
+the middle. The polygon converges to the curve. Halves of two sides are shortened to a geodesic; new
+shortest paths, and so the curve, could jump from one side of a bump to the other. A shortest path
+replaces two halves only if they cross.
 
-Each geodesic is found alone on the surface: no other line is in its way. So in a convex part of a
-plane all control points lie where they do in a plane. At the end the sides of the last polygon
-become edges. Where the polygon crosses itself, a vertex is inserted.
+Each geodesic is found alone on the surface: no other line blocks it. So in a convex flat part all
+control points are those of the plane. At the end the sides of the last polygon become edges, with
+new vertices where the polygon crosses itself.
 
 All edges are flipped to Delaunay before and between rounds. Midpoints are inserted as vertices at
 half of the length, as a double; exact traits round them as in
@@ -227,8 +226,8 @@ are fixed in a network.
 \param control_points vertices, two at least
 \param np optional named parameters:
   - `maximum_rounds(n)`: number of rounds. Default: 5.
-  - `tolerance(x)`: stops when a round makes the control polygon shorter by at most this, in the
-    units of the input. Default: 0.
+  - `tolerance(x)`: stops when a round shortens the control polygon by at most x, in the units of
+    the input. Default: 0.
 \return the curve
 \throws std::invalid_argument if there are less than two control points
 \complexity that of d shortest paths, of `flip_to_delaunay()` r + 1 times for r rounds, and d

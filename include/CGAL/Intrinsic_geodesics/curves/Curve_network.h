@@ -34,12 +34,12 @@ class Network_joints;
   cross (§5.1 and §5.2 of the course).
 
 A curve is a sequence of halfedges. Any number of curves may run along an edge, in either direction,
-beside each other in an order in which they do not cross. Where a curve passes a vertex it has a
-*joint*. Joints at fixed vertices and the ends of paths stay where they are; all others are free to
-move when curves are shortened.
+in an order in which they do not cross. A curve has a *joint* at each vertex that it passes. Joints
+at fixed vertices and the ends of paths stay in place; all others may move when curves are
+shortened.
 
-The network refers to the triangulation. Edges that carry curves must not be flipped by others: pass
-`edge_is_constrained_map()` to algorithms that flip.
+The network refers to the triangulation. Other algorithms must not flip edges with curves: pass them
+`edge_is_constrained_map()`.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <GeodesicTriangulation Triangulation>
@@ -69,15 +69,15 @@ public:
   /*!
   \brief adds a path.
 
-  Pieces that go out and come back the same way are left out, up to fixed vertices.
+  It leaves out pieces that go out and back the same way, up to fixed vertices.
   \param halfedges its halfedges, each from the target of the one before, or on a cover from a copy
     of it: such a joint is not free
   \return its number, which counts from 0
   \throws Invalid_input if the halfedges are not connected, there are none, or the path crosses a
-    curve; the network is as before then. A path may end on another curve, and cross it at a fixed
-    vertex
-  \complexity linear in its length, in the number of curves beside it and the degrees of vertices
-    where there are others
+    curve; then the network stays as it was. A path may end on another curve, and cross it at a
+    fixed vertex
+  \complexity linear in its length, in the number of curves beside it and in the degrees of vertices
+  with other curves
   */
   template <std::ranges::input_range HalfedgeRange>
   std::uint32_t add_path(const HalfedgeRange& halfedges) {
@@ -107,7 +107,7 @@ public:
   bool is_loop(std::uint32_t curve) const { return curves_[curve].is_loop; }
   /// returns whether a curve has no halfedges: a loop has contracted, a path ends where it starts.
   bool is_point(std::uint32_t curve) const { return curves_[curve].first == Segments::none; }
-  /// returns where a curve starts; if it `is_point()`, where that is.
+  /// returns the vertex where a curve starts; if it `is_point()`, the vertex of the point.
   vertex_descriptor start(std::uint32_t curve) const {
     if (is_point(curve)) return curves_[curve].start;
     return source(halfedge_of(curves_[curve].first), t_->mesh());
@@ -161,8 +161,7 @@ public:
         [this](edge_descriptor e) { return carries_curve(e); });
   }
 
-  /// returns whether curves cross at the source of a halfedge, which they do at fixed vertices
-  /// only.
+  /// returns whether curves cross at the source of a halfedge; they do so only at fixed vertices.
   /// \complexity linear in its degree and the number of curves there
   bool has_crossing_at_source(halfedge_descriptor h) const {
     return internal::Curve_order<Triangulation>(*t_, segments_).has_crossing(h);
@@ -183,7 +182,7 @@ private:
   struct Curve {
     bool is_loop;
     std::uint32_t first = Segments::none, last = Segments::none;
-    vertex_descriptor start; // where it is, without segments
+    vertex_descriptor start; // its position if it has no segments
   };
 
   halfedge_descriptor halfedge_of(std::uint32_t s) const {

@@ -28,7 +28,7 @@ public:
     std::uint32_t curve = none;
     // in the stack: [0] on the left of the even halfedge, [1] on the left of the odd one
     std::array<std::uint32_t, 2> beside{none, none};
-    std::uint32_t generation = 0; // how many had this number before
+    std::uint32_t generation = 0; // counts the earlier segments of this number
   };
 
   explicit Curve_segments(std::size_t number_of_edges = 0)
@@ -49,11 +49,11 @@ public:
   // adds a segment that is in no stack yet
   std::uint32_t add(std::uint32_t h, std::uint32_t curve);
 
-  // puts it into the stack of its edge, so that `left` comes next on the left of h; none: it is
-  // nearest to the face of h
+  // puts it into the stack of its edge, with `left` next on the left of h; none: nearest to the
+  // face of h
   void stack(std::uint32_t s, std::uint32_t h, std::uint32_t left = none);
 
-  // lets one follow another on a curve; either may be none
+  // connects consecutive segments of a curve; either may be none
   void link(std::uint32_t s, std::uint32_t next) {
     if (s != none) segments_[s].next = next;
     if (next != none) segments_[next].previous = s;
@@ -68,9 +68,9 @@ private:
   std::vector<std::uint32_t> outermost_; // per halfedge
 };
 
-// The order of curves across an edge in which they do not cross, found where they part: the one
-// that leaves to the left there is on the left all the way. Curves that never part keep the order
-// in which they came, from left to right.
+// The order of curves across an edge in which they do not cross: the curve that leaves to the left
+// where they part is on the left all the way. Curves that never part keep the order of insertion,
+// from left to right.
 template <class Triangulation>
 class Curve_order {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -80,7 +80,7 @@ public:
   Curve_order(const Triangulation& t, const Curve_segments& segments)
       : t_(t), segments_(segments) {}
 
-  // the segment on the edge of s that s comes next to the right of; s is in no stack yet
+  // the segment whose right neighbour s becomes on its edge; s is in no stack yet
   std::uint32_t left_neighbor(std::uint32_t s) const {
     const std::uint32_t h = segments_[s].halfedge;
     std::uint32_t left = none;

@@ -44,9 +44,9 @@ void expect_no_isolated_vertex(const Triangulation& t,
 /*!
 \brief finds shortest paths along edges between vertices, by Dijkstra's algorithm from both ends.
 
-Lengths are those of the triangulation, in doubles. Memory is kept from one search to the next, so
-that a search costs what it visits; but on a surface with vertices that are not manifold each search
-takes linear time. At such a vertex a path may go on in any of its fans of faces.
+Lengths are those of the triangulation, in doubles. Searches share memory, so each costs only what
+it visits; on a surface with nonmanifold vertices each takes linear time. At such a vertex a path
+may go on in any fan of faces.
 \tparam Triangulation a model of `GeodesicTriangulation`
 */
 template <GeodesicTriangulation Triangulation>
@@ -63,7 +63,7 @@ public:
 
   /*!
   \brief finds a shortest path along edges.
-  \return its halfedges from `from` to `to`; none if they are the same vertex, or not connected
+  \return its halfedges from `from` to `to`; empty if they are equal or not connected
   \throws Invalid_input if a vertex is isolated
   \complexity n log n in the number of vertices nearer to an end than the ends are to each other
   */
@@ -90,7 +90,7 @@ private:
   struct Label {
     double distance;
     std::uint32_t halfedge; // the last one to it
-    std::uint32_t search;   // of which it is
+    std::uint32_t search;   // its search
   };
   using Entry = std::pair<double, std::uint32_t>;
   struct Side {
@@ -115,8 +115,8 @@ private:
     }
   }
 
-  // Finds a halfedge of each fan of a vertex but the one that its own halfedge is in. Flips keep
-  // the number of fans.
+  // Finds a halfedge of each fan of a vertex, without the fan of its own halfedge. Flips keep the
+  // number of fans.
   void find_other_fans() {
     if (is_manifold_) return;
     other_fans_.clear();

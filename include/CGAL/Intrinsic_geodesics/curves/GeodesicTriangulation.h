@@ -15,10 +15,10 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief requires what curves on edges need: numbers, lengths, angles compared with pi, and flips that
-  can be taken back.
+\brief requires numbers, lengths, comparisons of angles with pi, and flips that can be undone: what
+curves on edges need.
 
-Syntax of \ref ::GeodesicTriangulation, where its meaning is described.
+Syntax of \ref ::GeodesicTriangulation, which describes the meaning.
 */
 template <class Triangulation>
 concept GeodesicTriangulation = IntrinsicTriangulation<Triangulation> &&

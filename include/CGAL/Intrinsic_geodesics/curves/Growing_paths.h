@@ -59,7 +59,7 @@ public:
       s.to_source = view.next(h ^ 1U);
       s.to_target = last(h) ^ 1U;
       s.to_apex = next_around_source(view, s.to_target);
-      // h has come in between if the edge has this face on both sides
+      // h is in between if the edge has this face on both sides
       if (s.to_apex / 2 == h / 2) s.to_apex = next_around_source(view, s.to_apex);
     }
     if (h % 2 == 0)

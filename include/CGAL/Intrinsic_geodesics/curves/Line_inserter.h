@@ -33,14 +33,13 @@ struct Split_crossed_edges {
   Halfedges edges_along(const Halfedges& crossed) const { return crossed; } // there are none
 };
 
-// Makes straight lines paths of edges. A line starts at a vertex. Edges that it crosses are flipped
-// away or split: the vertex that splits an edge is joined to the vertex before by an edge. There
-// the line goes on at the angle that it makes with the edge, over what has become of the
-// triangulation: it may come across edges again, and across lines that were inserted before. Edges
-// of these are always split.
-// \tparam Crossed says which edges may be flipped, by `may_flip(e)`, whether others may be split,
-//   and makes a line that crosses edges a path of edges, by `edges_along(crossed)`: halfedges in
-//   order, each from its end on the right of the line to that on the left
+// Turns straight lines into paths of edges. A line starts at a vertex. Edges that it crosses are
+// flipped away or split; an edge joins the new vertex to the vertex before. There the line goes on
+// at its angle with the edge, over the changed triangulation: it may cross edges again, and earlier
+// lines. Edges of these are always split.
+// \tparam Crossed decides which edges may be flipped, by `may_flip(e)`, and whether others may be
+//   split; it turns a line that crosses edges into a path of edges, by `edges_along(crossed)`:
+//   halfedges in order, each from its end on the right of the line to that on the left
 template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation>>
 class Line_inserter {
   using View = Accurate_view<Triangulation>;
@@ -58,7 +57,7 @@ public:
   const Growing_paths<Triangulation>& paths() const { return paths_; }
   Growing_paths<Triangulation>& paths() { return paths_; }
 
-  // Inserts a vertex where a line starts, unless there is one; `d` becomes the direction there.
+  // Finds or inserts the vertex where a line starts; `d` becomes the direction there.
   Move_status start(const Surface_point& p, const Plane_vector<double>& direction,
                     Corner_direction& d) {
     const Geodesic_face face(view_, p.halfedge);
@@ -73,9 +72,9 @@ public:
     return Move_status::done;
   }
 
-  // Makes a line of a length, in units of the triangulation, a path. It ends at vertex `target`, if
-  // one is given, which must be near its end. `not_traceable`, too, if it crosses an edge that may
-  // not be split.
+  // Turns a line of given length, in units of the triangulation, into a path. It ends at vertex
+  // `target`, if given, which must be near its end. Also `not_traceable` if it crosses an edge that
+  // may not be split.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
     const bool has_target = target != Gluing::none;
@@ -100,17 +99,17 @@ public:
 
 private:
   static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
-  // Angles, and parts of a line, that are taken for rounding at its ends.
+  // Bound for rounding of angles, and of parts of a line, at its ends.
   static constexpr double rounding = 0x1p-26;
-  // The part of a line by which it may miss the vertex where it is to end.
+  // The part of a line by which it may miss its target.
   static constexpr double nearness = 0x1p-16;
 
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }
 
-  // Smaller distances from edges and vertices, near a side of a length, count as none. The bound is
-  // more than the error of located points of the input, which grows along a line. Beside a vertex
-  // that is missed by less, edges are so short that directions are lost.
+  // Smaller distances from edges and vertices, near a side of that length, count as zero. The bound
+  // exceeds the error of located points of the input, which grows along a line. Closer to a vertex,
+  // edges are so short that their directions are lost.
   static double tolerance(double length) { return 0x1p-31 * length; }
   static double tolerance(const Walk& walk, const typename Walk::Exit& e) {
     return tolerance(walk.face().length[e.side]);
@@ -122,7 +121,7 @@ private:
   }
 
   // A direction from the vertex of a split by its angle from the direction of the edge, in (-pi,
-  // pi]: seen from the longer part, which rounding has turned less.
+  // pi]: relative to the longer part, since rounding turns it less.
   static Corner_direction from_split(const Split& s, double parameter, double angle) {
     if (parameter < 0.5) return {s.to_target, angle};
     return {s.to_source, angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi};
@@ -215,9 +214,8 @@ private:
     for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
     for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
   }
-  // An edge, or the way by vertices beside it which rounding has moved off it: so that lines which
-  // touch have these, all of them. Ends at vertex `target` if that is one of them. Returns whether
-  // it does.
+  // An edge, or the way through vertices that rounding moved off it: so lines that touch share all
+  // these vertices. Ends at vertex `target` if that is one of them. Returns whether it does.
   bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
     for (const std::uint32_t g : {h, h ^ 1U}) {
       if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
@@ -247,8 +245,7 @@ private:
     }
     append_line();
   }
-  // whether two edges that are crossed one after the other have one end on the left, or on the
-  // right
+  // whether two consecutive crossed edges share their end on the left, or on the right
   bool shares_end(std::uint32_t g, std::uint32_t h, bool is_left) const {
     return (is_left ? last(g ^ 1U) : view_.next(g ^ 1U)) == h;
   }
@@ -264,7 +261,7 @@ private:
 
   // ---- the end
 
-  // Whether a line ends near a vertex of the face, up to a distance; it is led there then.
+  // Whether a line ends near a vertex of the face, up to a distance; then it goes there.
   bool reaches(const Walk& walk, std::uint32_t target, double length, double distance) {
     for (unsigned k = crossed_.empty() ? 1 : 0; k < 3; ++k) {
       if (view_.source(walk.face().side[k]) != target) continue;

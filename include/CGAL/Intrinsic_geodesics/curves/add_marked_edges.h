@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Marked edges as chains between junctions, where other than two of them meet, and loops.
+// Marked edges as loops and as chains between junctions; at a junction, not exactly two meet.
 template <class Triangulation>
 class Marked_chains {
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -114,7 +114,7 @@ loops.
 \param network the curves
 \param is_marked is true for the edges to add
 \return the number of curves added
-\throws Invalid_input if an added curve crosses one that was there before; those before it stay
+\throws Invalid_input if an added curve crosses an older one; the curves added before it stay
 \complexity linear in the mesh
 */
 template <GeodesicTriangulation Triangulation, class EdgeIsMarked>
@@ -141,10 +141,9 @@ std::uint32_t add_marked_edges(Curve_network<Triangulation>& network,
 \brief labels the edges along curves, so that they outlive the network as constrained edges (§5.4 of
   the course).
 
-Pass the map as named parameter `edge_is_constrained_map`: its edges are not flipped, and if
-refinement splits one, the parts have its label. Thus each curve stays the union of the edges of its
-label. Where curves share an edge, the first of them labels it; `Curve_network::curves_along()`
-lists all.
+Pass the map as named parameter `edge_is_constrained_map`: algorithms do not flip its edges, and if
+refinement splits one, the parts keep its label. So each curve stays the union of the edges of its
+label. If curves share an edge, the first one labels it; `Curve_network::curves_along()` lists all.
 \tparam Triangulation a model of `GeodesicTriangulation`
 \param network the curves; the map does not refer to them
 \return for each edge the number of the first curve along it, plus one; 0 for edges without curve

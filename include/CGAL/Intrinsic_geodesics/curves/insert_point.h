@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <RefinableTriangulation Triangulation>
 struct Vertex_at_point {
-  /// `done`, or why no vertex could be inserted.
+  /// `done`, or the reason why no vertex was inserted.
   Move_status status = Move_status::done;
   /// The vertex.
   typename Triangulation::vertex_descriptor vertex{};
@@ -37,7 +37,7 @@ struct Vertex_at_point {
 
 namespace internal {
 
-// A vertex or an edge within rounding of a point that was located has the point: as a part of the
+// A located point belongs to a vertex or edge within this distance (rounding): as a part of the
 // height above the edge, or of the longest side.
 template <class Complex>
 std::array<double, 3> without_rounding(const Complex& complex, const Surface_point& p) {
@@ -66,7 +66,7 @@ Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_p
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
   auto inserted = insert(h, weights);
-  // a point that is rounded off its edge may be beyond a vertex close by
+  // rounding off its edge may move a point beyond a vertex close by
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (inserted.status != Move_status::done && weights[(k + 2) % 3] == 0)
       inserted = insert(opposite(h, t.mesh()), {1 - weights[k], weights[k], 0});
@@ -77,11 +77,10 @@ Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_p
 } // namespace internal
 
 /*!
-\brief finds the vertex of the intrinsic triangulation at a point of the input, and inserts one if
-  there is none.
+\brief finds or inserts the vertex of the intrinsic triangulation at a point of the input.
 
-A vertex or an edge at the point up to rounding has it. With exact traits the new vertex is where
-`Intrinsic_triangulation::insert_vertex()` rounds the point.
+A vertex or an edge counts as at the point if it is there up to rounding. With exact traits,
+`Intrinsic_triangulation::insert_vertex()` rounds the new vertex.
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation
 \param p the point, on the input
@@ -95,8 +94,7 @@ Vertex_at_point<Triangulation> insert_point(Triangulation& t, const Surface_poin
 }
 
 /*!
-\brief finds the vertices at a point of the user's faces, and inserts those that are missing: on a
-cover, one on each sheet.
+\brief finds or inserts the vertices at a point of the user's faces: on a cover, one on each sheet.
 
 The first is that of `insert_point()`; a point at a vertex of the user has this one only. The others
 are exactly at the same point, and have the same row in matrices, if the correspondence has places

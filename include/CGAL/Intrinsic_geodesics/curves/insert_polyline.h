@@ -28,31 +28,31 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a path of edges that vertices were inserted for.
+\brief is a path of edges through inserted vertices.
 \tparam Triangulation the type of the triangulation
 */
 template <RefinableTriangulation Triangulation>
 struct Inserted_path {
-  /// `done`, or why a vertex could not be inserted; `border`: a line leads beyond it;
-  /// `not_traceable`: rounding led a line past its end.
+  /// `done`, or the reason why a vertex was not inserted; `border`: a line leads beyond it;
+  /// `not_traceable`: by rounding, a line misses its end.
   Move_status status = Move_status::done;
   /// The halfedges, in order; if the status is not `done`, as far as the path goes.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
 };
 
 /*!
-\brief makes a traced geodesic a path of edges of the triangulation.
+\brief turns a traced geodesic into a path of edges of the triangulation.
 
-Vertices are inserted at its start and its end, unless there are some, and on every edge that it
-crosses; where it crosses itself, on its own edges. The geodesic is traced again, from vertex to
-vertex, so that it may cross an edge any number of times. It goes through vertices that it meets up
-to rounding. It changes halfedges of earlier paths that it crosses: insert all paths before you add
-them to a `Curve_network`.
+It inserts vertices at the start and the end, if there are none, and on every edge that the geodesic
+crosses, also its own. It traces the geodesic again, from vertex to vertex, so the geodesic may
+cross an edge any number of times. The path goes through vertices that it meets up to rounding. It
+changes halfedges of earlier paths that it crosses: insert all paths before you add them to a
+`Curve_network`.
 \tparam Triangulation a model of `RefinableTriangulation`
 \param t the triangulation
-\param geodesic what `trace_geodesic()` returned, for `t` as it is now
-\return the path. Each new vertex is where the triangulation rounds it, so that a path in exact
-  arithmetic is a little bent. If a vertex is refused, those inserted before stay
+\param geodesic the result of `trace_geodesic()` for `t`, unchanged since then
+\return the path. The triangulation rounds each new vertex, so a path in exact arithmetic bends a
+little. If an insertion fails, earlier vertices stay
 \complexity linear in the number of crossings, and that of the insertions
 */
 template <RefinableTriangulation Triangulation>
@@ -71,7 +71,7 @@ Inserted_path<Triangulation> insert_traced_path(Triangulation& t, const Geodesic
 */
 template <RefinableTriangulation Triangulation>
 struct Inserted_polyline : Inserted_path<Triangulation> {
-  /// The vertex at each point that was given.
+  /// The vertex at each given point.
   std::vector<typename Triangulation::vertex_descriptor> vertices;
 };
 
@@ -100,17 +100,16 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
 } // namespace internal
 
 /*!
-\brief makes a polyline on the input a path of edges of the triangulation.
+\brief turns a polyline on the input into a path of edges of the triangulation.
 
-Vertices are inserted at its points, unless there are some, then each segment is inserted as by
-`insert_traced_path()`. A polyline may cross itself, and pass a point again that is given in the
-same way.
+It finds or inserts vertices at the points, then inserts each segment like `insert_traced_path()`. A
+polyline may cross itself, and pass a point again if its coordinates are the same.
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation
-\param points points of the input; `surface_point()` finds those of the user's mesh. Each is in a
-  face with the next one: where the polyline crosses an edge, there is a point
-\return the path, and the vertices at the points. If a vertex is refused, those inserted before stay
-\throws Invalid_input if two consecutive points have no common face; nothing has been inserted then
+\param points points of the input; `surface_point()` finds those of the user's mesh. Consecutive
+points share a face: the polyline has a point on each edge that it crosses
+\return the path, and the vertices at the points. If an insertion fails, earlier vertices stay
+\throws Invalid_input if two consecutive points have no common face; then nothing is inserted
 \complexity see `insert_point()` and `insert_traced_path()`
 */
 template <RefinableTriangulation Triangulation>

@@ -76,14 +76,14 @@ private:
 };
 
 /*
-Makes geodesics over the input paths of edges of the triangulation. Edges that a geodesic crosses
-are flipped away; only where it crosses one that was inserted before, a vertex is inserted. So each
-geodesic may have been found alone.
+Turns geodesics over the input into paths of edges of the triangulation. It flips away the edges
+that a geodesic crosses, and inserts vertices only where it crosses earlier geodesics. So each
+geodesic may be found alone.
 
-Where a vertex is near a geodesic by rounding, the path may pass it on the wrong side:
-`shorten_curves()` mends it.
-\tparam splits whether edges of geodesics that were inserted before may be split; else `insert()`
-  returns `not_traceable`
+If a vertex is within rounding of a geodesic, the path may pass it on the wrong side:
+`shorten_curves()` repairs this.
+\tparam splits whether edges of earlier geodesics may be split; else `insert()` returns
+  `not_traceable`
 */
 template <class Triangulation, bool splits = true>
 class Curve_inserter {
@@ -95,7 +95,7 @@ public:
   explicit Curve_inserter(Triangulation& t, Flip_log<Triangulation>* log = nullptr)
       : t_(t), lines_(t, Flip_crossed_edges<Triangulation, splits>(t, log)) {}
 
-  // The halfedges of a path, which is one or several geodesics; paths are numbered from 0.
+  // The halfedges of a path of one or several geodesics; paths are numbered from 0.
   std::vector<Halfedge> path(std::size_t i = 0) const { return lines_.paths().halfedges(t_, i); }
   void begin_path() { lines_.paths().begin(); }
 
@@ -150,8 +150,7 @@ private:
   Line_inserter<Triangulation, Flip_crossed_edges<Triangulation, splits>> lines_;
 };
 
-// Adds a curve to a network. Where it crosses another or itself, the vertex is fixed, so that it
-// may.
+// Adds a curve to a network. Fixes the vertices where it crosses another or itself, so that it may.
 // \return the vertices
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor>

@@ -24,22 +24,22 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a geodesic between points, over the input.
 */
 struct Geodesic_path : Traced_curve {
-  /// Length of what it was made of, in the units of the input: of a shortest path, from the search
-  /// for it; or of one along edges.
+  /// Length of the initial path, in the units of the input: a shortest path, from its search, or a
+  /// path along edges.
   double initial_length = 0;
-  /// What was done to make it geodesic.
+  /// The counts of its shortening.
   Shortening_result shortening;
 };
 
 /*!
 \brief finds shortest paths between points, or other geodesics (§5.1 of the course, Algorithm 7),
-and leaves the triangulation as it was.
+and leaves the triangulation unchanged.
 
-By default a path is the shortest of all: a search for the exact distance, see
-`Polyhedral_distance`, finds the faces that it passes through. With `shortest(false)` it is made of
-a shortest path along edges: a geodesic in the homotopy class of that path, locally shortest, and
-often longer than the shortest. That is faster, as its cost is local. In both cases a query flips
-edges, reads the path off, and takes the flips back. Queries are faster on Delaunay triangulations.
+By default a path is a shortest one: a search for the exact distance, see `Polyhedral_distance`,
+finds its faces. With `shortest(false)` a query shortens a shortest path along edges to a geodesic
+of its homotopy class: locally shortest, and often longer. That is faster, since its cost is local.
+In both cases a query flips edges, reads the path, and undoes the flips. Queries are faster on
+Delaunay triangulations.
 \tparam Triangulation a model of `GeodesicTriangulation` and of `CorrespondingTriangulation`
 */
 template <GeodesicTriangulation Triangulation>
@@ -50,22 +50,22 @@ public:
   /// Halfedge of the triangulation.
   using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
 
-  /// prepares queries. \param t the triangulation, which must outlive the finder, and not change
+  /// prepares queries. \param t the triangulation; it must outlive the finder, and not change
   /// between queries \complexity linear
   explicit Geodesic_finder(Triangulation& t) : t_(t), finder_(t) {}
 
   /*!
   \brief finds a shortest path between two vertices.
   \param from, to vertices of the triangulation; `vertex_on_intrinsic()` finds those of the user's
-  mesh. On a cover, the shortest path between any copies of them is found, and it may pass from one
-  copy of a vertex to another
+  mesh. On a cover, the path is the shortest between any copies, and may pass from one copy of a
+  vertex to another
   \param np named parameters of `shorten_curves()`, and:
-    - `shortest(b)`: whether to look for the shortest path, or to start from one along edges.
+    - `shortest(b)`: whether to search for the shortest path, or to start from one along edges.
       Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the
       way from a path along edges
   \return its way over the input. The status is that of `shorten_curves()`, `stalled` if no path
-  leads from one to the other, `inaccurate` if it is geodesic but the search for the shortest one
-  gave up, or `not_traceable`
+  exists, `inaccurate` if the path is geodesic but the search for the shortest one gave up, or
+  `not_traceable`
   \throws Invalid_input if a vertex is isolated
   \complexity that of the search, and of `shorten_curves()`
   */
@@ -96,8 +96,8 @@ public:
   }
 
   /*!
-  \brief finds shortest paths from each of several points to the next one, as one path. Vertices are
-  inserted for them, and removed again.
+  \brief finds shortest paths from each of several points to the next one, as one path. It inserts
+  vertices for them, and removes these again.
   \param points points of the input, two at least; `surface_point()` finds those of the user's
   mesh. On a cover, they are on all sheets
   \param np see above

@@ -85,9 +85,8 @@ bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor fro
   return are_copies(t, from, to);
 }
 
-// Flips edges until a shortest path between two vertices is one of edges, up to rounding: where it
-// passes a vertex very closely, it is to be straightened there. Where that is not possible, the
-// path is empty.
+// Flips edges until a shortest path between two vertices is a path of edges, up to rounding: the
+// caller straightens it where it passes very close to a vertex. The path is empty if this fails.
 template <GeodesicTriangulation Triangulation>
 Edge_way<Triangulation>
 flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
@@ -115,8 +114,7 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
   return {Status::inaccurate, {}, path.length};
 }
 
-// The path along edges that is to be made geodesic: a shortest path, for which edges are flipped,
-// or a shortest one along edges.
+// The initial path along edges: a shortest path, after flips, or a shortest path along edges.
 template <GeodesicTriangulation Triangulation, class NamedParameters>
 Edge_way<Triangulation>
 starting_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
@@ -147,7 +145,7 @@ struct Curve_side {
   double initial_length = 0;    // of what it was made of
 };
 
-// Finds geodesics, each alone on the surface, and leaves the triangulation as it was.
+// Finds geodesics, each alone on the surface, and leaves the triangulation unchanged.
 template <class Triangulation>
 class Lone_curve_finder {
   using Vertex = typename Triangulation::vertex_descriptor;
@@ -156,8 +154,8 @@ class Lone_curve_finder {
 public:
   explicit Lone_curve_finder(Triangulation& t) : t_(t), find_(t), network_(t) {}
 
-  // A shortest path between any copies of two vertices, which become the ends of the side; where
-  // the search for that gives up, another geodesic.
+  // A shortest path between any copies of two vertices, which become the ends of the side; another
+  // geodesic if the search gives up.
   // \param np those of `shorten_curves()`, and `shortest(b)`
   template <class NamedParameters = parameters::Parameters<>>
   Status find(Vertex from, Vertex to, Side& side, Shortening_result& counts,
@@ -174,9 +172,8 @@ public:
     return status;
   }
 
-  // What a curve of sides, each from the end of the one before, is shortened to while its ends
-  // stay; a loop as a whole. The result is a geodesic in the same class of curves. `stalled` if the
-  // curve crosses itself.
+  // Shortens a curve of consecutive sides with fixed ends, or a loop as a whole, to a geodesic in
+  // the same class of curves. `stalled` if the curve crosses itself.
   Status join(const std::vector<Side>& sides, bool is_loop, Side& joined,
               Shortening_result& counts) {
     Flip_log<Triangulation> log;

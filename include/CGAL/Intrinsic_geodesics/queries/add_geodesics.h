@@ -29,9 +29,8 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <GeodesicTriangulation Triangulation>
 struct Inserted_geodesic {
-  /// That of `shorten_curves()`; `stalled` if no path leads from one vertex to the other;
-  /// `inaccurate`: it is geodesic, but the search for the shortest one gave up, see
-  /// `Shortest_path`.
+  /// That of `shorten_curves()`; `stalled` if no path exists; `inaccurate`: it is geodesic, but the
+  /// search for the shortest one gave up, see `Shortest_path`.
   Status status = Status::done;
   /// Its edges, in its direction. On a cover, an edge may start at another copy of the vertex where
   /// the one before ends.
@@ -39,17 +38,17 @@ struct Inserted_geodesic {
 };
 
 /*!
-\brief makes a shortest path between two vertices a path of edges of the triangulation (§4.4 of the
-course): edges are flipped.
+\brief flips edges until a shortest path between two vertices is a path of edges (§4.4 of the
+course).
 
-Most are one edge; where they pass vertices they are more. To keep the path while other edges are
-flipped, constrain its edges.
+Most paths are one edge; those through vertices have several. To keep the path in later flips,
+constrain its edges.
 \tparam Triangulation a model of `GeodesicTriangulation`
 \param t the triangulation
 \param from, to vertices of it; see `vertex_on_intrinsic()` and `insert_point()`. On a cover, the
 shortest path between any copies of them is found
 \param np named parameters of `shorten_curves()`, and:
-  - `shortest(b)`: if false, the path is made of a shortest one along edges, see `Geodesic_finder`.
+  - `shortest(b)`: if false, the path starts as a shortest one along edges, see `Geodesic_finder`.
     Default: true, but false with `relative_length` or `minimum_joint_angle`, which stop on the way
     from that path
 \throws Invalid_input if a vertex is isolated
@@ -79,8 +78,9 @@ Inserted_geodesic<Triangulation> insert_geodesic(Triangulation& t,
 */
 template <GeodesicTriangulation Triangulation>
 struct Curve_through_vertices {
-  /// The vertices, two at least; none follows itself. On a cover, a side is a shortest path between
-  /// any copies of its ends; where the next one starts from another copy, the curve cannot move.
+  /// The vertices, at least two; consecutive ones differ. On a cover, a side is a shortest path
+  /// between any copies of its ends; where the next one starts from another copy, the curve cannot
+  /// move.
   std::vector<typename Triangulation::vertex_descriptor> vertices;
   /// Whether it goes on from the last vertex to the first one.
   bool is_loop = false;
@@ -89,17 +89,17 @@ struct Curve_through_vertices {
 };
 
 /*!
-\brief is what `add_geodesics()` did.
+\brief is the result of `add_geodesics()`.
 \tparam Triangulation the type of the triangulation
 */
 template <GeodesicTriangulation Triangulation>
 struct Added_geodesics {
-  /// `done`; `stalled` if vertices are not connected, or a vertex cannot be inserted at a crossing;
-  /// or that of `shorten_curves()`. If it is not `done`, the network is empty.
+  /// `done`; `stalled` if vertices are not connected, or the insertion at a crossing fails; or the
+  /// status of `shorten_curves()`. If it is not `done`, the network is empty.
   Status status = Status::done;
   /// The curve where it failed.
   std::size_t failed = 0;
-  /// For each curve the shortest paths that it was made of.
+  /// The initial shortest paths of each curve.
   std::vector<Traced_curve> initial;
   /// Vertices where curves cross. They are fixed.
   std::vector<typename Triangulation::vertex_descriptor> crossings;
@@ -209,21 +209,20 @@ private:
 } // namespace internal
 
 /*!
-\brief finds geodesics through vertices, each alone on the surface, and makes all of them curves
-  of a network.
+\brief finds geodesics through vertices, each alone on the surface, and adds all to a network.
 
 The *sides* of a curve are shortest paths from each of its vertices to the next. A curve that stays
-at its vertices consists of them; any other is what they are shortened to, as if there were no other
-curve: the vertices between its ends only say how it leads around handles, holes and peaks. Where
-two curves cross, or one crosses itself, a vertex is inserted and fixed.
+at its vertices consists of them. For any other curve, the sides are shortened, without regard to
+other curves: the vertices between its ends only choose its way around handles, holes and peaks. A
+fixed vertex is inserted at each crossing of curves.
 
-In contrast, `shorten_curves()` alone, with paths along edges, never lets a curve pass another.
+In contrast, `shorten_curves()` alone never moves a curve across another.
 \tparam Triangulation a model of `GeodesicTriangulation`, of `RefinableTriangulation` and of
   `CorrespondingTriangulation`
-\param network the curves; there are none yet. Vertices that it has fixed stay fixed
-\param curves what to add; the curves of the network are numbered in this order
-\return what was done
-\complexity that of shortest paths, see `Geodesic_finder`, and of `shorten_curves()`
+\param network a network without curves; its fixed vertices stay fixed
+\param curves the curves to add; the network numbers them in this order
+\return the result \complexity that of shortest paths, see `Geodesic_finder`, and of
+`shorten_curves()`
 */
 template <GeodesicTriangulation Triangulation>
   requires RefinableTriangulation<Triangulation> Added_geodesics<Triangulation>

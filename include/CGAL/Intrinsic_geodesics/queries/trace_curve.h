@@ -25,7 +25,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is the way of a curve over the input.
+\brief is the path of a curve over the input.
 */
 struct Traced_curve {
   /// `done`. With `Signposts` only: `not_traceable`, and all else is empty; or `inaccurate`: a
@@ -38,8 +38,8 @@ struct Traced_curve {
   std::vector<std::uint32_t> faces;
   /// Its length, in the units of the input; with exact traits to 1e-12 of it.
   double length = 0;
-  /// An interval that contains its length; [0, infinity] if the traits do not bound their errors,
-  /// see `length_enclosure()`.
+  /// An interval that contains its length; [0, infinity] without error bounds from the traits, see
+  /// `length_enclosure()`.
   Interval_nt<> length_enclosure{0};
 };
 
@@ -96,7 +96,7 @@ Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges)
 /*!
 \brief returns the points of a curve in space, in the type of points of the user's mesh.
 \param t the triangulation
-\param curve what `trace_curve()` returned
+\param curve the result of `trace_curve()`
 \param mesh the mesh that `t` was built from; its faces may be polygons
 \throws Invalid_input if the mesh is another one
 \complexity linear
@@ -111,7 +111,7 @@ auto polyline(const Triangulation& t, const Traced_curve& curve, const Mesh& mes
 
 /*!
 \brief returns the places of the points of a curve on the user's mesh, each in the face where the
-  curve goes on; the last one in the face that the curve comes from.
+curve goes on; the last one in the face where the curve ends.
 \param t, curve, mesh see `polyline()`; faces of the mesh are triangles
 \throws Invalid_input if the mesh is another one, or has polygons on the way
 \complexity linear

@@ -91,11 +91,11 @@ private:
 /*!
 \brief traces a shortest path over the input.
 \tparam Triangulation a model of `CorrespondingTriangulation`
-\param t the triangulation that distances were found on
-\param path what `Polyhedral_distance::shortest_path()` returned
-\return its way: `polyline()` and `face_locations()` take it to the user's mesh. The status is that
-of the path; `inaccurate`, too, if a piece may have left the faces that it should pass through, by
-rounding; or `not_traceable`
+\param t the triangulation of the distances
+\param path the result of `Polyhedral_distance::shortest_path()`
+\return the curve; `polyline()` and `face_locations()` map it to the user's mesh. The status is that
+of the path; `inaccurate` also if rounding may have moved a piece out of its faces; or
+`not_traceable`
 \complexity linear in the number of crossings, and that of `locate_on_input()` for each point
 */
 template <QueriedTriangulation Triangulation>

@@ -172,8 +172,8 @@ private:
     }
   }
 
-  // Faces without area may leave an angle of zero that no flip opens. What is left is as long as
-  // before, and may come again for ever: that ends after many steps in which doubles see no gain.
+  // Faces without area may leave an angle of zero that no flip opens. Such steps gain no length and
+  // may repeat forever: they end after many steps without a gain in doubles.
   bool gains_nothing() {
     if (length_ < least_length_ * (1 - 1e-12)) {
       least_length_ = length_;

@@ -52,11 +52,11 @@ std::size_t count_invalid_elements(const Curve_network<Triangulation>& network,
 } // namespace internal
 
 /*!
-\brief decides exactly whether curves that were made in any arithmetic are geodesic.
+\brief decides exactly whether curves from any arithmetic are geodesic.
 
-The metric is not used: where edges run on the input is unfolded from the input (see
-`Integer_only_triangulation`). Angles at all joints are compared with pi, faces about them must have
-positive area and edges of curves be straight.
+It does not use the metric: it unfolds the edges from the input (see `Integer_only_triangulation`).
+It compares the angles at all joints with pi. Faces about joints must have positive area, and edges
+of curves must be straight.
 \param network the curves
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity linear in the mesh, which is copied, and in the crossings of edges at the curves

@@ -67,7 +67,7 @@ private:
 } // namespace internal
 
 /*!
-\brief is what a curve has on one side of a joint.
+\brief describes one side of a joint of a curve.
 */
 struct Joint_side_report {
   /// Its angle, compared with pi; `LARGER` on the border, beyond which there is none.
@@ -77,14 +77,14 @@ struct Joint_side_report {
 };
 
 /*!
-\brief is how a curve passes a vertex.
+\brief describes how a curve passes a vertex.
 */
 struct Joint_report {
   std::uint32_t curve;     ///< the curve
   std::uint32_t position;  ///< number of its halfedge to the vertex
   bool is_fixed;           ///< whether the vertex is fixed
-  Joint_side_report left;  ///< what is on its left
-  Joint_side_report right; ///< what is on its right
+  Joint_side_report left;  ///< its left side
+  Joint_side_report right; ///< its right side
 
   /// returns whether the curve cannot be made shorter there.
   bool is_geodesic() const {
@@ -98,7 +98,7 @@ struct Joint_report {
 };
 
 /*!
-\brief is what the traits of a triangulation decide on each joint of curves.
+\brief holds the decisions of the traits on each joint of curves.
 */
 struct Geodesic_report {
   /// Faces whose area is not positive, and edges that are not straight, among those of the
@@ -108,7 +108,7 @@ struct Geodesic_report {
   std::vector<Joint_report> joints;
 
   /// returns whether all curves are geodesic: as short as possible without crossing each other or
-  /// passing what is fixed.
+  /// passing fixed vertices.
   bool is_geodesic() const {
     return invalid_elements == 0 &&
            std::all_of(joints.begin(), joints.end(),

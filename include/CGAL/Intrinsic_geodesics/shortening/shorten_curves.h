@@ -24,7 +24,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Shortening_visitor {
   /*!
-  \brief is called now and then, about every 1024 joints.
+  \brief is called about every 1024 joints.
   \return whether to go on
   */
   bool progress(const Shortening_result&) { return true; }
@@ -86,23 +86,21 @@ Shortening_result shorten_curves(Curve_network<Triangulation>& network,
 \brief makes the curves of a network geodesic by flips (FlipOut, §5.1 and §5.2 of the course,
   Algorithms 6 and 7).
 
-Flips bring shorter curves among the edges. Curves stay isotopic to what they were among curves that
-do not cross: one that would have to pass the end or a fixed vertex of another, or the border, goes
-round it. At the end each free joint has an angle of at least pi on both sides, except on sides
-where a curve or the border is; an angle of exactly pi is straight. A loop that can be shrunk to a
-vertex ends there: `Curve_network::is_point()`.
+Flips create edges along shorter curves. Curves move continuously without crossing: they go around
+ends and fixed vertices of other curves, and around the border. At the end each free joint has an
+angle of at least pi on both sides, except on sides where a curve or the border is; an angle of
+exactly pi is straight. A loop that can shrink to a vertex ends there: `Curve_network::is_point()`.
 
-With exact traits it ends by proof, loops of one edge included: the length of all curves decreases
-in every step, and there are finitely many geodesic edges below a length. With inexact ones a joint
-without gain counts as straight, whatever rounding makes of its angles, and caps on the numbers of
-flips and of shortenings make it end.
+With exact traits it terminates, also for loops of one edge: the length of all curves decreases in
+every step, and there are finitely many geodesic edges below a length. With inexact traits a joint
+without gain counts as straight, and caps on the numbers of flips and of shortenings ensure the end.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
 \param network the curves
 \param np optional named parameters:
-  - `relative_length(x)`: stops when the length of all curves is at most this part of what it was;
-    the angles so far are those of a flow that shortens curves (Fig. 37 of the course). Default: 0.
+  - `relative_length(x)`: stops when the length of all curves is at most x times the initial length;
+    until then the curves follow a flow that shortens them (Fig. 37 of the course). Default: 0.
   - `minimum_joint_angle(x)`: stops when all joints that can be straightened have at least this
     angle, in degrees. Default: 180.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
@@ -111,7 +109,7 @@ flips and of shortenings make it end.
 \return counts, and the status: `done`, `stopped`, `cancelled`, `cap`; `stalled` if faces without
   area stop all gain: flips may not open their angles of zero. `Mollification::automatic` leaves no
   such face
-\throws std::invalid_argument if a parameter makes no sense
+\throws std::invalid_argument if a parameter is out of its range
 \complexity linear in the number of flips, times the logarithm of the number of joints; the
   literature has no bound on the number of flips
 */
@@ -123,8 +121,8 @@ Shortening_result shorten_curves(Curve_network<Triangulation>& network,
 }
 
 /*!
-\brief makes the curves of a network geodesic by flips that can be taken back; see the overload
-  without log.
+\brief makes the curves of a network geodesic by flips that can be undone; see the overload without
+log.
 \param network the curves; they must be cleared before `log.undo()`
 \param log remembers the flips
 \param np see the overload without log

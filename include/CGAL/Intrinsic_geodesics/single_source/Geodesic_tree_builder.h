@@ -54,17 +54,17 @@ struct Branch {
 // Makes shortest paths from a source edges, the nearest vertex first.
 //
 // Windows give the last straight piece of each path. It begins at a vertex of the tree, at an angle
-// from the edge of the tree there, and is flipped into place. Shortest paths do not cross, so that
-// no edge of the tree is in its way.
+// from the edge of the tree there; flips make it an edge. Shortest paths do not cross, so no edge
+// of the tree blocks it.
 //
 // Windows are doubles. So the traits decide whether each path is a geodesic where it leaves the
-// tree. If it is not, edges are flipped out of the wedge there, as in `shorten_curves()`, and the
-// shortest way to the vertex is taken that there is then. No other edge of the tree is in that
-// wedge: the wedge of that edge would be smaller still. Hence edges of the tree are never flipped;
-// with doubles, a wedge that seems to have one is left alone.
+// tree. If it is not, edges are flipped out of the wedge there, as in `shorten_curves()`; then the
+// shortest way to the vertex becomes the path. No other edge of the tree is in that wedge, since
+// its own wedge would be smaller. So edges of the tree are never flipped; with doubles, a wedge
+// that seems to contain one stays.
 //
-// A piece that rounding has lost is not made an edge: the vertex is then joined by edges that are
-// there, and straightened. It waits if none leads to the tree yet. Every flip shortens a way to it,
+// If rounding loses a piece, existing edges join the vertex to the tree, and the path is
+// straightened. The vertex waits if no edge leads to the tree yet. Every flip shortens a way to it,
 // and there are finitely many geodesic edges below a length.
 template <class Triangulation>
 class Geodesic_tree_builder {
@@ -246,7 +246,7 @@ private:
     if (h == segment && view_.source(h) == piece.from && branches_[piece.from].halfedge == none)
       references_[piece.from] = {h, piece.departure};
   }
-  // from one halfedge of a vertex to another, negative if that is to be reached clockwise only
+  // from one halfedge of a vertex to another, negative if only clockwise steps reach it
   double angle_between(std::uint32_t from, std::uint32_t to) const {
     double sum = 0;
     std::uint32_t h = from;
@@ -264,7 +264,7 @@ private:
     return sum;
   }
 
-  // whether a vertex next to the tree is not in it, as all ways to it seem to be bent
+  // whether a vertex next to the tree is not in it, since all ways to it seem bent
   bool lacks_way() const {
     return std::ranges::any_of(halfedges(t_.mesh()), [&](Halfedge h) {
       return has_way(t_.index(source(h, t_.mesh()))) && !has_way(t_.index(target(h, t_.mesh())));

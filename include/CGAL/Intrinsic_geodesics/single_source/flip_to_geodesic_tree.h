@@ -39,7 +39,7 @@ public:
       : t_(&t), branches_(std::move(branches)), counts_(counts) {}
   /// \endcond
 
-  /// returns what was done to build it, and how that ended.
+  /// returns the counts and the status of its construction.
   const Shortening_result& shortening() const { return counts_; }
   /// returns the length of the path to a vertex, in the units of the input; infinity without a
   /// path. It is a sum in doubles, with their errors from all flips; with exact traits the edges of
@@ -72,11 +72,10 @@ private:
 \brief flips edges until a geodesic from a source to every vertex is among them (§5.5 of the
   course).
 
-Shortest paths are found by windows, see `Polyhedral_distance`, and made edges, the nearest vertex
-first. Windows are doubles: where a path is bent by rounding, it is straightened as by
-`shorten_curves()`. So every path of the tree has an angle of at least pi on both sides of all its
-vertices, or the border there, as the traits decide; that it is a shortest one is as certain as
-doubles are.
+Windows find shortest paths, see `Polyhedral_distance`; they become edges, the nearest vertex first.
+Windows are doubles: if rounding bends a path, it is straightened as by `shorten_curves()`. So the
+traits decide that every path of the tree has an angle of at least pi, or the border, on both sides
+of all its vertices. That it is a shortest path holds up to errors of doubles.
 
 \tparam Triangulation a model of `GeodesicTriangulation`
 \tparam NP a chain of named parameters
@@ -87,9 +86,9 @@ doubles are.
   - `maximum_number(n)`: cap on the number of flips. Default: none if the traits are exact, else 100
     per edge and a million.
   - `visitor(v)`: see `Shortening_visitor`
-\return the tree, which refers to `t`. Its status is `done`; `stalled` if a vertex that is connected
-  with the source has no path, as flips were refused or, with inexact traits, all ways to it seem to
-  be bent; `cap` or `cancelled`. The paths in the tree are geodesic in any case
+\return the tree, which refers to `t`. Its status is `done`; `stalled` if a vertex connected with
+the source has no path, since flips failed or, with inexact traits, all ways to it seem bent; `cap`
+or `cancelled`. The paths in the tree are geodesic in any case
 \complexity that of `Polyhedral_distance`, and linear in the number of flips
 */
 template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>

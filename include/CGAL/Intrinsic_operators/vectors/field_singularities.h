@@ -32,8 +32,8 @@ that are not manifold count once for each of their fans.
 */
 template <ConnectedTriangulation Triangulation>
 struct Field_singularities {
-  /// Of each face, at `t.index(f)`: 1 / degree times the index is the number of turns of a
-  /// direction about the face. Most are zero.
+  /// The index of each face, at `t.index(f)`: a direction makes index / degree turns about the
+  /// face. Most are zero.
   std::vector<int> index;
   /// A halfedge beside the border of each boundary loop, its face on the left, and the turns of the
   /// powers relative to the border along the loop: zero if the field follows the border.
