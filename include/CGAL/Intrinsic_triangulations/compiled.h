@@ -44,11 +44,11 @@ sources of the library, see `src/instances/`.
   prefix class Move_session<__VA_ARGS__>;                                                          \
   prefix class internal::Mover<__VA_ARGS__>;                                                       \
   prefix class internal::Vertex_remover<__VA_ARGS__>
-/// instantiates what finds the places of the vertices of an exact triangulation.
+/// instantiates the search for places of vertices of an exact triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PLACES(prefix, ...)                                          \
   prefix class internal::Vertex_places<__VA_ARGS__>;                                               \
   prefix class internal::Exact_values<__VA_ARGS__>
-/// instantiates what most programs do with a triangulation.
+/// instantiates the usual functions on a triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS(prefix, ...)                                      \
   prefix Flip_to_delaunay_result internal::flip_from(                                              \
       __VA_ARGS__&, const Iterator_range<boost::graph_traits<Gluing_map>::edge_iterator>&,         \
@@ -64,7 +64,7 @@ sources of the library, see `src/instances/`.
       Refinement_visitor&);                                                                        \
   prefix Refinement_result<Gluing_map::Face> delaunay_refine(__VA_ARGS__&,                         \
                                                              const parameters::Parameters<>&)
-/// instantiates what prepares the input of triangulations with a metric.
+/// instantiates the preparation of inputs of triangulations with a metric.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, ...)                                        \
   prefix internal::Prepared_input<__VA_ARGS__, Input> internal::prepare(Intrinsic_input&&);        \
   prefix internal::Prepared_input<__VA_ARGS__, Input_definition> internal::prepare(                \
@@ -82,7 +82,7 @@ sources of the library, see `src/instances/`.
   prefix class Unfolded_face<Ball<Double_double>>;                                                 \
   prefix class Unfolded_face<Ball<Mpfr_number>>;                                                   \
   prefix class internal::First_copies<Integer_coordinates>
-/// instantiates what most programs do with the usual triangulations.
+/// instantiates the usual functions on the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(prefix)                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);       \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);     \
@@ -90,7 +90,7 @@ sources of the library, see `src/instances/`.
       const Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>&);    \
   prefix Common_subdivision common_subdivision(                                                    \
       const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>&)
-/// instantiates the other exact triangulations, and what most programs do with them.
+/// instantiates the other exact triangulations, and the usual functions on them.
 #define CGAL_INTRINSIC_TRIANGULATIONS_MODEL_INSTANCES(prefix)                                      \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(CGAL_INTRINSIC_TRIANGULATIONS_OWNER, prefix);           \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(CGAL_INTRINSIC_TRIANGULATIONS_PLACES, prefix);          \

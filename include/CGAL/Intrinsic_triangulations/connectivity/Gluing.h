@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 Halfedge `3f + k` is side `k` of face `f` and runs from vertex `origin[3f + k]` to
 `origin[3f + (k + 1) % 3]`. `glue[h]` is the halfedge that `h` is glued to, or `none` on the
-boundary. A gluing is ordinarily against the direction of the sides, which respects the orientation
-of both faces; `reversed(h)` marks one along their direction, as a nonorientable surface needs.
+boundary. A gluing usually joins sides of opposite direction, which respects the orientation of both
+faces; `reversed(h)` marks one along their direction, for nonorientable surfaces.
 */
 struct Gluing {
   /// No element.
@@ -77,8 +77,7 @@ struct Orientation_result {
 
 namespace internal {
 
-// The least number of the set of each, if the pairs that `for_each_pair()` calls its argument with
-// join sets.
+// For each number the least one of its set, where the pairs from `for_each_pair()` join sets.
 template <class For_each_pair>
 std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& for_each_pair) {
   std::vector<std::uint32_t> parent(size);
@@ -96,7 +95,7 @@ std::vector<std::uint32_t> joined_sets(std::size_t size, const For_each_pair& fo
   return parent;
 }
 
-// What a face is called in messages: by its number if there are no names.
+// The name of a face in messages: its number if there are no names.
 inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>& names) {
   return names.empty() ? f : names[f];
 }
@@ -104,7 +103,7 @@ inline std::uint32_t face_name(std::uint32_t f, const std::vector<std::uint32_t>
 } // namespace internal
 
 /*!
-\brief finds out which faces to reverse so that all gluings respect the orientation.
+\brief finds the faces to reverse so that all gluings respect the orientation.
 \param g the gluing
 \pre `validate(g)` does not throw
 \complexity linear
@@ -117,7 +116,7 @@ Orientation_result find_orientation(const Gluing& g);
 A reversed face keeps its corner 0; its side `k` becomes side `2 - k`. Which faces: see
 `Orientation_result`.
 \param g the gluing, which is changed only if it is orientable
-\return the faces reversed, or a witness that none of the choices works
+\return the reversed faces, or a witness that no choice works
 \pre `validate(g)` does not throw
 \complexity linear
 */

@@ -24,19 +24,19 @@ struct Gluing_descriptor {
 
   /// orders descriptors by number.
   friend auto operator<=>(const Gluing_descriptor&, const Gluing_descriptor&) = default;
-  /// hashes the descriptor, as Boost's and CGAL's hash maps ask.
+  /// hashes the descriptor for Boost's and CGAL's hash maps.
   friend std::size_t hash_value(const Gluing_descriptor& d) { return d.index; }
 };
 
 /*!
 \brief stores a triangulated surface as glued triangles: a compact model of `MutableDeltaComplex`.
 
-Built from a `Gluing` (three halfedges per face, arrays of gluings and origins), it is what the
-course calls a gluing map (§2.2), made mutable. Halfedges `2e` and `2e + 1` are the sides of edge
-`e`; a side without a face is a border halfedge. A flip keeps the number of every element, so that
-data indexed by them stays valid. Loops, faces glued to themselves, several edges between the same
-vertices, nonmanifold vertices and nonorientable gluings are all representable. The functions of
-BGL's `MutableFaceGraph` are in `graph_traits_Gluing_map.h`.
+It is the gluing map of the course (§2.2), built from a `Gluing` (three halfedges per face, arrays
+of gluings and origins) and mutable. Halfedges `2e` and `2e + 1` are the sides of edge `e`; a side
+without a face is a border halfedge. A flip keeps the number of every element, so that data indexed
+by them stays valid. Loops, faces glued to themselves, several edges between the same vertices,
+nonmanifold vertices and nonorientable gluings are all representable. The functions of BGL's
+`MutableFaceGraph` are in `graph_traits_Gluing_map.h`.
 
 Memory: 24 bytes per edge and 4 per vertex and face.
 
@@ -67,8 +67,7 @@ public:
     validate(gluing);
     build(gluing);
   }
-  /// builds the connectivity of a gluing that is known to be valid, as those of
-  /// `gluing_from_triangles()`.
+  /// builds the connectivity of a valid gluing, such as those of `gluing_from_triangles()`.
   /// \pre `validate(gluing)` does not throw \complexity linear
   static Gluing_map from_valid(const Gluing& gluing) {
     Gluing_map result;
@@ -90,7 +89,7 @@ public:
   /// returns the number of faces, removed ones included.
   std::uint32_t number_of_faces() const { return static_cast<std::uint32_t>(face_.size()); }
 
-  /// tells whether elements have been removed whose numbers are free.
+  /// tells whether removed elements have left free numbers.
   bool has_garbage() const {
     return !free_vertices_.empty() || !free_edges_.empty() || !free_faces_.empty();
   }
@@ -144,12 +143,12 @@ public:
                                                               : target(next(next(h)));
   }
 
-  /// tells whether both sides of `e` run the same way, so that its faces are oriented against each
-  /// other. Never so in a complex that `is_oriented()`.
+  /// tells whether both sides of `e` run the same way, so that its faces have opposite
+  /// orientations. False if `is_oriented()`.
   bool is_reversed(Edge e) const { return !reversed_.empty() && reversed_[e.index] != 0; }
 
   /// tells whether all gluings respect the orientation of the faces. Algorithms on BGL halfedges
-  /// ask for this.
+  /// require this.
   bool is_oriented() const { return reversed_.empty(); }
 
   /// sets the halfedge that follows `h`.
@@ -163,31 +162,31 @@ public:
   /// sets the halfedge of `f`.
   void set_halfedge(Face f, Halfedge h) { face_[f.index] = h.index; }
 
-  /// adds an isolated vertex, with the number of one that was removed if there is one.
+  /// adds an isolated vertex, with the number of a removed one if there is one.
   Vertex add_vertex() { return {add(vertex_, free_vertices_)}; }
-  /// adds an edge that nothing refers to yet.
+  /// adds an unconnected edge.
   Edge add_edge();
-  /// adds a face that nothing refers to yet.
+  /// adds an unconnected face.
   Face add_face() { return {add(face_, free_faces_)}; }
 
-  /// removes a vertex, to which nothing must refer.
+  /// removes a vertex. \pre no element refers to it
   void remove_vertex(Vertex v) {
     vertex_[v.index] = removed;
     free_vertices_.push_back(v.index);
   }
-  /// removes an edge, to which nothing must refer.
+  /// removes an edge. \pre no element refers to it
   void remove_edge(Edge e) {
     halfedge_[2 * e.index].next = halfedge_[2 * e.index + 1].next = removed;
     free_edges_.push_back(e.index);
   }
-  /// removes a face, to which nothing must refer.
+  /// removes a face. \pre no element refers to it
   void remove_face(Face f) {
     face_[f.index] = removed;
     free_faces_.push_back(f.index);
   }
 
 private:
-  // what removed elements refer to
+  // the reference of removed elements
   static constexpr std::uint32_t removed = Gluing::none - 1;
 
   static std::uint32_t add(std::vector<std::uint32_t>& elements, std::vector<std::uint32_t>& free);
@@ -206,8 +205,8 @@ private:
   void number_edges(const Gluing& g);
 
   // A border halfedge runs against its inner side; the next one is found by turning about its
-  // target. In a gluing that is not oriented the turn may meet a reversed edge: no border loop
-  // has a direction there, and next() of a border halfedge stays null.
+  // target. In a gluing that is not oriented, the turn may meet a reversed edge: border loops have
+  // no direction there, and next() of a border halfedge stays null.
   void link_border();
 
   std::vector<Halfedge_record> halfedge_;

@@ -10,11 +10,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Kind of the mesh element that an error is about.
+/// Kind of the mesh element of an error.
 enum class Element_kind { none, vertex, halfedge, edge, face };
 
 /*!
-\brief reports input that no intrinsic triangulation can be built from.
+\brief reports input from which no intrinsic triangulation can be built.
 
 The message names the element at fault, in the numbering of the input, and the remedy.
 */
@@ -24,8 +24,8 @@ public:
   Invalid_input(Element_kind kind, std::size_t index, const std::string& message)
       : std::runtime_error(message), kind_(kind), index_(index) {}
 
-  /// constructs the error with a message that starts with the element at fault: "face 7" and what
-  /// is said of it.
+  /// constructs the error with a message that starts with the element at fault: "face 7" and the
+  /// message.
   static Invalid_input about(Element_kind kind, std::size_t index, const std::string& what);
 
   /// returns the kind of the element at fault.

@@ -11,23 +11,23 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief tells how an algorithm or a query ended.
 
-All of them use these words. Why a single move was refused, which algorithms meet with and count, is
-a `Move_status`: a question about one edge or vertex, not about an end.
+All of them use these words. The reason for refusing a single move is a `Move_status`; algorithms
+count refusals and go on.
 */
 enum class Status : std::uint8_t {
-  done,         ///< what was asked for is there, as far as the arithmetic can tell
+  done,         ///< the result is complete, up to the precision of the arithmetic
   stopped,      ///< the length or the angle to stop at was reached
   contracted,   ///< a loop has shrunk to a vertex
   cap,          ///< a cap that was given, or that makes inexact arithmetic end, was reached before
-  stalled,      ///< nothing that is left to do could be done
+  stalled,      ///< work is left, but none of it was possible
   cancelled,    ///< the visitor asked to stop
   inaccurate,   ///< rounding has spoilt the triangulation (never with exact traits): see
                 ///< `Inaccuracy`; or it may have misled the query: see `Edge_path`
   border,       ///< the border was reached before
-  not_traceable ///< the correspondence cannot tell where it is: only by rounding, with `Signposts`
+  not_traceable ///< the correspondence cannot find it: only because of rounding, with `Signposts`
 };
 
-/// What became of a move.
+/// The result of a move.
 enum class Move_status {
   done,          ///< the move was made
   border,        ///< refused: the edge is on the border

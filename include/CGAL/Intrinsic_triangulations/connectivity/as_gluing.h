@@ -30,8 +30,7 @@ Gluing gluing_from_map(const Gluing_map& map);
 namespace internal {
 
 // The connectivity of any mesh as a gluing map with vertices, edges and faces in the order of
-// iteration: the map itself by reference, a copy of anything else and of a map with removed
-// elements.
+// iteration: a reference to a map; a copy of any other mesh, and of a map with removed elements.
 template <class Mesh>
 class As_gluing_map {
 public:

@@ -26,7 +26,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a range, of known size, of triples of numbers: the vertices of triangles.
+\brief requires a range, of known size, of triples of numbers: the vertices of triangles.
 */
 template <class Range>
 concept TriangleRange = requires(const Range& triangles) {
@@ -54,11 +54,11 @@ struct Sides_by_edge {
   }
 };
 
-// Those of triangles that have an edge in common where they have both its ends; it runs from the
-// lower one. The sides at an edge are in the order of halfedges.
+// The sides of triangles, of which two with the same ends are at one edge; the edge runs from its
+// lower end. The sides at an edge are in the order of halfedges.
 Sides_by_edge sides_by_edge(const Gluing& g);
 
-// Triangles of which no side is glued yet.
+// Triangles before any gluing.
 template <TriangleRange Triangles>
 Gluing unglued_triangles(std::uint32_t number_of_vertices, const Triangles& triangles) {
   Gluing g;
@@ -83,8 +83,8 @@ Gluing unglued_triangles(std::uint32_t number_of_vertices, const Triangles& tria
   return g;
 }
 
-// "edge (0, 1) has 3 faces (4, 5, 6)"; of several triangles that are called alike, as they are
-// parts of a polygon, it is a diagonal.
+// "edge (0, 1) has 3 faces (4, 5, 6)"; if several triangles have the same name, as parts of a
+// polygon, it is a diagonal.
 std::string edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
                             const std::vector<std::uint32_t>& names);
 
@@ -92,7 +92,7 @@ std::string edge_with_faces(const Gluing& g, std::span<const Edge_side> sides,
 [[noreturn]] void fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
                                    const std::vector<std::uint32_t>& names);
 
-// What was found where triangles share edges.
+// Findings where triangles share edges.
 struct Shared_edges {
   std::uint32_t conflict =
       Gluing::none; // a halfedge of the first edge along which two faces run in the same direction
@@ -117,8 +117,8 @@ Shared_edges glue_pairs(Gluing& g, const Sides_by_edge& edges, const Function& n
   return result;
 }
 
-// Glues triangles that nothing is glued to. `conflict` is set to that of `Shared_edges`; `names`
-// are those of faces in messages.
+// Glues triangles that are not glued yet. `conflict` is set to that of `Shared_edges`; `names` are
+// those of faces in messages.
 Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names);
 
 } // namespace internal
@@ -145,8 +145,8 @@ Gluing gluing_from_triangles(std::uint32_t number_of_vertices, const Triangles& 
 \brief glues triangles that share edges, and turns those around that disagree with their neighbours.
 \param number_of_vertices, triangles see `gluing_from_triangles()`; the order of corners may be any
 \param reversed_faces set to nonzero for each face that was turned around, see `Orientation_result`
-\param names what each face is called in messages, as `Triangle_soup::polygon_of_triangle`; empty:
-  by its number
+\param names the name of each face in messages, as `Triangle_soup::polygon_of_triangle`; empty: by
+  its number
 \throws Invalid_input see above; of orientation, only if no choice of it is consistent
 \complexity as above
 */
@@ -195,12 +195,12 @@ private:
 } // namespace internal
 
 /*!
-\brief copies the connectivity of a mesh through BGL, or finds a face that is no triangle.
+\brief copies the connectivity of a mesh through BGL, or finds a face that is not a triangle.
 
 See `gluing_map_from_face_graph()`.
 \param mesh the mesh
-\param polygon set to the number of the first face that is not a triangle, or `Gluing::none`; the
-  result is good for nothing then
+\param polygon set to the number of the first face that is not a triangle, or `Gluing::none`; if
+  there is one, do not use the result
 */
 template <ReadableFaceGraph FaceGraph>
 Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& polygon) {
@@ -251,9 +251,9 @@ Gluing_map gluing_map_unless_polygonal(const FaceGraph& mesh, std::uint32_t& pol
 /*!
 \brief copies the connectivity of a mesh through BGL.
 
-Vertices, edges and faces are numbered in the order of iteration. No edge is looked up by its end
-vertices, so that any Delta-complex is read right. Border loops turn within one umbrella of each
-vertex, whichever way they go in `mesh`.
+Vertices, edges and faces are numbered in the order of iteration. It does not look edges up by their
+end vertices, so that it reads any Delta-complex correctly. Border loops turn within one umbrella of
+each vertex, whichever way they go in `mesh`.
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
 \throws Invalid_input if a face is not a triangle
 \complexity linear
@@ -286,7 +286,7 @@ void copy_gluing_map(const Gluing_map& map, Mesh& mesh) {
   std::vector<typename Traits::halfedge_descriptor> side;
   std::vector<typename Traits::face_descriptor> face;
   for (std::uint32_t v = 0; v < map.number_of_vertices(); ++v)
-    vertex.push_back(add_vertex(mesh)); // with the null halfedge, which OpenMesh cannot be given
+    vertex.push_back(add_vertex(mesh)); // with the null halfedge, which OpenMesh does not accept
   for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
     side.push_back(halfedge(add_edge(mesh), mesh));
     side.push_back(opposite(side.back(), mesh));

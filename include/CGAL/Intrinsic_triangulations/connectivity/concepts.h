@@ -15,9 +15,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a triangulated surface with a metric that is read by the numbers of its elements.
+\brief requires a triangulated surface with a metric, read by the numbers of its elements.
 
-Syntax of \ref ::NumberedComplex, where its meaning is described.
+Syntax of \ref ::NumberedComplex, which describes its meaning.
 */
 template <class Complex>
 concept NumberedComplex = requires(const Complex& c, std::uint32_t i) {
@@ -33,7 +33,7 @@ concept NumberedComplex = requires(const Complex& c, std::uint32_t i) {
 
 namespace internal {
 
-// `boost::graph_traits<T>` is an error, not a substitution failure, where T is no mesh: ask for
+// `boost::graph_traits<T>` is an error, not a substitution failure, if T is not a mesh: require
 // functions on it first.
 template <class Mesh>
 concept Has_mesh_elements = requires(const Mesh& m) {
@@ -114,25 +114,25 @@ concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>&
 } // namespace internal
 
 /*!
-\brief asks for the connectivity of a surface of polygons that can be read: BGL's `FaceListGraph`
-and `HalfedgeListGraph`, with a halfedge of each vertex. Elements need not be determined by their
+\brief requires the connectivity of a surface of polygons, for reading: BGL's `FaceListGraph` and
+`HalfedgeListGraph`, with a halfedge of each vertex. Elements need not be determined by their
 vertices.
 */
 template <class Mesh>
 concept ReadableFaceGraph = internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh>;
 
 /*!
-\brief asks for a surface of polygons that can be built, one element after another: BGL's
+\brief requires a surface of polygons that can be built element by element: BGL's
 `MutableFaceGraph`.
 */
 template <class Mesh>
 concept WritableFaceGraph = ReadableFaceGraph<Mesh> && internal::Has_mutable_connectivity<Mesh>;
 
 /*!
-\brief asks for the connectivity of a triangulated surface that can be built and flipped, read as a
+\brief requires the connectivity of a triangulated surface that can be built and flipped, read as a
 Delta-complex: elements need not be determined by their vertices.
 
-Syntax of \ref ::MutableDeltaComplex, where its meaning is described.
+Syntax of \ref ::MutableDeltaComplex, which describes its meaning.
 */
 template <class Mesh>
 concept MutableDeltaComplex = std::default_initializable<Mesh> && std::move_constructible<Mesh> &&

@@ -55,7 +55,7 @@ private:
     while (map_ != nullptr && current_.index < end_ && map_->is_removed(current_)) ++current_.index;
   }
 
-  const Gluing_map* map_ = nullptr; // null if nothing is to be skipped
+  const Gluing_map* map_ = nullptr; // null if no element is skipped
   std::uint32_t end_ = 0;
   Descriptor current_;
 };

@@ -13,9 +13,9 @@
 
 /*!
 \file
-Insertion and removal of vertices of a Delta-complex, and flips taken back, connectivity only.
-Halfedges that stay keep their names; no edge is looked up by its ends, so that loops and faces
-glued to themselves do no harm.
+Inserts and removes vertices of a Delta-complex, and takes flips back, in the connectivity only.
+Remaining halfedges keep their names. Edges are not looked up by their ends, so that loops and faces
+glued to themselves are correct.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,8 +47,8 @@ Element numbered(Element e, const Mesh& mesh, Numbers& numbers) {
   return e;
 }
 
-// Adds an element that refers to nothing, numbered; one that was removed if the numbering brings it
-// back. An edge is given by its halfedge.
+// Adds an unconnected, numbered element; the numbering may reuse a removed one. An edge is given by
+// its halfedge.
 template <class Mesh, class Numbers>
 typename boost::graph_traits<Mesh>::vertex_descriptor add_numbered_vertex(Mesh& mesh,
                                                                           Numbers& numbers) {

@@ -14,15 +14,14 @@
 
 /*!
 \file
-Named parameters: the one way in which functions of the package take options. They are chained in
-any order,
+Named parameters: all functions of the package take options this way. They are chained in any order,
 
 delaunay_refine(t, parameters::minimum_angle(30).visitor(std::ref(progress)));
 
-What a name means, and its default, is told by the function. A visitor is copied; pass `std::ref(v)`
-to have `v` itself called. One that the function does not have is an error of the compiler.
-`CGAL::parameters` are taken as well; CGAL's chain cannot be continued by names of this package, but
-all of the names are here, those of CGAL among them.
+The function documents the meaning of a name and its default. Visitors are copied; pass
+`std::ref(v)` to call `v` itself. A name that the function does not have is a compile error.
+Functions accept `CGAL::parameters`, too. Names of this package cannot continue a chain of CGAL, but
+all names, also those of CGAL, are here.
 */
 
 /// \cond
@@ -56,7 +55,7 @@ struct Parameter {
   T object;
 };
 
-// what was given under a name: the base class is found by overload resolution
+// the value of a name: overload resolution finds the base class
 template <class Tag, class T>
 const T& given(const Parameter<Tag, T>& p) {
   return p.object;
@@ -72,13 +71,13 @@ namespace parameters {
 
 /*!
 \brief is a chain of named parameters; each name is a member that continues the chain.
-\tparam P what was given
+\tparam P the given values
 */
 template <class... P>
   requires(requires { typename P::tag; } && ...)
 class Parameters : public P... {
 public:
-  /// chains what was given.
+  /// chains the given values.
   constexpr explicit Parameters(const P&... p) : P(p)... {}
 
   /// \cond
@@ -100,7 +99,7 @@ private:
   }
 };
 
-/// returns the chain in which nothing is given: all parameters have their defaults.
+/// returns the empty chain: all parameters have their defaults.
 inline Parameters<> default_values() { return Parameters<>(); }
 
 /// \cond
@@ -141,7 +140,7 @@ auto cgal_parameter(const Named_function_parameters<T, CGAL_tag, Base>& np,
 }
 { return CGAL::parameters::get_parameter(np, cgal_name(tag)); }
 
-// A copy of what was given under a name, or of the default, whatever its type.
+// A copy of the value of a name, or of the default, of any type.
 template <class Tag, class NamedParameters, class Default>
 auto object_or(const NamedParameters& np, const Default& otherwise) {
   if constexpr (Has_parameter<Tag, NamedParameters>)
@@ -168,13 +167,13 @@ auto constrained_map(const NamedParameters& np) {
   return map;
 }
 
-// A value that was given under a name, or the default, which has the type that is wanted.
+// The value of a name, or the default, in the type of the default.
 template <class Tag, class NamedParameters, class Default>
 Default value_or(const NamedParameters& np, const Default& otherwise) {
   return static_cast<Default>(object_or<Tag>(np, otherwise));
 }
 
-// What a visitor refers to that was passed by `std::ref()`.
+// The object behind a visitor passed by `std::ref()`.
 template <class T>
 T& unwrapped(T& value) {
   return value;
@@ -184,7 +183,7 @@ T& unwrapped(std::reference_wrapper<T>& reference) {
   return reference.get();
 }
 
-// Goes on, whatever is reported.
+// Always goes on.
 struct Silent_visitor {
   template <class... Reported>
   bool progress(const Reported&...) const {
@@ -192,7 +191,7 @@ struct Silent_visitor {
   }
 };
 
-// What calls a visitor that was given, or none, for functions that are no templates.
+// Calls the given visitor, or none, for functions that are not templates.
 template <class NamedParameters>
 auto progress_of(const NamedParameters& np) {
   return [v = object_or<tags::visitor>(np, Silent_visitor())](auto reported) mutable {
@@ -235,7 +234,7 @@ constexpr void expect_names(const Named_function_parameters<T, Tag, Base>& np) {
 
 } // namespace internal
 
-/// \brief asks for named parameters: a chain of `parameters` or of `CGAL::parameters`.
+/// \brief requires named parameters: a chain of `parameters` or of `CGAL::parameters`.
 template <class T>
 concept NamedParameters = internal::is_named_parameters<T>;
 

@@ -87,9 +87,9 @@ Signed_incidence incidence(const Mesh& mesh) {
 \brief builds a gluing from signed incidence matrices.
 
 The entries may come in any order. Sides of a face that are not in cyclic order are put in order by
-their end vertices; where all three sides are loops at one vertex, vertices do not tell, and the
-order of the entries in the row is taken. Two sides with the same sign at their edge are glued along
-their direction (see `Gluing::reversed()`).
+their end vertices; if all three sides are loops at one vertex, the order of the entries in the row
+counts. Two sides with the same sign at their edge are glued along their direction (see
+`Gluing::reversed()`).
 \param s the matrices
 \param edge_of_halfedge is set to the edge that each halfedge `3f + k` of the result comes from: a
   `Gluing_map` numbers edges anew

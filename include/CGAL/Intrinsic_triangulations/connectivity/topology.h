@@ -22,9 +22,9 @@
 \file
 Counts that describe the topology of a Delta-complex. All of them count with multiplicity, read any
 mesh through BGL without looking an edge up by its end vertices, and take time and memory linear in
-the mesh, in flat arrays. They ask for the invariants of that concept. Elements are numbered in
-the order of iteration. A `Gluing_map` without removed elements is read in place, another mesh is
-copied to one first.
+the mesh, in flat arrays. They require the invariants of that concept. Elements are numbered in the
+order of iteration. A `Gluing_map` without removed elements is read in place, another mesh is copied
+to one first.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -40,8 +40,8 @@ std::vector<std::uint32_t> border_of_loops(const Gluing_map& m);
 } // namespace internal
 
 /*!
-\brief tells whether the faces of a mesh can be oriented consistently; only those of a `Gluing_map`
-may not.
+\brief tells whether the faces of a mesh can be oriented consistently; this fails only for a
+`Gluing_map`.
 \tparam Mesh a model of `MutableDeltaComplex`
 \complexity constant for meshes whose gluings respect the orientation, else linear
 */
@@ -69,7 +69,7 @@ std::ptrdiff_t euler_characteristic(const Mesh& mesh) {
 \brief numbers the components that faces form across edges.
 */
 struct Face_components {
-  /// Number of components; one that hangs on another by a vertex only counts for itself.
+  /// Number of components; two that share only vertices count separately.
   std::uint32_t count = 0;
   /// Component of each face, numbered in the order of their first faces.
   std::vector<std::uint32_t> of_face;
@@ -100,7 +100,7 @@ Face_components connected_components(const Mesh& mesh) {
 \brief finds a border halfedge of each boundary loop.
 
 Loops are those of the surface after splitting its nonmanifold vertices: each turns about a vertex
-within one umbrella. `next()` is not asked for, because it is free at nonmanifold vertices and does
+within one umbrella. It does not use `next()`, which is arbitrary at nonmanifold vertices and does
 not exist on the border of a nonorientable gluing.
 \tparam Mesh a model of `MutableDeltaComplex`
 \return one halfedge without a face per loop

@@ -26,9 +26,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief decides signs that the stored intervals of a metric leave open, and encloses values as
-narrowly as is asked for.
+narrowly as required.
 
-All is evaluated on a *figure*, which says how values follow from the faces of the input:
+It evaluates on a *figure*, which says how values follow from the faces of the input:
 
 | figure | how | values |
 |--------|-----|--------|
@@ -38,22 +38,22 @@ All is evaluated on a *figure*, which says how values follow from the faces of t
 | `Unfolded_faces` | those under faces | of faces |
 | `Replayed_diamond`, `Replayed_faces` | repeated flips, if edges cross too many faces | of both |
 
-`Exact_ladder.cpp` says what decides, in which order and why.
+`Exact_ladder.cpp` gives the steps, their order and the reasons.
 
-All members ask for rounding upwards.
+All members require rounding upwards.
 */
 class Exact_ladder {
 public:
   /// Number type of enclosures.
   using FT = Interval_nt<false>;
 
-  /// remembers nothing.
+  /// starts with an empty memory.
   Exact_ladder() = default;
-  /// remembers nothing.
+  /// starts with an empty memory.
   Exact_ladder(const Exact_ladder&) {}
   /// takes the memory of another one.
   Exact_ladder(Exact_ladder&&) = default;
-  /// forgets everything.
+  /// clears the memory.
   Exact_ladder& operator=(const Exact_ladder&) {
     memory_ = nullptr;
     return *this;
@@ -83,7 +83,7 @@ public:
   std::vector<Face_values<FT>> enclosures(const Input_metric& input, const Unfolded_faces& faces,
                                           unsigned bits);
 
-  /// What is called with the number of a face among others, and intervals that contain its values.
+  /// Function called with the number of a face in the list, and intervals that contain its values.
   using Visit = std::function<void(std::size_t, const Face_values<FT>&)>;
   /// encloses the values of faces one by one; bits are 106, 256, or any more.
   void for_each_enclosure(const Input_metric& input, const Replayed_faces& faces, unsigned bits,
@@ -92,12 +92,12 @@ public:
   /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
   FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);
 
-  /// Bits in which the nearest double to any weight is told.
+  /// Bits that are enough for the nearest double to any weight.
   static constexpr unsigned last_bits = Mpfr_number::most_bits;
 
   /*!
-  \brief returns the double nearest to the cotangent weight of a diamond, if so many bits tell which
-  one that is, and it is neither zero nor infinite; with `last_bits` it is returned always.
+  \brief returns the double nearest to the cotangent weight of a diamond, if the given bits
+  determine it, and it is neither zero nor infinite; with `last_bits` always.
   \param input, diamond see `sign()`
   \param bits 106, 256, or any more
   */

@@ -22,11 +22,11 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief encloses squared lengths and quadruple areas of input faces in balls, and remembers nothing:
-most are asked for once or twice, when flips are repeated.
+\brief encloses squared lengths and quadruple areas of input faces in balls, without memory:
+repeated flips use most of them once or twice.
 
-Where all differences of coordinates are doubles, as they are of points near each other, values of
-106 bits are sums of exact products, whose errors are known beforehand.
+If all differences of coordinates are doubles, as for points near each other, values of 106 bits are
+sums of exact products with known error bounds.
 \tparam FT a `Ball`; rounding is to the nearest
 */
 template <FieldNumber FT>
@@ -49,9 +49,9 @@ private:
 };
 
 /*!
-\brief encloses the squared lengths and the quadruple areas of input faces, and remembers them.
+\brief encloses the squared lengths and the quadruple areas of input faces, and stores them.
 \tparam FT `Interval_nt<false>` or a `Ball`, of the same precision in all calls; rounding is as the
-type asks for
+type requires
 */
 template <FieldNumber FT>
 class Input_face_intervals {
@@ -87,8 +87,7 @@ private:
                                                    ? thresholds::remembered_faces
                                                    : std::size_t(1) << 31;
 
-  // in the order in which they were first asked for: those that are unfolded together are near each
-  // other
+  // in the order of their first use: faces that are unfolded together are near each other
   std::deque<Face> faces_;
   std::vector<std::uint32_t> place_; // of each face: its number there and one, or zero
 };

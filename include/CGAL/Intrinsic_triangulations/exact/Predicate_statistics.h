@@ -19,18 +19,17 @@ struct Predicate_statistics {
   std::uint64_t filter_failures = 0;
   /// Predicates that proofs in integers, of two input faces or in a plane, found not to be zero.
   std::uint64_t integer = 0;
-  /// Predicates found not to be zero in so many bits: 53 (doubles, unfolded anew from the input),
-  /// 106, 256, 512, ...
+  /// Predicates found not to be zero, by number of bits: 53 (doubles, unfolded anew from the
+  /// input), 106, 256, 512, ...
   std::map<unsigned, std::uint64_t> escalations;
-  /// Faces and weights whose values were computed in so many bits, for an insertion or to be handed
-  /// out; 53: doubles.
+  /// Faces and weights computed for an insertion or a query, by number of bits; 53: doubles.
   std::map<unsigned, std::uint64_t> sharpenings;
   /// Predicates proven to be zero, by any step of the ladder.
   std::uint64_t certified_zero = 0;
-  /// Predicates taken for zero without proof, since no proof got through and
+  /// Predicates assumed to be zero without proof, since all proofs failed and
   /// `thresholds::probable_bits` bits show no sign.
   std::uint64_t probable_zero = 0;
-  /// Predicates left open by intervals that have nothing to escalate to.
+  /// Predicates left open by intervals without further steps.
   std::uint64_t undecided = 0;
 };
 

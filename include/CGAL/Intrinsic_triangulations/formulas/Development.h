@@ -23,9 +23,9 @@ namespace CGAL::Intrinsic_triangulations {
 pass.
 
 The first side of the first triangle runs from point 0 to point 1, and triangle number n adds point
-n + 2. Which triangles these are is one thing, what is carried along them another: positions in the
-plane, in any field, or whatever else follows at the apex of a triangle from the ends of its first
-side. Memory stays from tree to tree.
+n + 2. The tree is separate from the values carried along it: positions in the plane in any field,
+or any values that follow at the apex of a triangle from the ends of its first side. It reuses its
+memory.
 \tparam Side_ names a side of a triangle of the surface: a halfedge, or a `Face_side`
 */
 template <std::copyable Side_ = std::uint32_t>
@@ -88,7 +88,7 @@ public:
   const Triangle& operator[](std::size_t n) const { return triangles_[n]; }
   /// returns the first triangle.
   auto begin() const { return triangles_.begin(); }
-  /// returns what comes after the last triangle.
+  /// returns the end of the triangles.
   auto end() const { return triangles_.end(); }
 
   /// returns the side of its parent over which a triangle is entered.

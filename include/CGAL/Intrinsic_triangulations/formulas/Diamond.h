@@ -13,7 +13,7 @@
 
 /*!
 \file
-The two faces at an edge, and all that a flip needs of them.
+The two faces at an edge, and the formulas of a flip.
 
 The diamond of halfedge `ij` has face `f = ijk` on its left and `g = jim` on its right. Everything
 is a field expression in squared lengths `L` and quadruple areas `a = 4A`: no square root, no
@@ -57,7 +57,7 @@ struct Diamond_values {
 };
 
 /*!
-\brief holds what a flip makes.
+\brief holds the new values of a flip.
 
 The flipped edge runs from `k` to `m`, with `mj` and `jk` on the left and `ki` and `im` on the
 right, which is how `CGAL::Euler::flip_edge()` turns a halfedge.
@@ -147,7 +147,7 @@ struct Left_area_expression {
 };
 
 /*!
-\brief computes the squared length and the quadruple areas that a flip makes.
+\brief computes the new squared length and quadruple areas of a flip.
 
 L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are (p_k
 - p_m) / (2 l_ij) apart, their heights (a_f + a_g) / (2 l_ij). A sum of squares loses nothing to
@@ -198,8 +198,7 @@ Plane_vector<FT> consistent_corner(const FT& ij, const FT& jk, const FT& ki, con
 } // namespace internal
 
 /*!
-\brief computes what `flipped()` does from values that are rounded, with the errors of rounding
-alone: they do not grow from flip to flip.
+\brief computes `flipped()` from rounded values so that errors do not grow from flip to flip.
 \pre see `flipped()`
 */
 template <std::floating_point FT>
@@ -212,8 +211,8 @@ Flipped_values<FT> flipped_consistently(const Diamond_values<FT>& d) {
 }
 
 /*!
-\brief bounds the error of the areas of `flipped()` for values with relative errors below `e`: an
-area that is not larger may have any sign in truth.
+\brief bounds the error of the areas of `flipped()` for values with relative errors below `e`: the
+exact area may have any sign if the computed one is not larger.
 
 Either area is a sum of two products (p a) / (2 L_ij), where p adds three lengths and a is the area
 of a face. When p is small, the error of the lengths remains: `e` times their sum.

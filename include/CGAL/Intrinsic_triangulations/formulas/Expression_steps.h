@@ -18,8 +18,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells of what kind a polynomial in squared lengths and quadruple areas is: some ways to
-decide a sign are faster, and right for some kinds only.
+\brief describes the kind of a polynomial in squared lengths and quadruple areas: some fast
+decisions of signs are right only for some kinds.
 
 It is found by evaluating the polynomial on numbers of this type. Sums, differences, negations and
 products of degrees belong to those of polynomials.
@@ -30,7 +30,7 @@ struct Expression_degree {
   double terms;    ///< bound on the sum of all coefficients, without their signs
   bool is_uniform; ///< whether all terms have one total degree, and one parity in the areas
 
-  /// constructs a degree; there is none of a constant.
+  /// constructs a degree; constants have none.
   constexpr Expression_degree(unsigned total_, unsigned areas_, double terms_, bool is_uniform_)
       : total(total_), areas(areas_), terms(terms_), is_uniform(is_uniform_) {}
 
@@ -72,7 +72,7 @@ class Expression_steps {
 public:
   /// What a step does.
   enum class Operation : std::uint32_t {
-    constant,   ///< gives a number that the expression has in it
+    constant,   ///< gives a constant of the expression
     sum,        ///< adds
     difference, ///< subtracts
     negation,   ///< changes the sign of the first operand; there is no second one
@@ -104,8 +104,8 @@ public:
   }
 
   /*!
-  \brief repeats the steps. Results of many are kept until their last use only: numbers may grow
-  with every step.
+  \brief repeats the steps. If there are many, it frees results after their last use, since numbers
+  may grow with every step.
   \tparam FT a ring; a field made of doubles too, unless `is_polynomial()`
   \param values as many as the expression depends on
   */

@@ -17,8 +17,7 @@
 
 /*!
 \file
-The values of a face, and bounds on its shape as signs of polynomials in these: what refinement asks
-of the arithmetic.
+The values of a face, and bounds on its shape as signs of polynomials in these, for refinement.
 */
 
 namespace CGAL::Intrinsic_triangulations {

@@ -12,7 +12,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief is a vector or a point of the plane, and the complex number x + i y.
-\tparam FT a model of `RingNumber`; division asks for a model of `FieldNumber`
+\tparam FT a model of `RingNumber`; division requires a model of `FieldNumber`
 */
 template <RingNumber FT>
 struct Plane_vector {

@@ -23,7 +23,7 @@
 
 /*!
 \file
-What may be asked of a metric: signs of expressions.
+Expressions, whose signs a metric decides.
 
 An expression is a functor with a template `operator()`, from the values of a diamond or of a span
 of faces to one value, that computes by the operations of a field, `+ - * /`, constants made of
@@ -33,16 +33,15 @@ exactly, whatever its degree.
 
 Intervals of doubles, which decide nearly all signs, evaluate an expression as it is written. For
 what they leave open it is *recorded*: evaluated once on a `Recorded_number`, which keeps the steps.
-The steps are then repeated in number types that the expression knows nothing of, so that their code
-is compiled once and not for each expression. They also tell of which degree a polynomial is (see
-`Expression_degree`), hence which fast ways of deciding its sign are right: nothing is declared, so
-nothing can be declared that is not true.
+Other number types then repeat the steps, so that their code is compiled once and not for each
+expression. The steps also give the degree of a polynomial (see `Expression_degree`), hence the
+right fast ways to decide its sign; users need not declare it.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a number of which nothing is known but how it is computed: from values, and constants.
+\brief is a symbolic number: it only stores how values and constants compute it.
 
 Operations add a step to the recording that goes on in this thread.
 \throws std::logic_error if there is none, as of static numbers
@@ -121,7 +120,7 @@ private:
 };
 
 /*!
-\brief asks for an expression in the values of a diamond.
+\brief requires an expression in the values of a diamond.
 */
 template <class Expression>
 concept DiamondExpression = requires(const Expression& e,
@@ -132,7 +131,7 @@ concept DiamondExpression = requires(const Expression& e,
 };
 
 /*!
-\brief asks for an expression in the values of a span of faces.
+\brief requires an expression in the values of a span of faces.
 */
 template <class Expression>
 concept FaceExpression = requires(const Expression& e,
@@ -142,12 +141,12 @@ concept FaceExpression = requires(const Expression& e,
   { e(recorded) } -> std::convertible_to<Recorded_number>;
 };
 
-/// Of what a zero of an expression is proof; some proofs start from there.
+/// The geometric meaning of a zero of an expression; some proofs use it.
 enum class Zero_meaning {
   cocircular,          ///< the corners of the diamond are: `Delaunay_expression`
   collinear_at_source, ///< corners k, i, m are: `Convexity_at_source_expression`
   collinear_at_target, ///< corners k, j, m are: `Convexity_at_target_expression`
-  other                ///< nothing that is known
+  other                ///< unknown
 };
 
 /*!
@@ -178,7 +177,7 @@ public:
   const std::optional<Expression_degree>& degree() const { return degree_; }
   /// tells whether it is a sum of a few areas times at most a length each.
   bool is_linear_in_areas() const { return degree_ && degree_->is_linear_in_areas(); }
-  /// returns what it is a proof of if the expression is zero.
+  /// returns the geometric meaning of a zero.
   Zero_meaning zero_meaning() const { return meaning_; }
 
 private:
@@ -238,8 +237,8 @@ private:
 
 namespace internal {
 
-// those of the library depend on nothing but the values; another one without data may still read
-// what changes
+// those of the library depend only on the values; another one without data may still read global
+// state
 template <class Expression>
 inline constexpr bool is_recorded_once =
     std::is_same_v<Expression, Delaunay_expression> ||

@@ -17,8 +17,8 @@
 
 /*!
 \file
-What insertions, removals and moves of vertices make: squared lengths and quadruple areas in any
-field (Eq. 23 of the course).
+New squared lengths and quadruple areas of insertions, removals and moves of vertices, in any field
+(Eq. 23 of the course).
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -49,7 +49,7 @@ struct Border_star {
 \brief rounds barycentric coordinates (down, the first one up) so that they are multiples of 2^-52
 that sum to 1 exactly.
 
-They define a point exactly then, in any field.
+Then they define a point exactly, in any field.
 \return the coordinates, or nothing if one is negative or not finite, all but one vanish, or the sum
   is not near 1
 */
@@ -98,8 +98,7 @@ Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, con
 }
 
 /*!
-\brief computes the values of the border edge and face that are left when a vertex on the border
-goes.
+\brief computes the values of the border edge and face that remain after removal of a border vertex.
 \param d the diamond of pk, with face kip on its left
 */
 template <FieldNumber FT>

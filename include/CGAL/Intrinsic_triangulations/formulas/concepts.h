@@ -9,7 +9,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for a number type with +, - and *, which may return expression templates.
+\brief requires a number type with +, - and *, which may return expression templates.
 
 Syntax of \ref ::RingNumber.
 */
@@ -21,7 +21,7 @@ concept RingNumber = std::copyable<FT> && requires(const FT& a) {
 };
 
 /*!
-\brief asks for a number type with +, -, * and /, and with constants made of `int` and `double`.
+\brief requires a number type with +, -, * and /, and with constants made of `int` and `double`.
 
 Syntax of \ref ::FieldNumber.
 */

@@ -14,9 +14,9 @@
 
 /*!
 \file
-Interval arithmetic where lengths and areas are known not to be negative: two products, where the
-general case needs up to eight. Everything here asks for rounding upwards (`Protect_FPU_rounding`);
-a lower bound is the negative of an upper bound of the negative.
+Interval arithmetic for nonnegative lengths and areas: two products instead of up to eight.
+Everything here requires rounding upwards (`Protect_FPU_rounding`); a lower bound is the negative of
+an upper bound of the negative.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -71,7 +71,7 @@ inline Interval_nt<false> delaunay_value(const Interval_nt<false>& q_f,
 }
 
 /*!
-\brief computes what `flipped()` does, faster.
+\brief computes `flipped()`, faster.
 \pre the areas have no negative lower bound
 */
 inline Flipped_values<Interval_nt<false>>

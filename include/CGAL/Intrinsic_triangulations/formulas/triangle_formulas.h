@@ -39,8 +39,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*
 Sums and products whose rounding errors are kept: floating point types take the compensated path
-(Møller and Knuth's sum, the product by fused multiply-add). Any other number type computes plainly:
-it is exact, or encloses, or its user has chosen its precision.
+(Møller and Knuth's sum, the product by fused multiply-add). Other number types compute plainly:
+they are exact, enclose, or have a precision chosen by the user.
 */
 namespace internal {
 
@@ -79,11 +79,11 @@ void sort_descending(FT& x, FT& y, FT& z) {
   }
 }
 
-/// A number held as a rounded value and what rounding lost.
+/// A number as a rounded value and its rounding error.
 template <class FT>
 struct Unevaluated_sum {
   FT high; ///< the rounded value
-  FT low;  ///< what rounding lost
+  FT low;  ///< the rounding error
 };
 
 /// computes x + y and its rounding error, exactly when rounding to nearest.

@@ -60,8 +60,8 @@ Face_values<double> approximate_values(const Triangulation& t,
   return approximate_values(t.metric(), indexed_face(t, f));
 }
 
-// The values of a face in scaled units, for users: with exact traits, intervals are made narrow
-// first, and doubles with them.
+// The values of a face in scaled units, for users: with exact traits, it first narrows intervals
+// and doubles.
 template <class Triangulation>
 Face_values<double> accurate_values(const Triangulation& t,
                                     typename Triangulation::face_descriptor f) {
@@ -103,9 +103,9 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
 } // namespace internal
 
 /*!
-\brief asks the metric of a triangulation, and gives it what it needs to decide.
+\brief calls the metric of a triangulation, and passes it the data for decisions.
 
-Functions that take numbers of faces and edges ask for a live session.
+Functions with numbers of faces and edges require a live session.
 \tparam Triangulation derives from this class; with a metric that decides by the input it has
 `exact_values()`
 */
@@ -149,15 +149,15 @@ public:
       return metric().cotangent_weight(d);
     }
   }
-  /// makes what is stored of faces as accurate as it can be; of all faces, once single ones have
-  /// taken as long as that would.
+  /// makes stored values of faces as accurate as possible; those of all faces, once single ones
+  /// have taken as long.
   void sharpen(std::span<const Indexed_face> faces) const {
     if constexpr (by_input) {
       if (self().exact_values().asks_for_faces()) sharpen_all();
       metric().sharpen(faces, self().exact_values());
     }
   }
-  /// makes what is stored of the first side of a face as accurate as it can be; see above.
+  /// makes the stored length of the first side of a face as accurate as possible; see above.
   void sharpen_length(const Indexed_face& face) const {
     if constexpr (by_input) {
       if (self().exact_values().asks_for_faces()) sharpen_all();
@@ -193,7 +193,7 @@ private:
     exact.sharpen_all([&] { metric().sharpen(wide, exact); });
   }
 
-  // of all edges whose weights are not told by what is stored
+  // of all edges whose stored values are too inaccurate
   void find_weights() const {
     const auto& mesh = self().mesh();
     const auto null = boost::graph_traits<Mesh>::null_face();

@@ -41,8 +41,8 @@ BOOST_FORCEINLINE Diamond diamond_of(typename boost::graph_traits<Mesh>::halfedg
           number.face(face(o, mesh))};
 }
 
-// The record of the flip of an edge with two faces. The diamond is no function of the other
-// numbers: to divide what was just stored costs more than to ask the mesh again.
+// The record of the flip of an edge with two faces. It stores the diamond, too: computing it from
+// the other numbers would cost more than reading the mesh again.
 template <class Mesh>
 BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_descriptor h,
                                    const Mesh& mesh, const Mesh_adaptor<Mesh>& number) {
@@ -57,9 +57,9 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           diamond_of(h, mesh, number)};
 }
 
-// The elementary moves of a triangulation, each in the one order: make its record, compute the
-// values, ask the correspondence, change connectivity and metric, tell the correspondence. A move
-// that is refused changes nothing.
+// The elementary moves of a triangulation. Each makes its record, computes the values, announces
+// itself to the correspondence, changes connectivity and metric, and notifies the correspondence. A
+// refused move changes nothing.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
@@ -141,7 +141,7 @@ public:
     return Move_status::done;
   }
 
-  // Takes back the flip of h, the last one. Observers, who followed it there, follow it back.
+  // Takes back the flip of h, the last one; observers follow.
   void undo_flip(Halfedge h,
                  const Before_flip_of<Metric>& before) requires Remembers_flips<Metric> {
     Flip move = flip_record(h, mesh_, number_);
@@ -194,9 +194,9 @@ public:
   }
 
 private:
-  // Observers are asked in one order. One that is asked and not told afterwards has changed
-  // nothing, but for removals, which own coordinates and signposts follow when they are asked: with
-  // exact traits none refuses one.
+  // Announcements have a fixed order. An observer without a notification after its announcement has
+  // changed nothing, except for removals: own coordinates and signposts follow these at the
+  // announcement, since with exact traits no observer refuses one.
   template <class Move>
   bool ask(const Move& move) {
     return places_.before(t_, move) && correspondence_.before(t_, move);
@@ -211,7 +211,7 @@ private:
     }
     return correspondence_.before(t_, move);
   }
-  // what a correspondence need not find itself
+  // data that a correspondence need not find itself
   template <class Coordinates, class Insertion_move>
   static void tell_place(const Coordinates& found, Insertion_move& move) {
     move.place = found.inserted_place();

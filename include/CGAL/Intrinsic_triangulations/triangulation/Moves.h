@@ -19,10 +19,10 @@
 /*!
 \file
 The records of elementary moves: the elements around, by number. The owner of a triangulation makes
-one for each move, from which metric and correspondence read; nobody walks over the mesh again.
+one for each move; metric and correspondence read from it instead of the mesh.
 
-Moves keep the numbers of halfedges that stay, so that a record describes both what was and what
-will be.
+Moves keep the numbers of remaining halfedges, so that a record describes both states, before and
+after.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -63,7 +63,7 @@ struct Star_of_vertex {
   }
 };
 
-/// tells how a corner of an intrinsic face is seen from a place on the input under the face.
+/// is the direction of a corner of an intrinsic face from a place on the input under the face.
 struct Seen_corner {
   unsigned corner = 0; ///< of the face: 0, 1 or 2
   double angle = 0;    ///< direction to it, in the frame of the halfedge of the place
@@ -72,16 +72,15 @@ struct Seen_corner {
 /*!
 \brief records the insertion of a vertex in a face.
 
-Before it, only the sides and the weights are known, and what is new is `Gluing::none`.
+Before the move, only the sides and the weights are set; new elements are `Gluing::none`.
 */
 struct Insertion_in_face : Star_of_vertex {
   /// Barycentric coordinates of p at i, j, k, see `representable_weights()`; the last one is zero
   /// if p is on the edge ij, which is flipped away next.
   std::array<double, 3> weights;
-  /// The place on the input that defines p, if there is one that the correspondence has not to
-  /// find.
+  /// The place on the input that defines p, if the correspondence need not find it.
   std::optional<Surface_point> place{};
-  /// What is seen from there, if the correspondence asks for directions and they are known.
+  /// The direction of a corner from there, if known and the correspondence requires it.
   std::optional<Seen_corner> seen{};
 };
 
@@ -91,8 +90,8 @@ struct Insertion_in_face : Star_of_vertex {
 struct Removal_from_face : Star_of_vertex {};
 
 /*!
-\brief records a vertex that moves to a place in one of the faces about it, where it still sees all
-others around: edges and faces stay, lengths and areas change.
+\brief records a vertex that moves to a place in one of the faces around it from which all corners
+of its star are visible: edges and faces stay, lengths and areas change.
 
 Only metrics that can do it, as `Euclidean_metric`, and correspondences that take the record make
 this move; elsewhere a vertex is inserted and the old one removed.
@@ -124,7 +123,7 @@ struct Star_on_border {
 /*!
 \brief records the insertion of a vertex on a border edge.
 
-Before it, only `ip`, `jk`, `ki`, `f` and the parameter are known, and what is new is
+Before the move, only `ip`, `jk`, `ki`, `f` and the parameter are set; new elements are
 `Gluing::none`.
 */
 struct Insertion_on_border : Star_on_border {

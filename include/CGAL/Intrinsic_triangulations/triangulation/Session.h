@@ -30,8 +30,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides many predicates on a triangulation in one floating point environment.
 
-While it lives, the rounding mode may differ from the default: code of others is to be called
-through `suspended()`.
+During its lifetime the rounding mode may differ from the default: call other code through
+`suspended()`.
 \tparam Triangulation an instance of `Intrinsic_triangulation`
 */
 template <class Triangulation>
@@ -145,7 +145,7 @@ public:
   using vertex_descriptor = typename Triangulation::vertex_descriptor;
   /// Halfedge of the mesh.
   using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
-  /// What became of an insertion.
+  /// The result of an insertion.
   using Insertion = typename Triangulation::Insertion;
 
   /// opens a session on `t`, which must outlive it.
@@ -156,7 +156,7 @@ public:
     const Move_status s = this->flip_status(h);
     return s == Move_status::done ? Mover(t_).flip_consistently(h) : s;
   }
-  /// flips an edge that is known to be flippable. \pre `flip_status(h)` is `done`
+  /// flips a flippable edge. \pre `flip_status(h)` is `done`
   Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip_consistently(h); }
   /// What a flip replaces, see `undo_flip()`.
   using Before_flip = internal::Before_flip_of<typename Triangulation::Metric>;
@@ -166,8 +166,8 @@ public:
     return t_.metric().before_flip(t_.diamond(h));
   }
   /*!
-  \brief takes back a flip: connectivity, metric and correspondence are what they were, directions
-  of signposts but for rounding.
+  \brief takes back a flip: restores connectivity, metric and correspondence, directions of
+  signposts up to rounding.
   \param h the halfedge that was flipped
   \param before what `before_flip(h)` returned before that
   \pre all moves since have been taken back
@@ -176,8 +176,8 @@ public:
       internal::Remembers_flips<typename Triangulation::Metric> {
     Mover(t_).undo_flip(h, before);
   }
-  /// flips an edge that is known not to be locally Delaunay, which implies that it can be
-  /// flipped. \pre `!is_locally_delaunay(h)`
+  /// flips an edge that is not locally Delaunay and therefore flippable. \pre
+  /// `!is_locally_delaunay(h)`
   BOOST_FORCEINLINE Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
     return Mover(t_).flip(h, [this](const Diamond& d) { return t_.metric().compute_flip(d); });
   }
@@ -188,8 +188,7 @@ public:
     return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
   }
   /*!
-  \brief inserts a vertex at a place of the input that is known already, as a copy of another one's
-  on a cover.
+  \brief inserts a vertex at a known place of the input, such as a copy of another place on a cover.
   \param h a halfedge of the face
   \param weights see `insert_vertex()`: approximations
   \param on_input the place, which defines the vertex: on an edge, if a weight is zero
@@ -231,8 +230,8 @@ public:
     return {s};
   }
   /*!
-  \brief flips the edge from a vertex with a straight angle, which leaves a face of zero area there;
-  to be followed by `remove_degree_three_vertex()`.
+  \brief flips the edge from a vertex with a straight angle, which leaves a face of zero area there.
+  Call `remove_degree_three_vertex()` next.
   \pre the diamond is a triangle with the source of `h` on a side
   */
   Move_status flip_to_zero_area(halfedge_descriptor h) { return Mover(t_).flip_to_zero_area(h); }
@@ -253,10 +252,10 @@ public:
     return Mover(t_).remove_from_border(h);
   }
   /*!
-  \brief replaces what rounding has made of the length of an edge and of the areas of its faces.
+  \brief replaces the rounded length of an edge and areas of its faces.
 
-  For inexact arithmetic: a caller who knows them better, as from a layout of many faces at once,
-  keeps errors from growing.
+  For inexact arithmetic: more accurate values, for instance from a layout of many faces at once,
+  keep errors from growing.
   \param h the edge
   \param values its squared length and the quadruple areas of its left and right face, in scaled
   units
@@ -283,9 +282,8 @@ private:
     return p;
   }
 
-  // Moves a vertex to a place in one of its faces where it still sees all others about it: the
-  // values of its edges and faces change, and nothing else. Only where the correspondence can
-  // follow.
+  // Moves a vertex to a place in one of its faces from which all corners of its star are visible;
+  // only the values of its edges and faces change. The correspondence must support it.
   bool move_in_star(vertex_descriptor v, Place p) {
     if constexpr (requires(const Whole_star& s, const Move_in_star& move) {
                     t_.metric_.move_in_star(s, 0., 0.);

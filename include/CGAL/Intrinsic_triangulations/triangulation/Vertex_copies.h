@@ -22,7 +22,7 @@ bool are_copies(const Triangulation& t, typename Triangulation::vertex_descripto
   return v == w;
 }
 
-// The vertices of the triangulation that are one vertex of the user: several on a cover.
+// The vertices of the triangulation over one vertex of the user: several on a cover.
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor> copies_of_row(const Triangulation& t,
                                                                      std::uint32_t row) {
@@ -36,7 +36,7 @@ std::vector<typename Triangulation::vertex_descriptor> copies_of_row(const Trian
         t.numbers().vertex_at(names.vertices.here(static_cast<std::uint32_t>(copy - begin))));
   return result;
 }
-// The copies of a vertex, but of an inserted one itself alone.
+// The copies of a vertex; only itself if it was inserted.
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor>
 copies_of_vertex(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
@@ -45,9 +45,9 @@ copies_of_vertex(const Triangulation& t, typename Triangulation::vertex_descript
   return {v};
 }
 
-// Of a cover, several vertices are copies of one of the user's and share its row. What belongs to a
-// neighbourhood, as a tangent plane, has a number for each copy: its name, and inserted vertices
-// follow in their order. Without copies these are rows.
+// On a cover, several vertices are copies of one of the user's vertices and share its row. Data of
+// a neighbourhood, such as a tangent plane, have a number for each copy: its name; inserted
+// vertices follow in their order. Without copies these are rows.
 template <class Triangulation>
 class Vertex_copies {
   using Vertex = typename Triangulation::vertex_descriptor;

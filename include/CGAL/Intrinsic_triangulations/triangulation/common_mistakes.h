@@ -13,9 +13,9 @@
 
 /*!
 \file
-Overloads for calls that are wrong in a way that is common. They are declared and not defined: the
-compiler refuses the call where the user wrote it, before what is done with its result, and says in
-one line what to do, where a constraint would list what all candidates lack.
+Overloads for common wrong calls. They are declared and not defined: the compiler refuses the call
+itself, before any use of its result, and says in one line what to do; a constraint would list the
+failures of all candidates.
 */
 
 /// declares a function that must not be called, and why.
@@ -30,8 +30,8 @@ one line what to do, where a constraint would list what all candidates lack.
   internal::Refused_call                                                                           \
   function(const Mesh&, const Options&...);
 
-/// refuses, of a function that changes a triangulation, a mesh, a const triangulation and an option
-/// without name. `example` is an option that it has.
+/// refuses a mesh, a const triangulation and an option without name, for a function that changes a
+/// triangulation. `example` is one of its options.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MISTAKES(function, Concept, example)                  \
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(function)                                              \
   template <Concept Triangulation, NamedParameters... NP>                                          \
@@ -46,7 +46,7 @@ one line what to do, where a constraint would list what all candidates lack.
                   "(t, parameters::" example "); its page lists the names")                        \
   internal::Refused_call function(const Triangulation&, Number);
 
-/// refuses, of a constructor from a mesh in space, what is none.
+/// refuses other arguments for a constructor from a mesh in space.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Class)                                          \
   template <internal::Not_a_surface<Class> Other>                                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
@@ -58,7 +58,7 @@ one line what to do, where a constraint would list what all candidates lack.
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// what refused calls return
+// the return type of refused calls
 struct Refused_call {};
 
 template <class Mesh>
@@ -66,7 +66,7 @@ concept Mesh_without_metric = Has_mesh_elements<Mesh> && !requires(const Mesh& m
   m.metric();
 };
 
-// a `CGAL::Polyhedron_3`, whose elements have no numbers of their own
+// a `CGAL::Polyhedron_3`, whose elements have no numbers
 template <class Mesh>
 concept Lacks_adaptor = requires {
   typename Mesh::HalfedgeDS;
@@ -74,7 +74,7 @@ concept Lacks_adaptor = requires {
   requires Mesh_adaptor<Mesh>::is_primary;
 };
 
-// what triangulations are built from, but for an `Intrinsic_input`
+// inputs of triangulations, except an `Intrinsic_input`
 template <class Surface>
 concept Surface_in_space = std::is_same_v<Surface, Triangle_soup> ||
     (Mesh_without_metric<Surface> && !Lacks_adaptor<Surface>);

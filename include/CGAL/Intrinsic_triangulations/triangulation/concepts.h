@@ -31,14 +31,14 @@
 
 /*!
 \file
-The syntax of the concepts of the package. What models must mean by it, at what cost, and which
-operation needs which function, is on the page of each concept.
+The syntax of the concepts of the package. The page of each concept describes semantics, cost, and
+which operation needs which function.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-// What a metric that decides by the input is given: see `Exact_values`.
+// The argument of a metric that decides by the input: see `Exact_values`.
 struct Any_exact_values {
   using FT = Interval_nt<false>;
   Sign sign(const Diamond&, const Recorded_diamond_expression&, Diamond_values<FT>&,
@@ -66,9 +66,9 @@ concept Decides_by_input = Decides<Metric, Any_exact_values>;
 } // namespace internal
 
 /*!
-\brief asks for the store of a metric that decides predicates on it.
+\brief requires the storage of a metric that decides predicates.
 
-Syntax of \ref ::IntrinsicMetric, where its meaning is described.
+Syntax of \ref ::IntrinsicMetric, which describes its meaning.
 */
 template <class Metric>
 concept IntrinsicMetric =
@@ -93,7 +93,7 @@ concept IntrinsicMetric =
 
 namespace internal {
 
-// Tells what a flip will replace, and takes that back.
+// Returns the values that a flip will replace, and restores them.
 template <class Metric>
 concept Remembers_flips = requires(Metric& m, const Metric& c, const Diamond& d) {
   { c.before_flip(d) } -> std::same_as<typename Metric::Before_flip>;
@@ -111,7 +111,7 @@ struct Known_before_flip<Metric> {
 template <class Metric>
 using Before_flip_of = typename Known_before_flip<Metric>::type;
 
-// Computes what an insertion makes from what it has stored.
+// Computes the values of an insertion from stored ones.
 template <class Metric>
 concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
                                        const Border_star& border,
@@ -120,8 +120,8 @@ concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
   { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
 };
 
-// Is told what an insertion makes, by who knows where vertices are on the input, and decides by
-// that.
+// Receives the values of an insertion from the places of vertices on the input, and decides by
+// those.
 template <class Metric>
 concept Defined_by_places = Decides_by_input<Metric> &&
     requires(Metric& m, const Vertex_star& star, const Border_star& border,
@@ -133,9 +133,9 @@ concept Defined_by_places = Decides_by_input<Metric> &&
 } // namespace internal
 
 /*!
-\brief asks for a metric that follows the insertion and removal of vertices.
+\brief requires a metric that follows the insertion and removal of vertices.
 
-Syntax of \ref ::RefinableMetric, where its meaning is described.
+Syntax of \ref ::RefinableMetric, which describes its meaning.
 */
 template <class Metric>
 concept RefinableMetric = IntrinsicMetric<Metric> &&
@@ -147,9 +147,9 @@ concept RefinableMetric = IntrinsicMetric<Metric> &&
 };
 
 /*!
-\brief asks for the arithmetic of an intrinsic triangulation.
+\brief requires the arithmetic of an intrinsic triangulation.
 
-Syntax of \ref ::IntrinsicTriangulationTraits, where its meaning is described.
+Syntax of \ref ::IntrinsicTriangulationTraits, which describes its meaning.
 */
 template <class Traits>
 concept IntrinsicTriangulationTraits = requires {
@@ -160,9 +160,9 @@ concept IntrinsicTriangulationTraits = requires {
     std::same_as<typename Traits::FT, typename Traits::Metric::FT>;
 
 /*!
-\brief asks for an observer of the moves of an intrinsic triangulation.
+\brief requires an observer of the moves of an intrinsic triangulation.
 
-Syntax of \ref ::IntrinsicCorrespondence, where its meaning is described.
+Syntax of \ref ::IntrinsicCorrespondence, which describes its meaning.
 */
 template <class Correspondence, class Triangulation>
 concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
@@ -204,7 +204,7 @@ concept Has_triangulated_mesh = requires(const Triangulation& t,
   { t.index(e) } -> std::convertible_to<std::uint32_t>;
 };
 
-// Has areas of faces, and doubles near what its metric stores: by number, in scaled units.
+// Has areas of faces, and doubles near the values of its metric, by number, in scaled units.
 template <class Triangulation>
 concept Has_approximate_values = requires(const Triangulation& t,
                                           typename Triangulation::face_descriptor f,
@@ -217,8 +217,7 @@ concept Has_approximate_values = requires(const Triangulation& t,
   { t.metric().scale_exponent() } -> std::same_as<int>;
 };
 
-// Tells what rows of matrices its vertices have, how many there are, and what the user calls
-// elements.
+// Has the rows of its vertices in matrices, their number, and the user's names of elements.
 template <class Triangulation>
 concept Has_matrix_rows = requires(const Triangulation& t,
                                    typename Triangulation::vertex_descriptor v) {
@@ -233,9 +232,9 @@ concept Has_matrix_rows = requires(const Triangulation& t,
 } // namespace internal
 
 /*!
-\brief asks for what algorithms that flip edges need of a triangulation.
+\brief requires of a triangulation what algorithms that flip edges need.
 
-Syntax of \ref ::IntrinsicTriangulation, where its meaning is described.
+Syntax of \ref ::IntrinsicTriangulation, which describes its meaning.
 */
 template <class Triangulation>
 concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
@@ -254,10 +253,10 @@ concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> 
 };
 
 /*!
-\brief asks for elements that have numbers, values by number, and names on the input: a
-triangulation that `Intrinsic_view` can read.
+\brief requires elements with numbers, values by number, and names on the input: a triangulation
+that `Intrinsic_view` can read.
 
-Syntax of \ref ::NumberedTriangulation, where its meaning is described.
+Syntax of \ref ::NumberedTriangulation, which describes its meaning.
 */
 template <class Triangulation>
 concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
@@ -275,9 +274,9 @@ concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &
 };
 
 /*!
-\brief asks for what measures a triangulation, and assembles matrices on it.
+\brief requires of a triangulation what measures and assembly of matrices need.
 
-Syntax of \ref ::MeasuredTriangulation, where its meaning is described.
+Syntax of \ref ::MeasuredTriangulation, which describes its meaning.
 */
 template <class Triangulation>
 concept MeasuredTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
@@ -292,9 +291,9 @@ concept MeasuredTriangulation = internal::Has_triangulated_mesh<Triangulation> &
 };
 
 /*!
-\brief asks for what algorithms that insert, remove and move vertices need of a triangulation.
+\brief requires of a triangulation what algorithms that insert, remove and move vertices need.
 
-Syntax of \ref ::RefinableTriangulation, where its meaning is described.
+Syntax of \ref ::RefinableTriangulation, which describes its meaning.
 */
 template <class Triangulation>
 concept RefinableTriangulation = IntrinsicTriangulation<Triangulation> &&

@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Stores numbers that are exact, or intervals that contain the exact ones.
+// Stores exact numbers, or intervals that contain them.
 template <class Metric>
 concept Encloses_lengths = requires(const Metric& m, std::uint32_t e) {
   CGAL::to_interval(m.squared_length(e));
@@ -42,11 +42,11 @@ concept Encloses_lengths = requires(const Metric& m, std::uint32_t e) {
 
 /*!
 \brief returns an interval that contains the length of an edge: that of the input as its numbers
-define it, after mollification, between vertices where they have been inserted.
+define it, after mollification, and between inserted vertices.
 
 With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by what
-intervals have grown to. Other inexact arithmetic knows no bounds of its errors: then the interval
-is [0, infinity].
+intervals have grown to. Other inexact arithmetic has no error bounds: then the interval is [0,
+infinity].
 \param t the triangulation
 \param e the edge
 \return bounds in the units of the input
@@ -55,7 +55,7 @@ is [0, infinity].
 template <MeasuredTriangulation Triangulation>
 Interval_nt<> length_enclosure(const Triangulation& t, typename Triangulation::edge_descriptor e) {
   if constexpr (internal::Encloses_lengths<typename Triangulation::Metric>) {
-    t.length(e); // makes what is stored narrow
+    t.length(e); // narrows stored intervals
     const auto squared = CGAL::to_interval(t.metric().squared_length(t.index(e)));
     const int s = t.metric().scale_exponent(); // 2^-s need not be a double, its parts are
     return sqrt(Interval_nt<>(squared)) * Interval_nt<>(std::ldexp(1.0, -s / 2)) *
@@ -94,8 +94,8 @@ approximates curvature in a point.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
 \param v the vertex; at one that is not manifold, the faces are those of one fan
-\return the curvature in radians; angles have errors of those of the values, 1e-12 with exact
-  traits, times the aspect ratio of the face
+\return the curvature in radians; errors of angles are those of the values (1e-12 with exact traits)
+  times the aspect ratio of the face
 \pre no edge at the vertex has the length zero
 \complexity linear in the degree
 */

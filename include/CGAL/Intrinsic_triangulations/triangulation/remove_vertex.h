@@ -31,10 +31,10 @@ Removes an inserted vertex: flips edges away from it until it has three, on the 
 The faces around the vertex develop into a polygon that is star-shaped about it. A triangulation of
 the polygon without the vertex has two ears at least, of which one does not contain the vertex
 inside: the edge to its tip can be flipped. On the border the ears at both ends of the straight side
-are not counted. Only where the vertex is on the segment between two neighbours, and has no more
-than two others, the flip leaves a face of zero area, which goes with the vertex. Every flip takes
-an edge away from the vertex, hence the loop ends; edges from the vertex to itself can make it end
-too early.
+are not counted. A flip leaves a face of zero area only if the vertex is on the segment between two
+neighbours and has at most two others; that face is removed with the vertex. Every flip takes an
+edge away from the vertex, hence the loop ends; edges from the vertex to itself can end it too
+early.
 */
 template <class Triangulation>
 class Vertex_remover {
@@ -143,7 +143,7 @@ private:
       return a.power > b.power || (a.power == b.power && a.quality > b.quality);
     });
     for (const Candidate& c : candidates_) {
-      // of four edges two may go straight through, up to rounding
+      // two of four edges may be collinear, up to rounding
       if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
@@ -151,7 +151,8 @@ private:
       const std::array<Plane_vector<double>, 3> kmj = ear(c.edge);
       if (session_.flip_status(c.edge) != Move_status::done ||
           session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
-        continue; // whether it is Delaunay or not: an area of rounding alone goes with the vertex
+        continue; // whether it is Delaunay or not: a zero area, up to rounding, is removed with the
+                  // vertex
       undo_.push_back(u);
       correct(c.edge, kmj);
       return true;
@@ -161,9 +162,9 @@ private:
 
   // ---- with floating point numbers
 
-  // Cutting off one ear after the other, each from values that the one before made, lets rounding
-  // grow exponentially with their number. So the star is laid out in the plane once, where errors
-  // only add up, and values are taken from there.
+  // If each ear used values from the one before, rounding would grow exponentially with their
+  // number. So the star is laid out in the plane once, where errors only add up, and gives all
+  // values.
   static constexpr bool is_corrected = std::is_same_v<typename Triangulation::FT, double>;
 
   void develop() {
@@ -248,7 +249,7 @@ private:
     }
   }
 
-  // where rounding leaves a face no area, it gets zero
+  // if rounding makes an area negative, it becomes zero
   void flip_back(Halfedge h) {
     if (session_.flip_non_delaunay_edge(h) == Move_status::done) return;
     if (session_.flip_to_zero_area(h) == Move_status::done) return;

@@ -52,14 +52,14 @@ Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
       climb.ask(Mirrored_proof()) ||
       // Nearly all values that are not zero show their sign in 106 bits.
       climb.ask(in_numbers(106)) ||
-      // All zeros over cylinders and prisms: positions are known there without dividing, so that
-      // this takes less time than 256 bits.
+      // All zeros over cylinders and prisms: positions there need no division, so that this takes
+      // less time than 256 bits.
       climb.ask(Prism_in_field_proof()) ||
-      // What is open then is hardly ever not zero.
+      // Values still open are almost always zero.
       climb.ask(in_numbers(256)) ||
       // All other zeros, exactly in the field of the square roots.
       climb.ask(Field_proof());
-  // What is proven not to be zero shows its sign at last.
+  // Values proven not to be zero show their sign at some precision.
   for (unsigned bits = 512; !is_decided && !climb.gives_up(bits); bits *= 2)
     if (climb.ask(in_numbers(bits))) break;
   return climb.sign();
@@ -92,8 +92,8 @@ namespace internal {
 
 namespace {
 
-// Visits the values of faces with rounding to the nearest. Each face of the input is asked for
-// once, and many are: nothing is remembered.
+// Visits the values of faces with rounding to the nearest. Each of many faces of the input is used
+// once: there is no memory.
 template <class Number, class Visit>
 void replay(const Input_metric& input, const Replayed_faces& faces, const Visit& visit) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);

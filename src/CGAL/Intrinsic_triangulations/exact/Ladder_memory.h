@@ -62,10 +62,10 @@ Uncertain<Sign> sign_of(const Ball<Center>& x) {
 
 } // namespace internal
 
-// What is remembered of the input: its faces in each precision.
+// The stored faces of the input, in each precision.
 struct Exact_ladder::Memory {
-  // Computes with input faces in numbers of so many bits, with rounding as these ask for; converts
-  // the result with rounding upwards.
+  // Computes with input faces in numbers of so many bits, with the rounding that these require;
+  // converts the result with rounding upwards.
   template <class Compute, class Convert>
   auto with_numbers(unsigned bits, const Compute& compute, const Convert& convert) {
     if (bits <= 53) return convert(compute(doubles));
@@ -121,7 +121,7 @@ struct Exact_ladder::Memory {
 
 namespace internal {
 
-// Puts one question to proofs, until one of them tells the sign, and counts which one that was.
+// Applies proofs to one question until one of them finds the sign, and counts that proof.
 template <class Asked>
 class Climb {
 public:
@@ -129,7 +129,7 @@ public:
   Climb(const Asked& question, Predicate_statistics& statistics)
       : question_(question), statistics_(statistics) {}
 
-  // Asks a proof. Whether the sign is known now; it is not if the proof does not understand the
+  // Applies a proof. Returns whether the sign is known now; false if the proof does not accept the
   // question.
   template <class Proof>
   bool ask(Proof&& proof) {
@@ -149,8 +149,8 @@ public:
     return is_sign_known();
   }
 
-  // Whether a value that no proof has got through is taken for zero instead of computing it in so
-  // many bits.
+  // Whether to assume that a value without proof is zero, instead of computing it in the given
+  // bits.
   bool gives_up(unsigned bits) {
     if (answer_ == Answer::open && bits > thresholds::probable_bits) {
       ++statistics_.probable_zero;

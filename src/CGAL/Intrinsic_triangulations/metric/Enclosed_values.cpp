@@ -89,7 +89,7 @@ void Enclosed_values::refine(const Indexed_face& face, const Face_values<FT>& be
 }
 
 void Enclosed_values::refine(FT& stored, double& approximation, const FT& better) {
-  // what overflow has made of a stored bound is no number
+  // overflow makes a stored bound infinite or not a number
   const double inf = stored.inf() > better.inf() ? stored.inf() : better.inf();
   const double sup = stored.sup() < better.sup() ? stored.sup() : better.sup();
   stored = inf > sup ? better : FT(inf, sup); // apart only if a file had wrong digits

@@ -24,7 +24,7 @@ struct Polyline {
   std::vector<std::array<double, 3>> points;
   /// Whether a line joins the last point with the first one.
   bool is_closed = false;
-  /// A number that tells it from others.
+  /// A number that identifies it.
   std::int32_t label = 0;
 
   /// returns the number of lines.
@@ -45,7 +45,7 @@ rounded.
 \param out the stream, binary
 \param extension one of `polyline_extensions`, in any letter case, with or without its dot
 \param polylines the polylines
-\param label what files name the labels: letters, digits and `_`
+\param label the name of the labels in files: letters, digits and `_`
 \throws Invalid_input if the extension is another one
 \throws std::runtime_error if the stream fails
 \complexity linear
@@ -56,10 +56,10 @@ void write_polylines(std::ostream& out, std::string_view extension,
 /*!
 \brief writes polylines to a file, in the format of its extension; see the overload with a stream.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`.
+If anything fails, the file is unchanged: see `Replacing_file`.
 \param path the file
 \param polylines the polylines
-\param label what files name the labels
+\param label the name of the labels in files
 \throws std::runtime_error naming the file if it cannot be written
 */
 void write_polylines(const std::filesystem::path& path, std::span<const Polyline> polylines,

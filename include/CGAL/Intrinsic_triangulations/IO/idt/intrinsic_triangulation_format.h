@@ -11,13 +11,12 @@
 
 /*!
 \file
-The text format of intrinsic triangulations, ordinarily with extension `.idt`.
+The text format of intrinsic triangulations, usually with extension `.idt`.
 
 The format keeps a triangulation without loss: connectivity, stored values bit by bit, the input,
 and how the triangulation lies on it: places of inserted vertices and integer coordinates, which
-define all values exactly. The manual has its specification,
-`doc/Intrinsic_triangulations/file_format.md`. See `write_intrinsic_triangulation()` and
-`read_intrinsic_triangulation()`.
+define all values exactly. `doc/Intrinsic_triangulations/file_format.md` specifies it. See
+`write_intrinsic_triangulation()` and `read_intrinsic_triangulation()`.
 */
 
 namespace CGAL::Intrinsic_triangulations {

@@ -44,22 +44,22 @@ std::ifstream open_triangulation(const std::filesystem::path& path);
 /*!
 \brief reads an intrinsic triangulation in the format of `intrinsic_triangulation_format.h`.
 
-Values, input and the order of elements are those of the triangulation that was written, so that it
-goes on exactly as that would have; numbers are without the gaps that removals leave. The file does
-not keep how predicates were decided.
+Values, input and the order of elements are those of the written triangulation, so that later moves
+have exactly the same results; numbers have no gaps after removals. The file does not keep how
+predicates were decided.
 
-The correspondence may be another one than that of the triangulation that was written: none, or
-integer coordinates or explicit crossings, unless the file has doubles only.
+The correspondence may differ from that of the written triangulation: none, integer coordinates or
+explicit crossings, unless the file has only doubles.
 
-The function checks what safe use needs: counts, numbers, that the faces fit together, that values
-are not negative, that curves are the edges of the input. With exact traits it unfolds each face
-over the input in interval arithmetic; values that contradict the stored ones are an error.
+It checks what safe use needs: counts and numbers are valid, the faces fit together, values are not
+negative, and curves are the edges of the input. With exact traits it unfolds each face over the
+input in interval arithmetic; values that contradict the stored ones are an error.
 \tparam Triangulation an `Intrinsic_triangulation` with the arithmetic of the file, and any mesh
 \param in the stream
 \param name name of the file, for messages
 \throws Invalid_input naming the file and the line if it is truncated or malformed, is of another
-  version or of another arithmetic, or does not say how the triangulation lies on its input where a
-  correspondence needs that
+  version or of another arithmetic, or lacks how the triangulation lies on its input although a
+  correspondence needs it
 \complexity linear in the mesh and in the crossings of its edges with those of the input; memory
   follows the size of the file, never a count in it, but for explicit crossings
 */
@@ -93,7 +93,7 @@ Triangulation read_intrinsic_triangulation(const std::filesystem::path& path) {
 }
 
 /*!
-\brief tells in which arithmetic an intrinsic triangulation is stored: `"exact"` or `"double"`.
+\brief returns the arithmetic of a stored intrinsic triangulation: `"exact"` or `"double"`.
 \param path the file
 \throws Invalid_input naming the file and the line if the file cannot be opened, or is of another
   format or version

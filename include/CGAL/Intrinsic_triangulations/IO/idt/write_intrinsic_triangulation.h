@@ -41,7 +41,7 @@ struct Compact_order {
   std::vector<std::uint32_t> old, now; // numbers, by those now and by the old ones
 };
 
-// Vertices of the input come first. To be used like a `Mesh_adaptor`.
+// Vertices of the input come first. Use it like a `Mesh_adaptor`.
 template <class Triangulation>
 struct Compact_numbers {
   using Mesh = typename Triangulation::Mesh;
@@ -135,10 +135,10 @@ void write_intrinsic_triangulation(std::ostream& out, const Triangulation& t) {
 }
 
 /*!
-\brief writes an intrinsic triangulation to a file, ordinarily with extension `.idt`.
+\brief writes an intrinsic triangulation to a file, usually with extension `.idt`.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`. Otherwise see the
-overload with a stream.
+If anything fails, the file is unchanged: see `Replacing_file`. Otherwise see the overload with a
+stream.
 \param path the file
 \param t the triangulation
 \throws std::runtime_error naming the file if it cannot be written

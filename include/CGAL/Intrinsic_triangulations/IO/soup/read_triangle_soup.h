@@ -10,7 +10,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What a reader does with the faces of a file, see `read_triangle_soup()`.
+/// Treatment of the faces of a file, see `read_triangle_soup()`.
 enum class File_faces {
   needed,   ///< a file without faces is refused
   optional, ///< a file may be a point set: the soup has no triangles then
@@ -32,8 +32,8 @@ ignored; comments start with `#`, and the number of points may come first. Faces
 several lines. Unknown statements of OBJ and byte order marks are skipped, and lines end by LF, CR
 LF or CR.
 
-If a face lists a vertex twice, its parts without area are left out and counted: 0 1 1 2 and
-0 1 2 3 2 are polygons with a vertex or a line too many; nothing is left of 0 1 1.
+If a face lists a vertex twice, its parts without area are left out and counted: 0 1 1 2 and 0 1 2 3
+2 have a vertex or a line too many; 0 1 1 is left out entirely.
 
 Faces with more than three sides are triangulated: a quadrilateral along the diagonal that
 `CGAL::Polygon_mesh_processing::triangulate_faces()` takes, others by constrained Delaunay

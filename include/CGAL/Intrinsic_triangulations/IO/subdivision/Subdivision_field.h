@@ -18,13 +18,14 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// Numbers or vectors in space at the vertices or the faces of a common subdivision, under a name.
 struct Subdivision_field {
-  /// What has a value.
+  /// The elements with values.
   enum class Place : std::uint8_t {
     vertices, ///< each vertex
     faces     ///< each face
   };
 
-  std::string name;              ///< letters, digits and `_.-`; no name that files use themselves
+  std::string name;              ///< letters, digits and `_.-`; not a name that files use
+                                 ///< themselves
   std::vector<double> values;    ///< `components` for each vertex or face
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space

@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 5> common_subdivision_extensions{"
 
 /*!
 \brief labels the faces and vertices of a common subdivision with the polygons of the input, for a
-file: the user's faces instead of the triangles that they were made of.
+file: the user's faces instead of their triangles.
 
 Label a copy: computations with a common subdivision need the triangles.
 \param s the subdivision
@@ -35,7 +35,7 @@ void label_with_polygons(Common_subdivision& s, std::span<const std::uint32_t> p
 
 namespace internal {
 
-// What formats differ in, where the user says it.
+// Options in which formats differ.
 struct Subdivision_format {
   std::optional<bool> is_binary, has_lines;
 };
@@ -91,8 +91,8 @@ void write_common_subdivision(std::ostream& out, std::string_view extension,
 /*!
 \brief writes a common subdivision to a file, in the format of its extension.
 
-Whatever fails, the file is complete or what it was before: see `Replacing_file`. Other parameters
-and complexity are those of the overload with a stream.
+If anything fails, the file is unchanged: see `Replacing_file`. Other parameters and complexity are
+those of the overload with a stream.
 \param path the file
 \throws Invalid_input see above
 \throws std::runtime_error naming the file if it cannot be written

@@ -17,13 +17,13 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief writes a file so that it is complete or what it was before, whatever fails.
+\brief writes a file completely, or leaves it unchanged if anything fails.
 
 The data go to a temporary file in the same directory, which replaces the file on `commit()` and
-keeps its permissions. The temporary file has no name before, so that even a killed process leaves
-nothing; where the file system does not offer that, it has one, and the destructor removes it. A
-read-only file is not replaced. A symbolic link is followed. A path to something else than a regular
-file, such as a pipe, is written directly.
+keeps its permissions. The temporary file has no name, so that even a killed process leaves nothing.
+If the file system does not support that, it has a name, and the destructor removes it. A read-only
+file is not replaced. A symbolic link is followed. A path to something else than a regular file,
+such as a pipe, is written directly.
 */
 class Replacing_file {
 public:
@@ -40,7 +40,7 @@ public:
 
   /// returns the stream to write to.
   std::ostream& stream() { return stream_; }
-  /// returns the path of the temporary file; empty if there is none that has a name.
+  /// returns the path of the temporary file; empty if it has no name.
   std::filesystem::path temporary() const {
     return has_name_ ? temporary_ : std::filesystem::path();
   }
@@ -65,7 +65,7 @@ private:
 };
 
 /*!
-\brief writes a file that is complete or what it was before, whatever fails: see `Replacing_file`.
+\brief writes a file completely, or leaves it unchanged if anything fails: see `Replacing_file`.
 \param path the file
 \param write a functor that writes to a stream
 \throws Invalid_input naming the file if `write` throws it

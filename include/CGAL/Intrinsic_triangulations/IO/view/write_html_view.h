@@ -19,7 +19,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief tells what a page shows besides an intrinsic triangulation, and the scripts that it needs.
+\brief describes what a page shows besides an intrinsic triangulation, and its scripts.
 */
 struct Html_view {
   /// Title of the page.
@@ -38,19 +38,19 @@ struct Html_view {
   std::size_t shown_field = 0;
   /// How many steps of the field lines of equal value show at first; 0: none.
   unsigned isolines = 0;
-  /// A place in the plane for each vertex, to be shown by a checkerboard, not numbers where there
-  /// is none; or nothing.
+  /// A place in the plane for each vertex, shown by a checkerboard; not a number where there is
+  /// none. Or empty.
   std::span<const std::array<double, 2>> texture{};
   bool has_edges = true;       ///< whether edges show at first
   bool has_face_colors = true; ///< whether faces without a field have colours at first
   /// Width of curves in pixels.
   double curve_width = 3.5;
-  /// Curves on the surface, to be drawn in colours that their labels choose.
+  /// Curves on the surface, drawn in the colours of their labels.
   std::span<const Polyline> curves{};
-  /// What the curves were before, to be drawn thin and grey.
+  /// The curves before, drawn thin and grey.
   std::span<const Polyline> initial_curves{};
-  /// Points to be marked, each a polyline of one point: red where the label is positive, blue where
-  /// it is negative, else yellow.
+  /// Marked points, each a polyline of one point: red where the label is positive, blue where it is
+  /// negative, else yellow.
   std::span<const Polyline> marks{};
   /// What the marked points are.
   std::string_view marks_name = "points";
@@ -72,8 +72,8 @@ struct Three_js {
 Three_js find_three_js(const std::filesystem::path& directory = "/usr/share/javascript/three");
 
 /*!
-\brief writes a page that shows an intrinsic triangulation on the surface: one file that needs no
-network.
+\brief writes a page that shows an intrinsic triangulation on the surface: one file, readable
+without a network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
 light. A field replaces the colours; a texture darkens every other square of a checkerboard, and is

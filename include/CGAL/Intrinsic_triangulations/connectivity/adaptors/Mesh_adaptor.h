@@ -15,7 +15,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is what adaptors of meshes with internal indices have in common.
+\brief is the common base of adaptors of meshes with internal indices.
 \tparam Mesh a model of `HalfedgeListGraph` and `FaceListGraph`
 */
 template <class Mesh>
@@ -47,18 +47,18 @@ public:
     return {CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])};
   }
 
-  /// returns the point map that `mesh` itself has.
+  /// returns the point map of `mesh`.
   static auto point_map(const Mesh& mesh) { return get(CGAL::vertex_point, mesh); }
 };
 
 /*!
-\brief numbers the elements of a mesh and reads its coordinates: the one place for what meshes do
-differently.
+\brief numbers the elements of a mesh and reads its coordinates: the only place for differences
+between meshes.
 
 The primary template serves meshes with internal indices in which halfedges `2e` and `2e + 1` are
 the sides of edge `e`, such as `CGAL::Surface_mesh` and `Gluing_map`. `CGAL::Polyhedron_3` and
 OpenMesh have specialisations in `Polyhedron_3_adaptor.h` and `OpenMesh_adaptor.h`; specialise it
-for a mesh of your own.
+for your own mesh.
 \tparam Mesh a model of `HalfedgeListGraph` and `FaceListGraph`
 */
 template <class Mesh>
@@ -66,7 +66,7 @@ class Mesh_adaptor : public Indexed_mesh_adaptor<Mesh> {
   using Traits = boost::graph_traits<Mesh>;
 
 public:
-  /// tells this template from its specialisations.
+  /// distinguishes this template from its specialisations.
   static constexpr bool is_primary = true;
 
   /// numbers the elements of `mesh`; numbers may have gaps where elements were removed.

@@ -28,7 +28,7 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief reads the coordinates of an OpenMesh vertex in full.
 
-The point map that CGAL 5.5 has for OpenMesh rounds coordinates to `float`.
+The point map of CGAL 5.5 for OpenMesh rounds coordinates to `float`.
 \tparam Mesh an OpenMesh mesh
 */
 template <std::derived_from<OpenMesh::PolyConnectivity> Mesh>
@@ -86,13 +86,13 @@ public:
   Face face_at(std::uint32_t i) const { return Face(static_cast<int>(i)); }
   /// \endcond
 
-  /// remembers a vertex that is going to be removed from the mesh.
+  /// stores a vertex before its removal from the mesh.
   void remove(Vertex v, const Mesh&) { free_vertices_.push_back(v.idx()); }
-  /// remembers an edge that is going to be removed from the mesh.
+  /// stores an edge before its removal from the mesh.
   void remove(Edge e, const Mesh& mesh) {
     free_edges_.push_back(mesh.edge_handle(e.halfedge()).idx());
   }
-  /// remembers a face that is going to be removed from the mesh.
+  /// stores a face before its removal from the mesh.
   void remove(Face f, const Mesh&) { free_faces_.push_back(f.idx()); }
 
   /// brings back the vertex that was removed last; returns the null vertex if there is none.

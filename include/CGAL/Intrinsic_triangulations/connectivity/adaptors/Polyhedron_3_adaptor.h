@@ -19,8 +19,8 @@ namespace CGAL::Intrinsic_triangulations {
 \brief numbers the elements of a `CGAL::Polyhedron_3` in the order of its lists.
 
 A polyhedron with ids (`CGAL::Polyhedron_items_with_id_3`) that may be changed has its ids set and
-is read by them; any other polyhedron is numbered in hash maps, which makes it a slow mesh to flip
-in but a good one to read from.
+is read by them; any other polyhedron is numbered in hash maps, which are slow for flips but good
+for reading.
 */
 template <class K, class I, template <class T1, class T2, class T3> class HDS, class A>
 class Mesh_adaptor<Polyhedron_3<K, I, HDS, A>>

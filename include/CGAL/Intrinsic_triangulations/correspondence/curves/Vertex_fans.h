@@ -88,7 +88,7 @@ private:
 \brief requires integers that describe how the edges of the input run over the intrinsic
 triangulation.
 
-Syntax of \ref ::CurveCoordinates, where its meaning is described.
+Syntax of \ref ::CurveCoordinates, which describes its meaning.
 */
 template <class Coordinates>
 concept CurveCoordinates = requires(const Coordinates& c, std::uint32_t i) {

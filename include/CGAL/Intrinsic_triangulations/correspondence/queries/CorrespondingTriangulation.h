@@ -47,7 +47,7 @@ concept Has_queries = requires(const Triangulation& t) {
 /*!
 \brief requires a triangulation whose correspondence stores where it lies on its input.
 
-Syntax of \ref ::CorrespondingTriangulation, where its meaning is described.
+Syntax of \ref ::CorrespondingTriangulation, which describes its meaning.
 */
 template <class Triangulation>
 concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&

@@ -23,9 +23,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief encloses a real number by a center and a radius.
 
-What overflows, or is divided by what may be zero, gets a radius that is infinite or not a number.
-All operations ask for rounding to the nearest, but for `interval()`. Radii have as wide a range of
-exponents as `Center::Magnitude`: centers of thousands of bits have errors that no double tells.
+Overflow, or division by a possible zero, gives a radius that is infinite or not a number. All
+operations except `interval()` require rounding to the nearest. Radii have the exponents of
+`Center::Magnitude`, since errors of centers of thousands of bits are outside the range of doubles.
 \tparam Center `Double_double` or `Mpfr_number`
 \cgalModels{Field}
 */
@@ -39,7 +39,7 @@ public:
   Ball() = default;
   /// converts a number exactly.
   Ball(double x) : center_(x), magnitude_(std::abs(x)) {} // NOLINT(google-explicit-constructor)
-  /// encloses what is no farther from a center than a radius.
+  /// encloses the numbers within a radius of a center.
   static Ball around(const Center& center, Magnitude radius) { return {center, radius}; }
 
   /// returns the sum.
@@ -66,7 +66,7 @@ public:
   }
   /// returns the square.
   friend Ball square(const Ball& x) { return x * x; }
-  /// returns the square root of what is not negative. |sqrt(x) - sqrt(X)| <= |x - X| / sqrt(X)
+  /// returns the square root of a nonnegative number. |sqrt(x) - sqrt(X)| <= |x - X| / sqrt(X)
   friend Ball sqrt(const Ball& x) {
     if (!(x.center_.magnitude() > 0))
       return {Center(0), std::sqrt(x.size() + x.radius_) * (1 + slack)};
@@ -135,15 +135,15 @@ auto to_nearest(const Function& f, Arguments&... arguments) {
 
 /*!
 \brief returns the double nearest to all numbers of a ball, if there is one that is neither zero nor
-infinite: the same one from whatever ball decides it, so that results do not depend on the way in
-which they were computed.
+infinite. Every ball that decides it gives the same one, so that results do not depend on the way of
+computation.
 \pre rounding is to the nearest
 */
 template <FieldNumber Center>
 std::optional<double> nearest_double(const Ball<Center>& x) {
   const double c = x.to_double();
   const Ball<Center> rest = x - Ball<Center>(c);
-  // the factors are for the rounding of what is here
+  // the factors cover the rounding of this expression
   const double r = rest.to_double();
   const double radius =
       static_cast<double>((rest.radius() + std::abs(r) * 0x1p-50) * (1 + 0x1p-50));
@@ -153,8 +153,8 @@ std::optional<double> nearest_double(const Ball<Center>& x) {
 
 namespace internal {
 
-// What encloses a real number, taken apart. `unit` bounds the relative error of an operation on
-// centers.
+// Center and radius of an enclosure of a real number. `unit` bounds the relative error of an
+// operation on centers.
 template <class FT>
 struct Enclosure_parts;
 
@@ -200,7 +200,7 @@ typename Number::Magnitude magnitude(const Number& x) {
 The radius of a product is the sum of the radii, and little more, whatever their arguments are: an
 error grows linearly along a chain of rotations. Between intervals of real and imaginary part it
 grows exponentially.
-\tparam FT encloses real numbers: `Interval_nt<false>` or a `Ball`; rounding is as it asks for
+\tparam FT encloses real numbers: `Interval_nt<false>` or a `Ball`; rounding is as it requires
 */
 template <FieldNumber FT>
 class Complex_ball {
@@ -266,7 +266,7 @@ private:
   Magnitude absolute_radius() const {
     return radius_ * (internal::magnitude(x_) + internal::magnitude(y_)) * (1 + slack) + tiny;
   }
-  // products that may have underflowed are not relative to what they should be
+  // products that may have underflowed have no relative error bound
   void check() {
     const Magnitude size = internal::magnitude(x_) + internal::magnitude(y_);
     if (!(size > 0x1p-800 && size < 0x1p800)) radius_ = infinity;

@@ -26,7 +26,7 @@ class Mpfr_number {
 public:
   /// Number type of errors. \note the exponents of `long double` bound the precision
   using Magnitude = long double;
-  /// Largest number of bits: as many as that can tell the errors of.
+  /// Largest number of bits whose errors it can represent.
   static constexpr unsigned most_bits =
       std::numeric_limits<Magnitude>::max_exponent > 16000 ? 8192 : 512;
 
@@ -96,7 +96,7 @@ public:
 
   /// returns the nearest double.
   double to_double() const { return mpfr_get_d(value_, MPFR_RNDN); }
-  /// returns a number near this one, which takes longer where doubles end.
+  /// returns a number near this one; slower outside the range of doubles.
   Magnitude magnitude() const {
     const double x = to_double(), size = std::abs(x);
     return size > 0x1p-1000 && size < 0x1p1000 ? x : mpfr_get_ld(value_, MPFR_RNDN);

@@ -32,12 +32,12 @@ struct Square_root {
 
 Two positive rationals are in one square class if their product is the square of a rational; classes
 form a vector space over GF(2) under multiplication. The basis holds representatives d_0, d_1, ...
-of independent classes, integers > 1, and takes in another whenever a root is asked for that those
-so far do not express. The products of sqrt(d_i) over all sets of indices are then linearly
-independent over the rationals (Besicovitch, On the linear independence of fractional powers of
-integers, 1940), which is what makes `Multiquadratic_number::is_zero()` exact.
+of independent classes, integers > 1, and takes in another for each root that the present ones do
+not express. The products of sqrt(d_i) over all sets of indices are then linearly independent over
+the rationals (Besicovitch, On the linear independence of fractional powers of integers, 1940),
+which is what makes `Multiquadratic_number::is_zero()` exact.
 
-<b>Method, and why no answer is ever wrong.</b> For an odd prime p let chi_p(n) be the Legendre
+<b>Method, and why answers are never wrong.</b> For an odd prime p let chi_p(n) be the Legendre
 symbol of n with all factors p removed. chi_p is multiplicative, and 1 on squares: it is a linear
 functional on square classes. The basis keeps for each d_i a prime p_i and the product e_i of d_i
 with earlier representatives, such that chi_{p_i}(e_i) = -1 and chi_{p_j}(e_i) = 1 for all j < i.
@@ -48,8 +48,8 @@ test, nor for any other set T, which has a symbol -1. Then d_k = n and e_k = n d
 and since e_k is not a square, half of all primes have chi_p(e_k) = -1, so that p_k is found by
 trying.
 
-Representatives are never changed: roots stay valid while the basis grows. Not safe to share between
-threads, not even `product()`, which remembers.
+Representatives never change: roots stay valid while the basis grows. Threads must not share it, not
+even for `product()`, which stores results.
 */
 class Square_class_basis {
 public:
@@ -62,7 +62,7 @@ public:
   Square_class_basis() = default;
 
   /*!
-  \brief writes the square root of `x` in the basis, which grows if it must.
+  \brief writes the square root of `x` in the basis, which grows if necessary.
   \pre `x` is not negative
   \return the root, or nothing if it needs a new representative and there are `max_dimension`
   \complexity one Legendre symbol for each representative and the root of one integer
@@ -107,7 +107,7 @@ public:
   }
 
   /*!
-  \brief returns the product of a set of representatives, and remembers it.
+  \brief returns the product of a set of representatives, and stores it.
   \pre all bits are below `dimension()`
   \return a reference that stays valid until a new representative enters
   */

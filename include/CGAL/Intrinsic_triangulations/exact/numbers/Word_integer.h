@@ -17,9 +17,8 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is an integer modulo 2^(64 n) in n words, read as a signed number in two's complement.
 
-There is no length, no sign and no branch to look after, which makes it several times faster than an
-integer of variable length for the few hundred bits that ties between input faces need. The caller
-sees to it that nothing overflows.
+It has no length, sign or branches, which makes it several times faster than an integer of variable
+length for the few hundred bits of ties between input faces. The caller prevents overflow.
 \tparam n number of words
 */
 template <std::size_t n>

@@ -12,13 +12,13 @@
 
 /*!
 \file
-What a proof is: a functor from a question to an answer.
+A proof is a functor from a question to an answer.
 */
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief asks for the sign of an expression in the values of a figure.
+\brief is the question for the sign of an expression in the values of a figure.
 \tparam Figure_ says how values follow from the input, see `Exact_ladder`
 \tparam Expression_ `Recorded_diamond_expression` or `Recorded_face_expression`
 */
@@ -38,12 +38,12 @@ struct Question {
 template <std::copyable Figure, std::copyable Expression>
 Question(const Input_metric&, const Figure&, const Expression&) -> Question<Figure, Expression>;
 
-/// What is proven of a value.
+/// The proven property of a value.
 enum class Answer {
   negative, ///< it is negative
   zero,     ///< it is zero
   positive, ///< it is positive
-  not_zero, ///< it is not zero; its sign is not known
+  not_zero, ///< it is not zero, of unknown sign
   open      ///< nothing
 };
 
@@ -53,10 +53,9 @@ constexpr Answer to_answer(Sign s) {
 }
 
 /*!
-\brief asks for a functor that answers questions of one kind.
+\brief requires a functor that answers questions of one kind.
 
-Proofs take those questions that they understand: the ladder skips a proof where the call does not
-compile.
+The ladder skips a proof if the call with a question does not compile.
 */
 template <class Proof, class Asked>
 concept ProofOf = requires(Proof& proof, const Asked& question) {

@@ -21,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations {
 orientation, exactly.
 \param input the input, from points in space
 \param f a face with area
-\param g another face, of which the corners but the one in slot `slot` lie in the plane of `f`
+\param g another face; its corners except the one in slot `slot` lie in the plane of `f`
 \param slot the slot of that corner
 */
 bool are_coplanar(const Input_metric& input, std::uint32_t f, std::uint32_t g, std::uint32_t slot);
@@ -34,8 +34,9 @@ Diamond_values<Interval_nt<false>> values_in_space(const Input_metric& input,
 \brief decides signs of expressions in a diamond that lies in one plane in space, if they are linear
 in the areas.
 
-There all corners have coordinates that are multiples of a power of two, and areas have one square
-root as a factor: no field is extended. On CAD surfaces nearly all flips are of this kind.
+There all corners have coordinates that are multiples of a power of two, and all areas share one
+square root as a factor, so that no field extension is needed. On CAD surfaces nearly all flips are
+of this kind.
 */
 struct Flat_proof {
   /// returns the sign.

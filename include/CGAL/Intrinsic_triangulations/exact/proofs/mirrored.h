@@ -11,15 +11,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief proves that the corners of an unfolded diamond are cocircular, where a reflection of its
-triangles exchanges the ends of two opposite sides: it is an isosceles trapezoid.
+\brief proves that the corners of an unfolded diamond are cocircular, if a reflection of its
+triangles exchanges the ends of two opposite sides: then it is an isosceles trapezoid.
 
 Ties on curved surfaces that are symmetric by a plane are of this kind. Their values have as many
-square roots as there are triangles, which no other proof gets through. Linear in the number of
-triangles, times that at a corner.
+square roots as triangles, too many for other proofs. Linear in the number of triangles, times that
+at a corner.
 */
 struct Mirrored_proof {
-  /// returns `zero`, or nothing is known.
+  /// returns `zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };
 

@@ -19,7 +19,7 @@ are made of rectangles there. Linear in the number of triangles, about a fifth o
 each.
 */
 struct Prism_proof {
-  /// returns `zero`, or nothing is known.
+  /// returns `zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };
 
@@ -32,7 +32,7 @@ takes no division: ten microseconds, where the field takes hundreds, whatever th
 triangles.
 */
 struct Prism_in_field_proof {
-  /// returns `zero` or `not_zero`, or nothing is known.
+  /// returns `zero`, `not_zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };
 

@@ -19,8 +19,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief lists the halfedges that were flipped, the first flip first.
 
-With the connectivity after the flips, the list tells all: flips are taken back one by one. It also
-remembers which edges were ever flipped: a face none of whose sides was is a face of the input.
+The list and the connectivity after the flips determine the connectivity before: flips are taken
+back one by one. It also stores which edges were ever flipped: a face without a flipped side is a
+face of the input.
 */
 class Flip_list {
 public:

@@ -24,8 +24,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief computes what `flipped()` does in 106 bits, with one radius per result in place of one per
-operation.
+\brief computes `flipped()` in 106 bits, with one radius per result instead of one per operation.
 
 With m = L_mj - L_im and k = L_jk - L_ki, so that p_k - p_m = m - k, and n = a_f m + a_g k,
 
@@ -69,11 +68,11 @@ flipped(const Diamond_values<Ball<Double_double>>& d) {
 }
 
 /*!
-\brief knows the flips that have made some faces, or all, and makes them again in any arithmetic.
+\brief repeats the flips that made some faces, or all, in any arithmetic.
 
 Each flip is rational in the values that it finds, so that the values of faces lie in the field of
-the areas of the input. This takes few steps where edges cross very many input edges: n flips can
-make 1.6^n crossings.
+the areas of the input. This is much shorter than unfolding if edges cross very many input edges: n
+flips can make 1.6^n crossings.
 */
 class Replayed_faces {
 public:

@@ -35,8 +35,8 @@ and L_v of the last, and D = 4 L_t L_v - p^2, p = L_t + L_v - L_u, its apex is
 
     z_v = z_t + (z_u - z_t) w,     w = (p + sqrt(-D)) / (2 L_t),
 
-in complex numbers. Nothing is ever divided by but squared lengths of the input, and the figure does
-not depend on the flips that made the diamond.
+in complex numbers. The only divisors are squared lengths of the input, and the figure does not
+depend on the flips that made the diamond.
 
 A vertex that was inserted is a combination of the points of one triangle, with rational weights.
 */
@@ -156,8 +156,8 @@ struct Unfolded_diamond {
   /*!
   \brief returns the part that reaches all corners but one, which is put where corner k is.
 
-  Three corners may be near to each other and the fourth across hundreds of triangles. What depends
-  on the three alone is decided over the part.
+  Three corners may be near each other and the fourth across hundreds of triangles. The part is
+  enough for expressions in those three.
   \param corner the corner that is left out, not k: 0 for i, 1 for j, 3 for m
   \complexity linear
   */
@@ -191,7 +191,7 @@ private:
   template <class FT, class Input_values>
   Positions<FT> enclosed_positions(const Input_values& input) const {
     using Vector = Complex_ball<FT>;
-    for (const Triangle& t : triangles) // half of the time is spent on waiting for memory otherwise
+    for (const Triangle& t : triangles) // otherwise waiting for memory takes half of the time
       __builtin_prefetch(&input(t.side.face));
     Positions<FT> z{{FT(0), FT(0)}, {FT(1), FT(0)}};
     boost::container::small_vector<std::array<Vector, 3>, 16> sides; // of triangles

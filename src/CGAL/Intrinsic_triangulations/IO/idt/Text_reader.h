@@ -28,7 +28,7 @@ inline constexpr std::array<std::pair<Mollification, std::string_view>, 3> molli
      {Mollification::lengths, "lengths"},
      {Mollification::squared_lengths, "squared_lengths"}}};
 
-// The words for kinds of input: none if the file has nothing but names.
+// The words for kinds of input: none if the file has only names.
 inline constexpr std::string_view points_name = "points", squared_lengths_name = "squared_lengths",
                                   no_input_name = "none", planar_polygons_name = "planar_polygons";
 

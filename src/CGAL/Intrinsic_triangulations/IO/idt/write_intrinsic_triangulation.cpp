@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // the format asks for this at vertices, whatever a mesh does
+  // the format requires this at vertices
   void prefer_border_halfedges() {
     for (std::uint32_t h = 0; h < mesh_.number_of_halfedges(); ++h) {
       const Gluing_map::Vertex v = mesh_.target({h});
@@ -81,7 +81,7 @@ private:
     out_.line("reversed_faces", report.reversed_faces);
   }
 
-  // all that is known of an input without surface
+  // all data of an input without surface
   void write_names() {
     const Input_names& names = t_.input.names();
     out_.line("input", no_input_name);

@@ -18,8 +18,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Scans the vertices and faces of a Wavefront OBJ file; the rest is skipped, as programs write
-// statements of their own.
+// Scans the vertices and faces of a Wavefront OBJ file; the rest is skipped, since programs write
+// their own statements.
 class OBJ_scanner {
 public:
   OBJ_scanner(std::istream& in, Soup_builder& out) : in_(in), out_(out) {

@@ -134,7 +134,7 @@ private:
   }
 
   // Every value of the format is exact as a double; false at the end of the file or for a word that
-  // is no number. A text value of a float property is rounded to float, as CGAL rounds it.
+  // is not a number. A text value of a float property is rounded to float, as CGAL rounds it.
   template <class Number>
   bool read_as(double& value) {
     Number number{};

@@ -39,7 +39,7 @@ public:
 private:
   using Point = std::array<double, 3>;
 
-  // The word solid does not tell, as many binary files start with it; the size does.
+  // The size decides, not the word solid, since many binary files start with it, too.
   bool is_binary() {
     char header[84] = {};
     stream_.read(header, 84);

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // standard; they are below 2^31.
 inline std::int32_t signed_label(std::uint32_t i) { return static_cast<std::int32_t>(i); }
 
-// What files say of each vertex besides its position.
+// The data of each vertex in files besides its position.
 std::vector<Column> vertex_labels(const Common_subdivision& s);
 
 // The names of the numbers of a field where each has its own: `v` or `v_x`, `v_y`, `v_z`.

@@ -34,7 +34,7 @@ inline std::string plain_extension(std::string_view extension) {
 
 inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// What some editors write before UTF-8.
+// The byte order mark that some editors write before UTF-8.
 inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 // Takes the next word off the front of `text`; empty at the end.

@@ -32,8 +32,8 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 namespace {
 
-// The page with the program that draws and answers to the pointer; what stands between two @ is a
-// place to be filled. The file is HTML between the marks of a raw string.
+// The page with the program that draws and answers to the pointer; text between two @ is a place to
+// be filled. The file is HTML between the marks of a raw string.
 #ifndef DOXYGEN_RUNNING // which does not look for files here
 constexpr std::string_view html_view_page =
 #include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
@@ -179,7 +179,7 @@ private:
     numbers(id + "-sheets", edges.sheets);
   }
 
-  // What is told of a vertex: its kind, its intrinsic element, and its input element.
+  // The data of a vertex: its kind, its intrinsic element, and its input element.
   void write_vertices() {
     data("kinds", [&](Output_buffer& out) {
       for (std::size_t v = 0; v < s_.number_of_vertices(); ++v)

@@ -95,7 +95,7 @@ private:
   // the other end of a part at `v` that has not been passed
   std::uint32_t next(std::uint32_t v);
 
-  // what the crossings say of the direction; they are in order, whatever rounding does
+  // the direction from the crossings, whose order is safe from rounding
   bool is_backwards(const Common_subdivision& s) const;
 
   std::span<const Part_of_input_edge> parts_;

@@ -24,7 +24,7 @@ namespace {
 /*
 A reflection of the unfolded triangles of a diamond onto themselves: a map of the tree of triangles
 that turns each over, with the same side lengths, and neighbors to neighbors. Then the figure in the
-plane has that reflection too, since it is developed from nothing else.
+plane has that reflection, too, since the triangles determine it.
 */
 class Strip_reflection {
 public:
@@ -54,7 +54,7 @@ private:
     std::uint32_t side(std::uint32_t s) const { return (sum + 5 - s) % 3; }
   };
 
-  // extends the map of one triangle to the others; whether that goes
+  // extends the map of one triangle to the others; returns whether that is possible
   bool maps_all(const Step& first) {
     if (!are_mirrored(first)) return false; // most are not
     image_.assign(diamond_.triangles.size() + 2, none);
