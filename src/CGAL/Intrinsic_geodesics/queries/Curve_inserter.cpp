@@ -46,7 +46,7 @@ static Plane_vector<double> edge_in_frame(const Input& input, std::uint32_t h, s
 }
 
 // From the frame of the face before point i to that of the face after it. False if they are not
-// beside each other there.
+// adjacent there.
 bool Laid_out_line::turn(std::size_t i, Plane_vector<double>& x) const {
   if (curve_.faces[i - 1] == curve_.faces[i]) return true;
   const Surface_point p = point(i, i - 1);

@@ -13,8 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The direction of a vector in the frame of a corner. Not meant for a corner in another fan of a
-// vertex that is not manifold, but it ends there, too.
+// The direction of a vector in the frame of a corner. It also ends for a corner in another fan of a
+// nonmanifold vertex, but is meaningless there.
 static double direction_at_vertex(const Corner_table& table, std::uint32_t corner,
                                   Plane_vector<double> d) {
   double angle = std::atan2(std::max(d.y, 0.0), d.x);

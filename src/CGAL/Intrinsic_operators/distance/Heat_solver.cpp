@@ -25,14 +25,14 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A ball in space that a piece of a source is in.
+// A ball in space that contains a piece of a source.
 struct Source_ball {
   std::array<double, 3> center;
   double radius;
 };
 
-// Finds the distance in space to the nearest of many balls, which is no longer than any way on the
-// surface: balls in a tree that halves them by coordinates in turn.
+// Finds the distance in space to the nearest of many balls, a lower bound for ways on the surface.
+// A tree halves the balls by coordinates in turn.
 class Chord_bound {
 public:
   explicit Chord_bound(std::vector<Source_ball> balls) : balls_(std::move(balls)) {
@@ -61,7 +61,7 @@ private:
     split(middle + 1, end, (axis + 1) % 3);
   }
 
-  // without `std::hypot()`, which takes long, where squares are well within the range of doubles
+  // avoids the slow `std::hypot()` where squares are well within the range of doubles
   static double distance(const std::array<double, 3>& p, const std::array<double, 3>& q) {
     const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2];
     const double squared = x * x + y * y + z * z;
@@ -86,8 +86,8 @@ private:
   double greatest_radius_ = 0;
 };
 
-// Balls about the sources: points for vertices; else about the corner of the face that is nearest.
-// \return nothing, if a source is where no position is known
+// Balls about the sources: points for vertices; else about the nearest corner of the face.
+// \return empty if the position of a source is unknown
 static std::vector<Source_ball> source_balls(const Face_table& table, const Source_places& sources,
                                              const std::vector<std::array<double, 3>>& positions) {
   std::vector<Source_ball> balls;
@@ -131,8 +131,8 @@ static double norm_of(const std::complex<double>& x) {
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::abs(x);
 }
 
-// Heat is positive. With negative weights, what is solved for has signs of its own far from the
-// sources, but its magnitude decreases along shortest paths all the same.
+// Heat is positive. With negative weights, the solution may change signs far from the sources, but
+// its magnitude still decreases along shortest paths.
 static Heat<double> magnitudes(Heat<double> heat) {
   heat.value = heat.value.cwiseAbs();
   return heat;

@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// a factorization, with an order of its own, takes the time of so many solutions and more: 20 at
-// 26,000 vertices, 50 at 416,000
+// a factorization with its ordering takes the time of at least so many solutions: 20 at 26,000
+// vertices, 50 at 416,000
 static constexpr std::size_t few_pins = 20;
 
 Eigen::VectorXd Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pins) {
@@ -32,8 +32,8 @@ Eigen::VectorXd Pinned_laplacian::solve(const Eigen::VectorXd& b, const Pins& pi
   return x;
 }
 
-// To one diagonal entry per component something is added: for right sides that sum to zero, this
-// fixes a value, zero. Isolated vertices have a row of zeros.
+// Raises one diagonal entry per component: for right sides that sum to zero, this fixes one value
+// at zero. Isolated vertices have a row of zeros.
 Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
   Eigen::VectorXd added = Eigen::VectorXd::Zero(laplacian_->cols());
   for (int r = 0; r < laplacian_->cols(); ++r)
@@ -56,8 +56,8 @@ Laplacian_factorization Pinned_laplacian::factor_with_multiple(double multiple,
   }
 }
 
-// What pins of a component add to the solution in column 0; the solutions for their own strengths
-// are from `column` on.
+// Adds to the solution in column 0 the part of the pins of a component; the solutions for unit
+// strengths start at `column`.
 static Eigen::VectorXd correction_by_strengths(const Eigen::MatrixXd& solved, Eigen::Index column,
                                                const std::vector<int>& rows,
                                                const Pinned_laplacian::Pins& pins) {

@@ -21,7 +21,7 @@ double distance_to_segment(std::complex<double> p, std::complex<double> a, std::
   return std::abs(p - a - x * along);
 }
 
-// Lowers values of rows to what they are along edges from each other, as far as the greatest goes.
+// Lowers values of rows to their distances along edges from each other, up to the greatest value.
 static void lower_along_edges(const Face_table& table, std::map<int, double>& values) {
   double farthest = 0;
   for (const auto& [row, value] : values) farthest = std::max(farthest, value);
@@ -38,7 +38,7 @@ static void lower_along_edges(const Face_table& table, std::map<int, double>& va
   });
   std::vector<double> best(table.number_of_rows, farthest);
   for (const auto& [row, value] : values) best[static_cast<std::size_t>(row)] = value;
-  // paths have few edges, as none is longer than the edges of the faces with sources
+  // paths have few edges, since none is longer than the edges of the faces with sources
   for (bool is_lowered = true; is_lowered;) {
     is_lowered = false;
     for (const Edge& e : edges) {

@@ -26,27 +26,26 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 /*!
-Functions d with given values in some rows and L M^-1 L d = 0 in the others, F, without that
-product, of which no double holds the small eigenvalues once weights span eight orders of magnitude
-or so.
+Functions d with given values in some rows and L M^-1 L d = 0 in the others, F. It avoids that
+product, since doubles lose its small eigenvalues if weights span about eight orders of magnitude.
 
-Let M w = L d. Then w is harmonic in F, and so P w_B: of the values in the fixed rows B beside F,
-with the harmonic measures P, one in its row of B and zero in the others; and where w is known so is
-d, from L d = M w in F. What is left is M w = L d in B,
+Let M w = L d. Then w is harmonic in F, so w = P w_B: the columns of P are harmonic, each one in its
+row of B and zero in the others, where B are the fixed rows beside F. With w, L d = M w in F gives
+d. The remaining equations M w = L d in B are
 
     (P^T M P) w_B = S d,    S = L_B + L_BF P
 
-a dense system, definite and of one row per row of B. Measures are not negative and nothing is
-subtracted in its matrix; S is applied to differences of d. So errors are those of the values, where
-L has no negative weights.
+a dense, definite system with one row per row of B. P is not negative, the matrix has no
+subtractions, and S applies to differences of d. So if L has no negative weights, errors are those
+of the values.
 */
 class Biharmonic_interpolation {
 public:
   // \param laplacian its rows sum to zero \param mass the diagonal of M \param rows the fixed rows,
   // some in each component
-  // \param beside `rows_beside_free_ones()`; time and memory for that many solutions with L are
-  // needed
-  // \throws Indefinite_matrix if rounding has left no definite matrix; it names a fixed row
+  // \param beside `rows_beside_free_ones()`; takes the time and memory of that many solutions with
+  // L
+  // \throws Indefinite_matrix if rounding makes the matrix indefinite; it names a fixed row
   Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
                            std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside);
 
@@ -68,7 +67,7 @@ private:
   Eigen::LDLT<Eigen::MatrixXd> strengths_;
 };
 
-// The fixed rows that a matrix joins with free ones, without repetition.
+// The fixed rows with entries in free columns, without repetition.
 static std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatrix<double>& a,
                                                         std::span<const std::uint32_t> fixed) {
   std::vector<char> is_fixed(row_number(a.rows()), 0);
@@ -130,7 +129,7 @@ void Biharmonic_interpolation::factor_strengths() {
       "the handle is too close to another handle for doubles; give one of them");
 }
 
-// L d in the rows beside free ones, of the harmonic function d: by differences to each.
+// L d in the rows beside free ones, for the harmonic function d, from differences.
 Eigen::MatrixXd Biharmonic_interpolation::laplacian_beside(const Eigen::MatrixXd& harmonic) const {
   const auto count = static_cast<Eigen::Index>(beside_.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(count, harmonic.cols());
@@ -156,7 +155,7 @@ Eigen::MatrixXd Biharmonic_interpolation::solve(const Eigen::MatrixXd& values) c
   return harmonic_.solve(mass_.asDiagonal() * Eigen::MatrixXd(measures_ * w), values);
 }
 
-// L M^-1 L; isolated vertices, which have no mass, are fixed
+// L M^-1 L; isolated vertices have no mass and are fixed
 static Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>& l,
                                                const Eigen::VectorXd& mass) {
   Eigen::VectorXd inverse(mass.size());
@@ -206,12 +205,12 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
     factor_biharmonic(laplacian, mass);
 }
 
-// By handles where that is faster; where the matrix is not definite, if memory allows.
+// By handles if that is faster; also if the matrix is not definite and memory suffices.
 void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
                                             const Eigen::VectorXd& mass) {
   constexpr std::size_t few = 64, many = 2000, numbers = 100000000;
   std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
-  // rows without mass, which the product leaves out, would have to be harmonic
+  // the product leaves out rows without mass, which should be harmonic
   const bool is_laplacian =
       internal::is_laplacian(laplacian) && internal::all_free_have_mass(laplacian, mass, rows_);
   const auto by_handles = [&] { // the unit of masses is that of the energy alone

@@ -49,8 +49,7 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_t
     const auto weights = checked_half_cotangents(f);
     const auto frames = side_frames(f);
     for (std::size_t k = 0; k < 3; ++k) {
-      // the cotangents at the ends of a side sum to this, which is positive whatever rounding makes
-      // of them
+      // the cotangents at the ends of a side sum to this, which is positive in spite of rounding
       const auto side = static_cast<int>(f.halfedges[k] / 2);
       entries.emplace_back(side, side, f.squared_lengths[k] / f.area());
       // two sides meet at the corner opposite the third

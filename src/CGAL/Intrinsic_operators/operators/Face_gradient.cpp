@@ -36,7 +36,7 @@ Face_gradient::Vectors Face_gradient::gradient(const Function& u) const {
     const Face& face = faces_[f];
     result[internal::face_row(f)] = 0;
     if (face.area == 0) continue; // no face
-    // differences: what is constant leaves nothing, rounding included
+    // differences: constants give exactly zero
     const double base = u[face.row[0]];
     result[internal::face_row(f)] = (u[face.row[1]] - base) * face.hat_gradient[1] +
                                     (u[face.row[2]] - base) * face.hat_gradient[2];

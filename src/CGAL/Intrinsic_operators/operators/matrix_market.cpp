@@ -58,7 +58,7 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
       if (symmetric && i.row() < c) continue;
       write(' ', i.row() + 1);
       write(' ', c + 1);
-      write('\n', i.value(), std::chars_format::general, 17); // tells any two doubles apart
+      write('\n', i.value(), std::chars_format::general, 17); // distinguishes any two doubles
     }
   out << text;
   if (!out) throw std::runtime_error("the matrix cannot be written completely");

@@ -23,7 +23,7 @@ void check(const Reaction_diffusion& e) {
     throw std::invalid_argument("diffusion must be positive, and reaction not negative");
 }
 
-// Whether all rows that have an area are of one component.
+// Whether all rows with an area are in one component.
 static bool is_connected(const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& area) {
   const std::vector<std::uint32_t> component = components_of_matrix(mass);
   std::size_t count = 0;

@@ -28,10 +28,10 @@ inline void regularise_isolated(Complex_matrix& c) {
   c.makeCompressed();
 }
 
-// The eigenvectors of C w = lambda B w of least eigenvalues: by iteration with a few vectors at a
-// time, which are shifted by a small multiple of B, as C may be singular: where the surface is
-// flat, its own shape has the eigenvalue zero. (All holomorphic functions have no conformal energy:
-// the least eigenvalues are those of the smoothest, in the order of squared lengths of edges.)
+// The eigenvectors of C w = lambda B w with least eigenvalues, by inverse iteration with a few
+// vectors at a time. A small multiple of B shifts C, since C may be singular: on a flat surface its
+// own shape has eigenvalue zero. (Holomorphic functions have no conformal energy: the least
+// eigenvalues are those of the smoothest ones, in the order of squared lengths of edges.)
 class Border_spectrum {
 public:
   Border_spectrum(const Complex_matrix& c, const Disk_border& border)
@@ -41,7 +41,7 @@ public:
   Eigen::VectorXcd first() const {
     const Eigen::Index n = std::min<Eigen::Index>(vectors, (weight_.array() > 0).count() - 1);
     Eigen::MatrixXcd w(weight_.size(), n);
-    for (Eigen::Index r = 0; r < w.rows(); ++r) // nothing that any eigenvector is orthogonal to
+    for (Eigen::Index r = 0; r < w.rows(); ++r) // not orthogonal to any eigenvector
       for (Eigen::Index k = 0; k < n; ++k)
         w(r, k) = std::polar(1.0, static_cast<double>((k + 1) * r) + static_cast<double>(r * r));
     double last = 0;
@@ -83,8 +83,8 @@ private:
     }
   }
 
-  // By Gram and Schmidt, twice, in the inner product of B: one solution makes nearly parallel
-  // vectors of all, where an eigenvalue is zero.
+  // By Gram and Schmidt, twice, in the inner product of B: if an eigenvalue is zero, one solution
+  // makes all vectors nearly parallel.
   Eigen::MatrixXcd orthonormal(Eigen::MatrixXcd w) const {
     for (Eigen::Index k = 0; k < w.cols(); ++k)
       for (int time = 0; time < 2; ++time) {

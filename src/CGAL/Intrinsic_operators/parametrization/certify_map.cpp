@@ -51,7 +51,7 @@ Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& fac
   return result;
 }
 
-// Sides of which the other side is missing, in the order that they follow each other.
+// The sides without an opposite side, each after the one before it on the border.
 static std::vector<std::uint32_t>
 border_of_triangles(const std::vector<std::array<std::uint32_t, 3>>& faces) {
   using Side = std::pair<std::uint32_t, std::uint32_t>;

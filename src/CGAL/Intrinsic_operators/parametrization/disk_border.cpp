@@ -66,7 +66,7 @@ Disk_border disk_border(const Face_table& table, std::uint32_t sheets) {
   return border;
 }
 
-// where each vertex is along the border, as a part of its length
+// the position of each vertex along the border, as a part of its length
 static std::vector<double> places_along(const Disk_border& border) {
   std::vector<double> places{0};
   for (const double l : border.lengths) places.push_back(places.back() + l);
@@ -106,7 +106,7 @@ static void expect_convex(const std::vector<std::array<double, 2>>& corners) {
 }
 
 // The places in the border of the vertices at the corners, increasing: the nearest in proportion to
-// length, of those that leave enough.
+// length that leave enough vertices for later corners.
 static std::vector<std::size_t> vertices_at_corners(const std::vector<double>& places,
                                                     const std::vector<double>& wanted) {
   const std::size_t vertices = places.size() - 1, n = wanted.size();

@@ -50,7 +50,7 @@ static Complex_matrix conformal_energy(const Cloud_connection& cloud, const Comp
   return energy;
 }
 
-// The points on the border, all of one weight.
+// The points on the border, with equal weights.
 static Disk_border cloud_border(const Cloud_connection& cloud) {
   const auto refuse = [](const std::string& why) {
     throw Invalid_input(Element_kind::none, 0, why);

@@ -37,7 +37,7 @@ void expect_factorable(const Eigen::SparseMatrix<Scalar>& a) {
                                     ") is not");
 }
 
-// Less is what rounding leaves of a zero: some roundings for each of the few entries of a row.
+// Smaller pivots are rounding of zero: some roundings for each of the few entries of a row.
 static bool is_definite(double pivot, double diagonal) {
   return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal;
 }
@@ -48,7 +48,7 @@ static void expect_rows(Eigen::Index size, Eigen::Index rows) {
                                 std::to_string(size) + ", not " + std::to_string(rows));
 }
 
-// A factor that a solver makes, which calls `visit(row, pivot)` for each row, in the order of
+// The factor by a solver, which calls `visit(row, pivot)` for each row, in the order of
 // elimination.
 template <class Solver>
 class Cholesky_factor_of : public Cholesky_factor<typename Solver::Scalar> {
@@ -73,7 +73,7 @@ private:
   Solver solver_;
 };
 
-// Reads what Eigen's class hides.
+// Reads protected members of Eigen's class.
 template <class Matrix>
 class Readable_cholesky : public Eigen::SimplicialLDLT<Matrix> {
 public:
@@ -89,7 +89,7 @@ public:
 };
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
-// Reads what Eigen's class for CHOLMOD hides.
+// Reads protected members of Eigen's class for CHOLMOD.
 template <class Matrix>
 class Readable_cholmod : public Eigen::CholmodSupernodalLLT<Matrix> {
   using Base = Eigen::CholmodSupernodalLLT<Matrix>;

@@ -39,14 +39,14 @@ inline double flow_time(double factor, double unit, double area) {
   throw std::invalid_argument(message.str());
 }
 
-// x * 2^e, in two steps: the power of two alone may be no double.
+// x * 2^e, in two steps: the power of two alone may exceed the range of doubles.
 template <class Scalar>
 Scalar times_power_of_two(const Scalar& x, int e) {
   return x * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
 }
 
 // Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a
-// large mesh, so that values have an exponent of their own: that of row r is value[r] * 2^(exponent
+// large mesh, so values have separate exponents: the heat of row r is value[r] * 2^(exponent
 // - step * level[r]).
 template <class Scalar>
 struct Heat {
@@ -63,8 +63,8 @@ struct Heat {
                                                : value[r] * std::ldexp(1.0, step * steps);
   }
 
-  // Makes the greatest about 1, and raises the level of what is 2^-step of it or less, which would
-  // not stay a double.
+  // Scales the greatest value to about 1, and raises the level of values up to 2^-step, which would
+  // leave the range of doubles.
   void normalize() {
     int first = std::numeric_limits<int>::max();
     double greatest = 0;
@@ -109,8 +109,8 @@ inline double log_heat(const Heat<double>& heat, Eigen::Index r) {
          std::numbers::ln2 * (heat.exponent - heat.step * heat.level[static_cast<std::size_t>(r)]);
 }
 
-// Factors M + time L: of functions without subtraction, of vectors, which turn along edges, as well
-// as rounding lets it.
+// Factors M + time L: for functions without subtraction; for vectors, which turn along edges, up to
+// rounding.
 inline Laplacian_factorization factored_flow(const Eigen::SparseMatrix<double>& laplacian,
                                              const Eigen::VectorXd& masses) {
   return {laplacian, masses};
@@ -133,7 +133,7 @@ public:
   Diffusion(Matrix laplacian, const Eigen::VectorXd& masses)
       : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))),
         factored_(factored_flow(*laplacian_, masses)) {}
-  // \param factored what is made of M + time L
+  // \param factored the factorization of M + time L
   Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factored factored)
       : laplacian_(std::move(laplacian)), time_(time), factored_(std::move(factored)) {}
 
@@ -163,10 +163,10 @@ public:
 private:
   static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
 
-  // Where heat is below the range of doubles, it is found again from the heat at the limit, as a
-  // source: let w be u where it is known, else zero; then A (u - w) = u0 - A w, which is not zero
-  // along the limit and where u0 is below the range. It has the magnitude of the values there, and
-  // so can be scaled.
+  // Below the range of doubles, heat follows from the heat at the limit, as a source. Let w be u
+  // where it is known, else zero. Then A (u - w) = u0 - A w, which is not zero only along the limit
+  // and where u0 is below the range. It has the magnitude of the values there, and so can be
+  // scaled.
   void find_lost(Heat<Scalar>& heat, const Heat<Scalar>& start,
                  const std::vector<char>& is_reached) const {
     for (int level = 0; mark_lost(heat, start, level, is_reached); ++level) {
@@ -178,8 +178,8 @@ private:
     }
   }
 
-  // Raises the level of what is too small, and not only by cancellation of a source. \return
-  // whether there is any, and some has been found on this level
+  // Raises the level of values that are too small, except by cancellation of a source. \return
+  // whether there are any, and this level has found some
   static bool mark_lost(Heat<Scalar>& heat, const Heat<Scalar>& start, int level,
                         const std::vector<char>& is_reached) {
     const double least = std::ldexp(1.0, -Heat<Scalar>::step);

@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The mean of a matrix and its transpose, if it is symmetric up to rounding, as a product of
-// matrices is.
+// The mean of a matrix and its transpose, if it is symmetric up to rounding, like a product of
+// matrices.
 static Eigen::SparseMatrix<double> symmetrized(const Eigen::SparseMatrix<double>& a) {
   if (a.rows() != a.cols())
     throw std::invalid_argument("the matrix must be square, not " + std::to_string(a.rows()) +
@@ -47,7 +47,7 @@ static std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uin
   return is_fixed;
 }
 
-// The least rows of the components that are marked.
+// The least rows of the marked components.
 static std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
                                              const std::vector<char>& is_marked) {
   std::vector<std::uint32_t> rows;
@@ -56,8 +56,8 @@ static std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& c
   return rows;
 }
 
-// The diagonal beside which the free part is a Laplacian: what its rows sum to, with minus the
-// entries of fixed ones. Where all sums of a component are zero but for rounding, they are.
+// The diagonal that the free part adds to a Laplacian: the sums of its rows, minus the entries of
+// fixed ones. If all sums of a component are zero up to rounding, they become zero.
 struct Free_excess {
   Free_excess(const Eigen::SparseMatrix<double>& a, const std::vector<char>& is_fixed,
               const std::vector<std::uint32_t>& component)
@@ -75,7 +75,7 @@ struct Free_excess {
   bool is_laplacian = true; // whether that is so in all components
 };
 
-// Refuses components without any excess: to solutions there, constants may be added.
+// Refuses components without any excess: solutions there are not unique, up to constants.
 static void expect_excess(const Eigen::VectorXd& excess,
                           const std::vector<std::uint32_t>& component) {
   std::vector<char> has_none(component.size(), 1);
@@ -113,8 +113,7 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
     factor_with_subtraction(free_part, found.excess);
 }
 
-// With negative weights, as at the border, neither way is free of subtraction; where one fails, the
-// other may do.
+// With negative weights, as at the border, both ways subtract; if one fails, the other may work.
 void Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
                                                   const Eigen::VectorXd& excess) {
   try {

@@ -117,10 +117,10 @@ private:
 /*
 Eliminates the rows of Laplacians with diagonals, of one matrix or of several with entries in the
 same places, by fronts (Duff and Reid 1983): the weights between the columns of a supernode and all
-rows where these have entries. The Schur complement, which is left between the rows below, is added
-to the front of the parent. So all that is computed with is side by side. By Grassmann, Taksar and
-Heyman, the diagonal of a front has the sums of its rows in place of the diagonal of the matrix: a
-pivot is the sum of a column, and nothing is subtracted.
+rows where these have entries. The Schur complement of the rows below adds to the front of the
+parent. So computations use contiguous memory. By Grassmann, Taksar and Heyman, the diagonal of a
+front has the sums of its rows in place of the diagonal of the matrix: a pivot is the sum of a
+column, and nothing is subtracted.
 */
 template <int matrices>
 class Multifrontal_elimination {
@@ -128,14 +128,14 @@ public:
   using Pack = Eigen::Array<double, matrices, 1>; // a number of each matrix
   using Factors = std::array<std::shared_ptr<Laplacian_factor>, matrices>;
 
-  // \param unit what the weights of the matrix are multiplied by \param diagonal a pack per row
+  // \param unit the factor of the weights of the matrix \param diagonal a pack per row
   Multifrontal_elimination(const Factors& factors, const Eigen::SparseMatrix<double>& laplacian,
                            const Pack& unit, const Eigen::Array<double, matrices, -1>& diagonal)
       : e_(*factors[0]->symbolic), factors_(factors), laplacian_(laplacian), unit_(unit),
         diagonal_(diagonal), waiting_(row_number(e_.supernodes())) {}
 
-  // Eliminates the supernodes of a part; those of the two halves may be eliminated at a time,
-  // before the others.
+  // Eliminates the supernodes of a part; the two halves may run at the same time, before the
+  // others.
   // \return the row of a pivot that is not positive, up to rounding, or -1
   int eliminate(Symbolic_factorization::Part part) {
     if (part == Symbolic_factorization::after_both) add_halves();
@@ -166,7 +166,7 @@ private:
     }
   };
 
-  // the front of a supernode, in which Schur complements of its children may be
+  // the front of a supernode, possibly with Schur complements of its children
   Front& front_of(int s) {
     Front& front = waiting_[row_number(s)];
     if (front.height == 0) front = Front(e_.height(s));
@@ -233,7 +233,7 @@ private:
     return -1;
   }
 
-  // Adds to column c what the elimination of columns from j on makes.
+  // Adds to column c the result of the elimination of columns from j on.
   template <int columns>
   static void add_multiples(Front& front, int j, int c, const std::vector<Pack>& inverse) {
     std::array<const Pack*, columns> from;

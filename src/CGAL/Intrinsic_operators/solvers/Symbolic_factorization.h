@@ -22,9 +22,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The symbolic factorization of a symmetric matrix: a permutation of its rows, and where its factor
-// has entries. It depends on the pattern alone. The *place* of a row is its number in the
-// permutation.
+// The symbolic factorization of a symmetric matrix: a permutation of its rows, and the places of
+// the entries of its factor. It depends on the pattern only. The *place* of a row is its number in
+// the permutation.
 struct Symbolic_factorization {
   // Permutes by approximate minimum degree. \throws std::invalid_argument if the pattern is not
   // symmetric
@@ -77,8 +77,8 @@ private:
   std::vector<int> added_;           // rows of a new supernode
 };
 
-// Whether there is an entry (c, r) for each (r, c); rows are sorted, so that those of a column are
-// met in their order.
+// Whether there is an entry (c, r) for each (r, c); rows are sorted, so those of a column come in
+// order.
 inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   const int *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   std::vector<int> next(begin, begin + a.outerSize());
@@ -104,7 +104,7 @@ inline Symbolic_factorization::Symbolic_factorization(const Eigen::SparseMatrix<
   find_parts();
 }
 
-// The matrix is read from the first row to the last, as places are anywhere in it.
+// Reads the matrix from the first row to the last, since places are in random order.
 inline void Symbolic_factorization::find_entries(const Eigen::SparseMatrix<double>& a) {
   entry_begin.assign(row.size() + 1, 0);
   const int *const begin = a.outerIndexPtr(), *const inner = a.innerIndexPtr();

@@ -30,10 +30,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Ends Spectra's loops, which cannot be told to end.
+// Ends Spectra's loops, which have no other way to stop.
 struct Cancelled_eigenpairs {};
 
-// Asks before each solution whether to go on.
+// Calls the visitor before each solution.
 class Solution_counter {
 public:
   explicit Solution_counter(std::function<bool(std::size_t)> progress)
@@ -47,8 +47,8 @@ private:
   std::size_t solutions_ = 0;
 };
 
-// What Spectra asks of an operator, y = (a + s m)^-1 x, with a factorization that was made;
-// eigenvectors that were found may be taken out, so that others come to the fore.
+// The operator for Spectra, y = (a + s m)^-1 x, from a factorization. It can take out known
+// eigenvectors, so that Spectra finds others.
 class Shifted_inverse {
 public:
   using Scalar = double; // named by Spectra
@@ -89,7 +89,7 @@ static Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
                                      Eigen::Index count, double shift) {
   auto m = mass; // which Spectra takes as not constant
   const Eigen::Index space = std::min(inverse.rows(), std::max<Eigen::Index>(2 * count + 1, 20));
-  // of eigenvalues far above a cluster of others, rounding leaves fewer digits
+  // eigenvalues far above a cluster of others have fewer digits
   for (const double tolerance : {1e-13, 1e-10}) {
     Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>,
                                  Spectra::GEigsMode::ShiftInvert>
@@ -103,7 +103,7 @@ static Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
   throw std::runtime_error("the eigenvalues have not converged; ask for others, or a finer mesh");
 }
 
-// Puts one pair among others, the greatest of which is dropped.
+// Inserts one pair among others and drops the greatest.
 static void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& vector) {
   Eigen::Index i = pairs.values.size() - 1;
   for (; i > 0 && pairs.values[i - 1] > value; --i) {
@@ -115,7 +115,7 @@ static void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& 
 }
 
 // From one vector Lanczos' method finds one eigenvector of each eigenvalue, and others by rounding
-// alone: of a symmetric surface it misses some. They are found when the others are taken out.
+// only: on a symmetric surface it misses some. It finds them after the others are taken out.
 static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
                               const Spectra::SparseSymMatProd<double>& mass, double shift) {
   constexpr double equal = 1 - 1e-9;
@@ -127,8 +127,8 @@ static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
   }
 }
 
-// Throws if a pair is none: beside the terms of the sums, what is left of them is rounding, or
-// noise that Lanczos' method took for a vector.
+// Throws if a pair is wrong: its residual must be rounding relative to the terms of its sums, else
+// it is noise of Lanczos' method.
 static void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m, const Eigenpairs& pairs) {
   const Eigen::SparseMatrix<double> sizes_a = a.cwiseAbs(), sizes_m = m.cwiseAbs();
@@ -173,8 +173,8 @@ static Eigen::MatrixXd constants_of_components(const Eigen::SparseMatrix<double>
   return c * gram.matrixU().solve(Eigen::MatrixXd::Identity(columns, columns)).eval();
 }
 
-// Constants in components have the eigenvalue zero. Beside the greatest eigenvalue rounding would
-// leave them any other one: they are lifted above it, and put to the front in the end.
+// Constants in components have the eigenvalue zero, which rounding of the greatest eigenvalue would
+// hide: they are lifted above it, and moved to the front at the end.
 static Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                              const Eigen::SparseMatrix<double>& m,
                                              Eigen::Index count) {
@@ -183,7 +183,7 @@ static Eigenpairs dense_laplacian_eigenpairs(const Eigen::SparseMatrix<double>& 
   Eigenpairs others =
       dense_eigenpairs(Eigen::MatrixXd(a) + 4 * greatest * images * images.transpose(), m);
   const double rounding = 0x1p-50 * static_cast<double>(a.rows()) * greatest;
-  for (double& value : others.values) // weights that are not negative have no negative ones
+  for (double& value : others.values) // without negative weights there are no negative eigenvalues
     if (value < 0 && value > -rounding) value = 0;
   const Eigen::Index zeros = constants.cols(), rest = a.rows() - zeros;
   for (Eigen::Index i = 0; i < std::min(rest, count - zeros); ++i)
@@ -215,8 +215,8 @@ static bool is_zero_matrix(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-// Of no matrix at all, as of isolated vertices, every vector is an eigenvector: Lanczos' method has
-// nowhere to go. With m = l l^T in the first rows, columns of l^-T are orthonormal.
+// For the zero matrix, as for isolated vertices, every vector is an eigenvector: Lanczos' method
+// cannot start. With m = l l^T in the first rows, columns of l^-T are orthonormal.
 static Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen::Index count) {
   const Eigen::LLT<Eigen::MatrixXd> factored(
       Eigen::MatrixXd(Eigen::SparseMatrix<double>(m.topLeftCorner(count, count))));
@@ -227,8 +227,7 @@ static Eigenpairs eigenpairs_of_zero(const Eigen::SparseMatrix<double>& m, Eigen
   return {Eigen::VectorXd::Zero(count), std::move(vectors), Status::done};
 }
 
-// trace(a) / trace(m): of a mesh without slivers, the first frequency but zero times the size or
-// so.
+// trace(a) / trace(m): on a mesh without slivers, about the first nonzero frequency times the size.
 static double mean_eigenvalue(const Eigen::SparseMatrix<double>& a,
                               const Eigen::SparseMatrix<double>& m) {
   const double mean = a.diagonal().sum() / m.diagonal().sum();
@@ -245,9 +244,9 @@ static bool is_lumped_laplacian(const Eigen::SparseMatrix<double>& a,
   return a.isCompressed() && is_laplacian(a) && m.diagonal().minCoeff() > 0;
 }
 
-// About how many eigenvalues there are below the shift, but those of constants in components: by a
-// random vector x that is orthogonal to these, the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x,
-// the sum of s / (lambda + s).
+// Estimates the number of eigenvalues below the shift, without those of constants in components, by
+// a random vector x orthogonal to these: the expectation of x^T m^1/2 (a + s m)^-1 m^1/2 x, the sum
+// of s / (lambda + s).
 static double eigenvalues_below(const Laplacian_factorization& inverse,
                                 const Eigen::VectorXd& masses,
                                 const std::vector<std::uint32_t>& component, double shift) {
@@ -268,8 +267,8 @@ static double eigenvalues_below(const Laplacian_factorization& inverse,
 }
 
 // Eigenvalues of the inverse are right to rounding of its greatest one, 1 / shift: the shift must
-// not be much above the eigenvalues that are asked for, as it would be where few large weights make
-// the trace.
+// not be much above the wanted eigenvalues. A shift from the trace would be, if few large weights
+// dominate it.
 static Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
                                           const Eigen::VectorXd& masses, Eigen::Index count,
                                           double& shift, Solution_counter& solutions) {
@@ -285,9 +284,9 @@ static Shifted_inverse inverted_laplacian(const Eigen::SparseMatrix<double>& a,
   return {std::move(inverse), solutions};
 }
 
-// Inverts `a` plus a shift that is set. Of others than Laplacians, it is far less than the first
-// frequency, and so much that rounding leaves the matrix definite: its smallest eigenvalue is the
-// shift, its condition about the square of the size.
+// Inverts `a` plus a given shift. For matrices other than Laplacians it is far less than the first
+// frequency, but large enough that rounding leaves the matrix definite: the smallest eigenvalue is
+// the shift, the condition about the square of the size.
 static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
                                        const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                        double& shift, Solution_counter& solutions) {

@@ -28,8 +28,7 @@ struct Cloud_edge {
   double weight;
 };
 
-// The tangent planes of a cloud of points, and what connects them: triangles at each point among
-// its neighbours.
+// The tangent planes of a point cloud, connected by triangles at each point among its neighbours.
 class Cloud_connection {
 public:
   using Vector = Eigen::Vector3d;
@@ -57,7 +56,7 @@ public:
   }
 
   const Point_cloud_report& report() const { return report_; }
-  // Points times 2^-exponent are computed with.
+  // Computations use the points times 2^-exponent.
   int exponent() const { return exponent_; }
   const std::vector<Vector>& places() const { return places_; }
   // Edges of all triangles, with cotangent weights of the surface.
@@ -115,7 +114,7 @@ private:
     edges_.resize(size);
   }
 
-  // Turns normals so that neighbours have nearly the same: where they bend least first.
+  // Orients normals alike at neighbours, where they bend least first.
   void orient() {
     std::vector<std::vector<std::uint32_t>> neighbours(places_.size());
     for (const Cloud_edge& e : edges_) {

@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Smoothest fields in the parts of a surface, some of which have no wishes: there, the eigenvector
-// of the smallest eigenvalue.
+// Smoothest fields in the parts of a surface. In parts without constraints it is the eigenvector of
+// the smallest eigenvalue.
 class Direction_solver {
   using Complex = std::complex<double>;
 
@@ -35,7 +35,7 @@ public:
       : graph_(graph), part_(graph.parts()), masses_(positive_masses(graph)),
         right_(Eigen::VectorXcd::Zero(problem.guide.size())), factor_(factored(problem)) {}
 
-  // \return nothing if it was cancelled
+  // \return empty if cancelled
   Eigen::VectorXcd solve(const std::function<bool(Direction_step)>& progress) const {
     if (progress && !progress(Direction_step::factored)) return {};
     std::vector<char> has_wishes(graph_.size, 0); // by part
@@ -62,10 +62,10 @@ private:
   }
   double mass(Eigen::Index i) const { return masses_[i]; }
 
-  // The factored matrix, with ones for what is fixed; sets the right side.
+  // The factored matrix, with ones for fixed vertices; sets the right side.
   Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
-    // so little that flat surfaces, with eigenvalue zero, are definite; so much that others are
-    // their guide to twelve digits
+    // small, but it makes flat surfaces, with eigenvalue zero, definite, and others follow their
+    // guide to twelve digits
     const double shift = (std::min(problem.strength, 1e12) + 0x1p-26) / graph_.squared_mean_length;
     for (Eigen::Index i = 0; i < right_.size(); ++i) right_[i] = mass(i) * problem.guide[i];
     std::vector<char> is_fixed(graph_.size, 0);
@@ -83,7 +83,7 @@ private:
     return raised_factorization(m);
   }
 
-  // By the method of Lanczos with the inverse, in all parts at once and in each for itself.
+  // By the method of Lanczos with the inverse, in all parts at once, independently in each.
   Eigen::VectorXcd
   smallest_eigenvectors(Eigen::VectorXcd z,
                         const std::function<bool(Direction_step)>& progress) const {
@@ -94,8 +94,8 @@ private:
     return z;
   }
 
-  // Replaces vectors by the best ones of what some powers of the inverse make of them; returns
-  // whether they are eigenvectors.
+  // Replaces vectors by the best combinations of some powers of the inverse applied to them;
+  // returns whether they are eigenvectors.
   bool improve(Eigen::VectorXcd& z) const {
     constexpr int steps = 16;
     Eigen::MatrixXcd basis(z.size(), steps);
@@ -106,7 +106,7 @@ private:
       Eigen::VectorXcd next(z.size());
       for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = mass(i) * basis(i, j);
       next = factor_.solve(next);
-      for (int k = j; k >= 0; --k) { // all of them, as rounding does not keep them orthogonal
+      for (int k = j; k >= 0; --k) { // all of them, since rounding makes them not orthogonal
         const Eigen::VectorXcd c = products(basis.col(k), next);
         if (k == j) diagonal.col(j) = c.real();
         for (Eigen::Index i = 0; i < z.size(); ++i) next[i] -= c[part(i)] * basis(i, k);
@@ -130,7 +130,7 @@ private:
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(z.size(), last + 1);
     bool is_done = true;
     for (Eigen::Index p = 0; p < z.size(); ++p) {
-      if (!(diagonal(p, 0) > 0)) continue; // stands for no part, or nothing is asked of it
+      if (!(diagonal(p, 0) > 0)) continue; // represents no part, or a part without constraints
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
       solver.computeFromTridiagonal(diagonal.row(p), beside.row(p).head(last));
       weights.row(p) = solver.eigenvectors().col(last);
@@ -142,7 +142,7 @@ private:
     return is_done;
   }
 
-  // inner products in each part, at the vertex that stands for it
+  // inner products in each part, at its representative vertex
   Eigen::VectorXcd products(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) const {
     Eigen::VectorXcd result = Eigen::VectorXcd::Zero(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) result[part(i)] += mass(i) * std::conj(x[i]) * y[i];
@@ -175,7 +175,7 @@ std::vector<std::complex<double>> solve(const Direction_problem& problem,
   for (std::size_t i = 0; i < graph.size; ++i) {
     if (!(graph.areas[i] > 0)) continue;
     result[i] = unit_vector(z[static_cast<Eigen::Index>(i)]);
-    if (result[i] == 0.) result[i] = 1; // where the field vanishes, any direction is as good
+    if (result[i] == 0.) result[i] = 1; // where the field vanishes, any direction will do
   }
   return result;
 }

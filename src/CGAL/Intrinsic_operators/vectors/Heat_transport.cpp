@@ -117,9 +117,9 @@ Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner
   return b;
 }
 
-// What edges add to positions that cross them, and positions at the corners of the source, times
-// the heat: with its exponents, as much as
-// comes from a neighbour. \param frames the frame of the source, transported to all vertices
+// The part that edges add to positions that cross them, and positions at the corners of the source,
+// times the heat from a neighbour, with its exponents. \param frames the frame of the source,
+// transported to all vertices
 std::vector<Heat<double>>
 Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
                                         const Heat<double>& heat,
@@ -155,11 +155,10 @@ Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source
   return b;
 }
 
-// In the plane, positions times the heat of functions are heat that is moved by the edges that it
-// crosses: exactly, on any triangulation. On curved
-// surfaces edges have their directions in the frame of the source, as it is transported to them:
-// heat that turned with each edge
-// would forget where the source is after some edges.
+// In the plane, positions times the heat of functions are heat that moves along the edges that it
+// crosses: exactly, on any triangulation. On curved surfaces edges have directions in the
+// transported frame of the source: heat that turns with each edge would lose the source after some
+// edges.
 Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
   const std::vector<char> is_reached = reached(weights(source));
   const Heat<double> heat = this->heat(source);
@@ -177,8 +176,8 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
 }
 
 // Vectors that point away from the source, at the neighbours of its vertices. Weighted by
-// cotangents and lengths of edges they add up to zero in the plane, as linear functions are
-// harmonic: else what is left of them far away would be their sum, which is parallel, not radial.
+// cotangents and lengths of edges they sum to zero in the plane, since linear functions are
+// harmonic. A nonzero sum would dominate far away, where it is parallel, not radial.
 Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
   const Eigen::VectorXd at = weights(source);
   Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
@@ -192,8 +191,8 @@ Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner
   return b;
 }
 
-// What makes a matrix definite that has constants in its kernel: a vertex in each part that edges
-// connect.
+// Diagonal entries that make a matrix with constants in its kernel definite: one vertex in each
+// connected part.
 Eigen::VectorXd Heat_transport::pins() const {
   Eigen::VectorXd pins(static_cast<Eigen::Index>(graph_.size));
   for (std::size_t i = 0; i < graph_.size; ++i)
@@ -236,7 +235,7 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner
   Eigen::VectorXcd result(radial.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     const std::complex<double> direction = radial[i] * std::conj(unit_vector(z[1].value[i]));
-    // no length is known, but that it is positive
+    // the length is unknown, but positive
     constexpr double least = std::numeric_limits<double>::min();
     result[i] = direction == 0. ? unknown_vector : std::max(least, r[i]) * direction;
   }
