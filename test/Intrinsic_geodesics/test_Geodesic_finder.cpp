@@ -220,7 +220,7 @@ template <class T>
 class ShortestPaths : public ::testing::Test {};
 TYPED_TEST_SUITE(ShortestPaths, Triangulations);
 
-/// Flips that nothing asks for: faces become long, and wind about the surface.
+/// Flips without need: faces become long, and wind about the surface.
 template <class T>
 void flip_at_random(T& t, std::mt19937& random) {
   const std::size_t edges = num_edges(t.mesh());

@@ -616,7 +616,7 @@ TEST(PolyhedralDistance, ends_on_a_mesh_of_needles) {
   }
 }
 
-// ---- what it asks of a triangulation
+// ---- requirements on a triangulation
 
 TEST(PolyhedralDistance, asks_no_more_of_a_triangulation_than_its_concept) {
   archetypes::Wrapped wrapped(meshes::rough_grid(3, 1).input());

@@ -21,14 +21,14 @@
 #include <utility>
 #include <vector>
 
-// Models that offer what a concept asks for and nothing else. Algorithms that compile with them use
-// no more than the concept promises. They say that everything is Delaunay already.
+// Models that offer only the requirements of a concept. Algorithms that compile with them use no
+// more than the concept promises. They say that everything is Delaunay already.
 
 namespace archetypes {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-/// Can be copied only where the concept asks for it.
+/// Can be copied only if the concept requires it.
 struct Metric {
   using FT = double;
   struct Scope {};

@@ -180,7 +180,7 @@ public:
     set(n, p);
     return n;
   }
-  /// The largest distance of a vertex from where it was asked for.
+  /// The largest distance of a vertex from its requested position.
   double deviation = 0;
   auto reposition(IT::Gluing_map::Vertex v, std::uint32_t h, const std::array<double, 3>& weights) {
     const Point p = at(h, weights);

@@ -74,7 +74,7 @@ inline Points grid_points(std::uint32_t n) {
   return result;
 }
 
-// A tetrahedron that nobody flipped.
+// A tetrahedron without flips.
 inline IT::Common_subdivision tetrahedron() {
   IT::Common_subdivision s;
   add_input_vertices(s, 4);

@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <span>
 
-// Triangulations, complexes and coordinates that offer what a concept asks for and nothing else. They hide the rest of
-// one that has everything.
+// Triangulations, complexes and coordinates that offer only the requirements of a concept. They
+// hide the rest of one that has everything.
 
 namespace archetypes {
 

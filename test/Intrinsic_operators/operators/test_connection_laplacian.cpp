@@ -72,7 +72,7 @@ TEST(Connection_laplacian, of_order_zero_is_that_of_functions) {
   }
 }
 
-/// The energy of a field edge by edge, with transports asked for halfedge by halfedge.
+/// The energy of a field edge by edge, with transports by halfedge.
 TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_insertions) {
   for (operator_test::Named_input& n : operator_test::named_inputs()) {
     Exact t{IT::Intrinsic_input(n.input)};

@@ -111,7 +111,7 @@ TEST_P(Units, Of_bounds_of_refinement_and_optimization_are_the_users) {
   double longest = 0;
   for (const auto e : edges(t.mesh())) longest = std::max(longest, t.length(e));
   EXPECT_LE(longest, 0.5 * s * (1 + 1e-12));
-  EXPECT_GT(longest, 0.3 * s); // not refined more than was asked
+  EXPECT_GT(longest, 0.3 * s); // not refined more than required
   for (const auto f : faces(t.mesh())) {
     double product = 1;
     auto h = halfedge(f, t.mesh());

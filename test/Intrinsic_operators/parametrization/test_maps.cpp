@@ -385,7 +385,8 @@ Shape tube_with_thorn(double height, double lean) {
   return s;
 }
 
-/// Of the tube a hundred faces and more are smaller than rounding, which leaves nothing to do there; the thorn is repaired nevertheless.
+/// On the tube more than a hundred faces are smaller than rounding and stay; the thorn is still
+/// repaired.
 TEST(Injective_harmonic_map, splits_large_faces_whose_numbers_come_after_many_of_rounding_size) {
   std::size_t repaired = 0;
   for (const double height : {1.5, 2.})

@@ -159,7 +159,8 @@ int eigenvalues_below(const Matrix& l, const Matrix& m, const Precise& x) {
   return negative;
 }
 
-/// Weights as of needles and caps make the trace, and rounding of the diagonal, greater than the eigenvalues that are asked for.
+/// Weights as of needles and caps make the trace, and rounding of the diagonal, greater than the
+/// wanted eigenvalues.
 TEST(Eigenpairs, are_right_beside_great_weights) {
   for (const double greatest : {1., 1e7, 1e12, 1e15}) {
     const auto [l, m] = uneven_grid(9, greatest);

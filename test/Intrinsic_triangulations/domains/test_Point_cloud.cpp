@@ -101,7 +101,7 @@ TEST(Point_cloud, of_a_sphere_is_closed_and_has_its_area) {
 }
 
 // Eigenvalues have errors of second order in distances, which is first order in the number of points: a quarter is left of
-// those of a quarter as many. Half is asked for, since the points are random.
+// those of a quarter as many. Half is required, since the points are random.
 TEST(Point_cloud, has_eigenvalues_that_converge_to_those_of_a_sphere) {
   for (const double density_change : {1., 4.}) {
     const auto error = [&](std::size_t n) {

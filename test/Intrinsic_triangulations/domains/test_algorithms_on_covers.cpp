@@ -54,7 +54,7 @@
 #include <utility>
 #include <vector>
 
-// That a cover is a surface like any other: nothing here knows of covers but the rows of matrices.
+// A cover is a surface like any other: only the rows of matrices depend on covers here.
 
 namespace {
 

@@ -124,7 +124,7 @@ private:
     return places::combination(IT::Intrinsic_view<Exact>(t), h.index, w, positions_);
   }
 
-  // it was asked for at p
+  // it was requested at p
   void set_place(Vertex v, const Position& p) {
     const IT::Surface_point& place = t.correspondence().location(t.index(v));
     EXPECT_TRUE(places::is_exact(place));

@@ -285,7 +285,7 @@ public:
       const Number p = f.ij + f.ki - f.jk;
       EXPECT_EQ((Number(4) * f.ij * f.ki - p * p - f.area_f * f.area_f).sign(), 0);
       const Number share =
-          f.area_f - Number(w[(k + 2) % 3]) * a; // near the weight that was asked for
+          f.area_f - Number(w[(k + 2) % 3]) * a; // near the requested weight
       EXPECT_EQ((Number(0x1p-34) * a - share).sign(), 1);
       EXPECT_EQ((Number(0x1p-34) * a + share).sign(), 1);
       rest = rest - f.area_f;

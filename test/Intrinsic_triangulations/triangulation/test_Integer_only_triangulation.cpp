@@ -72,7 +72,7 @@ bool overlap(const IT::Diamond_values<CGAL::Interval_nt<false>>& a, const Exact&
          overlap(a.area_g, m.quadruple_area(d.g));
 }
 
-// Of every edge: intervals that meet, narrow ones, the same signs and the same answer to a flip.
+// For every edge: intervals that meet, narrow ones, the same signs and the same answer to a flip.
 void expect_same_geometry(Exact& t) {
   IT::Integer_only_triangulation<> integers(t);
   Exact::Session exact(t);

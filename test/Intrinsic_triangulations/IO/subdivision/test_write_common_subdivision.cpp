@@ -96,7 +96,7 @@ void expect_same_mesh(const Example& e, const std::vector<Point>& points,
     EXPECT_EQ(polygons[f], std::vector<std::size_t>(e.s.face(f).begin(), e.s.face(f).end()));
 }
 
-// ---- a reader of PLY that knows the types written here ------------------------------------------
+// ---- a reader of PLY for the types written here ------------------------------------------
 
 using Row = std::map<std::string, std::vector<double>>;
 
@@ -207,7 +207,7 @@ void expect_labels(const Example& e, std::map<std::string, std::vector<Row>> ply
   EXPECT_EQ(edges, ply["edge"].size());
 }
 
-// ---- a reader of VTP that knows the structure written here --------------------------------------
+// ---- a reader of VTP for the structure written here --------------------------------------
 
 std::string decoded(const std::string& base64) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

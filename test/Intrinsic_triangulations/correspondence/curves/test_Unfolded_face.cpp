@@ -307,7 +307,7 @@ TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
       for (const meshes::Point& q :
            {in_space(m, t.input(), place->location), in_space(m, t.input(), *located)})
         for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], q[k], 1e-7);
-      // shares of the area, by the weights that were asked for
+      // shares of the area, by the requested weights
       const auto v = face.values(*place);
       const double area = t.metric().approximate_quadruple_area(view.face(h));
       for (unsigned k = 0; k < 3; ++k)

@@ -19,7 +19,8 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using subdivision_oracle::Exact;
 
-// What each curve across a halfedge ends in, found alone and in company; any part of the curves may be asked for.
+// What each curve across a halfedge ends in, found alone and in company; any part of the curves may
+// be requested.
 void expect_same_ends(const Exact& t, std::size_t& curves) {
   const IT::Intrinsic_view<Exact> view(t);
   const auto& c = t.correspondence();

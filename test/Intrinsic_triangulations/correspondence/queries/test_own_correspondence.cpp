@@ -34,7 +34,7 @@ namespace own {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-/// Counts the moves that it hears of. What it knows, it knows from coordinates that it holds.
+/// Counts the reported moves. All other data come from its coordinates.
 class Counted {
 public:
   static constexpr const char* name = "counted";

@@ -141,8 +141,8 @@ TEST(Input_edge_polylines, Are_empty_for_numbers_that_no_edge_has) {
   EXPECT_EQ(IT::input_edge_polylines(Subdivision()).size(), 0u);
 }
 
-// Of a valid subdivision every interior edge has two sides, and every edge of the border has one. Two
-// loops with one crossing each may give several edges with the same ends and labels.
+// In a valid subdivision every interior edge has two sides, and every edge of the border has one.
+// Two loops with one crossing each may give several edges with the same ends and labels.
 TEST(For_each_subdivision_edge, Visits_each_edge_once) {
   for (const Subdivision& s : {subdivisions::grid(5), subdivisions::tetrahedron(),
                                subdivisions::Torus(2).s, subdivisions::Torus(9).s}) {

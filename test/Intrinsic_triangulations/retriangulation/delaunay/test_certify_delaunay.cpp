@@ -85,7 +85,7 @@ TEST(Certify_delaunay, finds_the_one_edge_that_was_flipped_too_much) {
   EXPECT_EQ(flipped, 10);
 }
 
-// Doubles that flip whatever they are asked to.
+// Doubles that allow every flip.
 struct Reckless_metric : IT::Euclidean_metric<double> {
   using IT::Euclidean_metric<double>::Euclidean_metric;
   std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped{1, 1, 1}; }

@@ -42,7 +42,7 @@ double area(const auto& t) {
   return sum;
 }
 
-/// Areas of the faces at input vertex 0, zero elsewhere: asks for small faces there.
+/// Areas of the faces at input vertex 0, zero elsewhere: requires small faces there.
 template <class T>
 std::vector<double> areas_at_first_vertex(const T& t) {
   std::vector<double> x(t.numbers().face_capacity(t.mesh()), 0);
