@@ -340,7 +340,7 @@ private:
   // working memory of predicates, and how they decided
   mutable typename Geometry::Memory memory_;
   mutable Predicate_statistics statistics_;
-  bool has_only_positive_areas_ = false; // as far as is known
+  bool has_only_positive_areas_ = false; // false: unknown
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -69,7 +69,7 @@ public:
   using Correspondence = Correspondence_; ///< Observer of the moves.
   /// Whether there is a correspondence.
   static constexpr bool has_correspondence = !std::is_same_v<Correspondence, No_correspondence>;
-  /// What is kept of the input.
+  /// The part of the input that it keeps.
   using Kept_input = std::conditional_t<has_correspondence, Input, Input_definition>;
   using FT = typename Traits::FT;         ///< Number type of stored values.
   using Metric = typename Traits::Metric; ///< Stores the values and decides.

@@ -32,7 +32,7 @@ struct Gluing {
   std::uint32_t number_of_vertices = 0;
   /// Vertex that each halfedge starts from; three halfedges per face.
   std::vector<std::uint32_t> origin;
-  /// What each halfedge is glued to.
+  /// The halfedge that each one is glued to.
   std::vector<std::uint32_t> glue;
 
   /// returns the number of faces.

@@ -26,7 +26,7 @@ enum class Domain_kind {
 \brief reports which surface was made of triangles, and why.
 */
 struct Domain_report {
-  /// What was made: never `automatic` or `closed`.
+  /// The kind of the surface: never `automatic` or `closed`.
   Domain_kind kind = Domain_kind::manifold;
   /// The reason in words. It names the edge and its faces, by their numbers before polygons were
   /// triangulated.
@@ -80,8 +80,8 @@ therefore makes the simplest surface without border; its matrices are those of t
 \param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input naming the element if a face repeats a vertex or has one out of range, a
-  coordinate is not finite, or if the triangles are not what is asked for: `manifold` needs edges of
-  at most two faces that agree, `orientation_cover` edges of at most two faces
+  coordinate is not finite, or if the triangles do not allow the kind: `manifold` needs edges of at
+  most two faces that agree, `orientation_cover` edges of at most two faces
 \complexity linear for edges with a bounded number of faces
 */
 Domain make_domain(Triangle_soup soup, Domain_kind kind = Domain_kind::automatic,
@@ -94,7 +94,7 @@ See above. The edges are those of the gluing, which may have squared lengths in 
 `Intrinsic_input(mesh)` makes such an input from a mesh and triangulates its polygons.
 \param input the glued triangles, oriented or not
 \param kind the kind of surface
-\throws Invalid_input naming the edge if `manifold` is asked for and the surface has only one side
+\throws Invalid_input naming the edge if `kind` is `manifold` and the surface has only one side
 \complexity linear
 */
 Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);

@@ -18,7 +18,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief reports what was found in a point cloud.
 */
 struct Point_cloud_report {
-  /// How many neighbours of each point were triangulated: fewer than asked for if there are fewer
+  /// Number of triangulated neighbours of each point: smaller than the option if there are fewer
   /// points.
   std::size_t neighbours = 0;
   /// Number of triangles before covering; most of them occur three times, once per corner.
@@ -66,7 +66,7 @@ traits no weight of the Delaunay Laplacian is negative. Rows are points.
 \param neighbours how many are triangulated around each point; two at least
 \param mollification treatment of degenerate faces
 \throws Invalid_input naming a point with a coordinate that is not finite; or if there is no
-  triangle, as the points lie on a line
+  triangle, since the points lie on a line
 \complexity \f$n (\log n + k \log k)\f$ for n points and k neighbours
 */
 Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,

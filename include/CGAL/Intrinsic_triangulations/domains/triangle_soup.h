@@ -31,7 +31,7 @@ public:
   explicit Soup_builder(std::string file, Nonplanar_polygons kind = Nonplanar_polygons::fan)
       : file_(std::move(file)), kind_(kind) {}
 
-  // Line that the reader is at, from 1, for messages; 0 if the file has no lines.
+  // Current line of the reader, from 1, for messages; 0 if the file has no lines.
   std::size_t line = 0;
   // Number of the first vertex in the file's own references, for messages.
   std::int64_t first_reference = 0;

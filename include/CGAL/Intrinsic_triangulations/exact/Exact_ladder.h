@@ -111,7 +111,7 @@ public:
 
 private:
   struct Memory;
-  Memory& memory(); // made when it is first asked for
+  Memory& memory(); // made at its first use
 
   std::shared_ptr<Memory> memory_; // of this object only
 };

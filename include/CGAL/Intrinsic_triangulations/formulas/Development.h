@@ -104,7 +104,7 @@ public:
     that at its apex
   \param at values at the first points: two at least; those at others are added
   \param step the functor
-  \param count number of triangles whose apex is wanted
+  \param count number of triangles whose apex is computed
   */
   template <class Values, class Step>
   void carry(Values& at, const Step& step,

@@ -174,9 +174,9 @@ namespace internal {
 p + i a, see `scaled_corner()`, from values that are rounded.
 
 The values are redundant: c = a^2 - H is zero, where H = 4 L_ij L_ki - p^2. Rounding leaves a small
-c, and flips that are computed with it make it grow exponentially. So c is removed. Of all changes
-of the values that do so to first order these have the least sum of squares, each relative to its
-value, as rounding is:
+c, and flips that are computed with it make it grow exponentially. So c is removed. Among all
+changes of the values that do so to first order, these have the least sum of squared relative
+changes:
 
     da = -g a^3,   dL_e = g q_e L_e^2,   q_e = dH / (2 dL_e),
     g = c / (2 (a^4 + sum of q_e^2 L_e^2)).

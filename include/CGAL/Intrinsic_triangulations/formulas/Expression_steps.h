@@ -70,7 +70,7 @@ struct Expression_degree {
 */
 class Expression_steps {
 public:
-  /// What a step does.
+  /// The operation of a step.
   enum class Operation : std::uint32_t {
     constant,   ///< gives a constant of the expression
     sum,        ///< adds

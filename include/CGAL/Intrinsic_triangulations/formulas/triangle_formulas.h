@@ -25,10 +25,10 @@
 Areas and angles of triangles given by squared lengths, and the curvature that angles sum up to.
 
 The three sides of triangle ijk are passed as ij, jk, ki, `L` is a squared length, `a = 4A` the
-quadruple area. What belongs to a corner is that of `i`, between the first and the last side; rotate
-the arguments for the others. Error bounds are for floating point types, relative to the exact value
-for the *given* numbers, with u = epsilon / 2, where nothing over- or underflows. They hold on
-needles and caps.
+quadruple area. Functions of a corner are for `i`, between the first and the last side; rotate the
+arguments for the others. Error bounds are for floating point types, relative to the exact value for
+the *given* numbers, with u = epsilon / 2, where nothing over- or underflows. They hold on needles
+and caps.
 
 References: N. Sharp, M. Gillespie, K. Crane, *Geometry Processing with Intrinsic Triangulations*,
 2021, §2.3.6 and Appendix A; W. Kahan, *Miscalculating Area and Angles of a Needle-like Triangle*,

@@ -32,10 +32,10 @@ enum class Mollification {
 \brief reports what was done about degenerate faces.
 */
 struct Mollification_report {
-  /// What was applied: `none`, `lengths` or `squared_lengths`.
+  /// The applied mollification: `none`, `lengths` or `squared_lengths`.
   Mollification kind = Mollification::none;
-  /// What was added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the units
-  /// of the input.
+  /// The amount added to the lengths (`lengths`) or squared lengths (`squared_lengths`), in the
+  /// units of the input.
   double delta = 0;
 };
 
@@ -67,7 +67,7 @@ move.
 */
 class Input_definition {
 public:
-  /// What it is made of.
+  /// The parts of a definition.
   struct Parts {
     std::uint32_t number_of_vertices = 0; ///< isolated ones included
     Input_metric metric;                  ///< what defines lengths and areas

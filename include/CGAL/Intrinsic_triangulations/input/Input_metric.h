@@ -94,7 +94,7 @@ public:
   bool has_excess(std::uint32_t f) const {
     return !excess_.empty() && excess_[f] != std::array<double, 3>{0, 0, 0};
   }
-  /// sets what is added to the squared distances of points, by sides of faces; empty: nothing.
+  /// sets what is added to the squared distances of points, by sides of faces; empty: zero.
   void set_excess(std::vector<std::array<double, 3>> excess) { excess_ = std::move(excess); }
   /// returns s, where coordinates are scaled by 2^s and squared lengths by 4^s.
   int scale_exponent() const { return scale_exponent_; }

@@ -144,7 +144,7 @@ struct Intrinsic_input {
 
 namespace internal {
 
-// What a triangulation starts from.
+// The start of a triangulation.
 // \tparam Kept what it keeps of its input: `Input`, or `Input_definition`
 template <class Metric, class Kept>
 struct Prepared_input {
@@ -175,8 +175,8 @@ std::size_t number_of_reversed(const std::vector<char>& triangles,
 // check.
 void check_sizes(const Intrinsic_input& in);
 
-// What is added to the squared distances of points, by sides of faces, to make them those of planar
-// polygons; empty: nothing.
+// The amounts that change the squared distances of points to those of planar polygons, by sides of
+// faces; empty: none.
 // \param points scaled by 2^scale_exponent, which the polygons are not
 std::vector<std::array<double, 3>>
 planar_excess(const Gluing_map& mesh, const std::vector<std::array<double, 3>>& points,

@@ -66,8 +66,8 @@ public:
 
   // Dynamic programming: of all triangulations whose diagonals are `allowed`, and without a
   // triangle turned against the polygon if `upright`, the one of least area, hence a valid one if
-  // the polygon is plane. Equal areas are told apart by the lengths of the diagonals. Returns false
-  // if there is none.
+  // the polygon is plane. The lengths of the diagonals decide between equal areas. Returns false if
+  // there is none.
   bool triangulate_least_area(const std::function<bool(std::size_t, std::size_t)>& allowed,
                               bool upright, std::vector<Triangle>& result) const;
 
@@ -91,7 +91,7 @@ private:
   Point normal_{};
 };
 
-// What is added to the squared distance of two points in space to make it that of two points in a
+// The amount that changes the squared distance of two points in space to that of two points in a
 // plane. It does not depend on the power of two by which coordinates are scaled.
 inline double planar_excess(const std::array<double, 3>& p, const std::array<double, 3>& q,
                             const std::array<double, 2>& a, const std::array<double, 2>& b) {

@@ -16,11 +16,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Tells whether the input has degenerate faces that flips cannot remove, by its metric before any
 // flip.
 //
-// A cap (zero area, a vertex inside its longest side) goes away when that side is flipped, if the
-// face across has an area or loses its own degeneracy first. So following longest sides from a cap
-// must end at a proper face. It does not if it meets the border, or two caps across the longest
-// side of both (lengths increase along the way, so there is no other cycle). Zero lengths always
-// stay. Linear.
+// A flip of its longest side removes a cap (zero area, a vertex inside that side), if the face
+// across has an area or loses its own degeneracy first. So following longest sides from a cap must
+// end at a proper face. It does not if it meets the border, or two caps across the longest side of
+// both (lengths increase along the way, so there is no other cycle). Zero lengths always stay.
+// Linear.
 template <class Metric>
 bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e)
@@ -47,7 +47,7 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   return false;
 }
 
-// What is added to squared lengths by default, in scaled units, where the mean edge is near 1. A
+// The default amount added to squared lengths, in scaled units, where the mean edge is near 1. A
 // zero length becomes 1.5e-11 of the mean edge, so that lengths agree with those in space to 1e-10.
 // In proper faces doubles do not show the difference; a face without area gets one of about 1e-11,
 // well above the rounding of squared lengths.

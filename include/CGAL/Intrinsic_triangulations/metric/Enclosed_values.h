@@ -224,7 +224,7 @@ private:
     return {{lengths[f.edges[0]], lengths[f.edges[1]], lengths[f.edges[2]]}, areas[f.face]};
   }
 
-  // Lengths and areas are never negative, whatever rounding makes of the lower bound.
+  // Lengths and areas are never negative, even if rounding makes the lower bound negative.
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
 
   void refine_area(std::uint32_t f, const FT& better) const {

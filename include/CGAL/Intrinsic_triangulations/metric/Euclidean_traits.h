@@ -111,7 +111,7 @@ public:
     return CGAL::sign(expression(std::span<const Face_values<FT>>(v.data(), v.size())));
   }
 
-  /// What a flip makes.
+  /// The new values of a flip.
   using Flipped = Flipped_values<FT>;
 
   /*!
@@ -155,7 +155,7 @@ public:
     quadruple_area_[d.g] = n.area_g;
   }
 
-  /// What a flip replaces.
+  /// The old values of a flip.
   using Before_flip = Flipped;
   /// returns what a flip of the edge will replace.
   Before_flip before_flip(const Diamond& d) const {

@@ -148,7 +148,7 @@ public:
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
-  using Before_flip = Flipped; ///< What a flip replaces.
+  using Before_flip = Flipped; ///< The old values of a flip.
   /// returns what a flip of the edge will replace.
   Before_flip before_flip(const Diamond& d) const { return stored(d); }
   /// stores values that a flip has replaced.

@@ -98,8 +98,8 @@ inline Diamond diamond_of_corners(const Indexed_face& f, const Indexed_face& g) 
 
 // Compares the angle of a wedge with pi. Every corner is at most pi, so that the angle is smaller
 // iff the sine of the sum of the first m corners is positive for all m, as long as it is not zero
-// (a corner of zero area has angle 0 or pi). A sum whose sine is negative is beyond pi, whatever
-// the others are: one that seems to be is tried first.
+// (a corner of zero area has angle 0 or pi). A sum whose sine is negative is beyond pi,
+// independently of the others: one that seems to be is tried first.
 template <class Sign_of>
 Comparison_result compare_wedge_to_pi(const Wedge& w, const Sign_of& sign_of) {
   const std::span<const Indexed_face> faces = w.all_faces();

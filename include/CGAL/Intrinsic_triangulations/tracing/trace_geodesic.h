@@ -45,8 +45,8 @@ struct Geodesic_end {
 struct Trace_options {
   /// Number of faces after which to give up: every trace ends.
   std::size_t maximum_faces = std::size_t{1} << 22U;
-  /// Whether a line that meets a vertex up to rounding goes through it; otherwise it passes it on
-  /// one side.
+  /// Whether a line that meets a vertex up to rounding goes through it; otherwise it passes on one
+  /// side.
   bool snaps_to_vertices = true;
 };
 

@@ -53,7 +53,7 @@ Face_values<double> approximate_values(const Metric& metric, const Indexed_face&
           metric.approximate_quadruple_area(face.face)};
 }
 
-// What is stored of a face, in scaled units.
+// The stored values of a face, in scaled units.
 template <class Triangulation>
 Face_values<double> approximate_values(const Triangulation& t,
                                        typename Triangulation::face_descriptor f) {

@@ -155,7 +155,7 @@ public:
     correspondence_.after(t_, move);
   }
 
-  // \param place on the input, if it is known; the weights approximate it
+  // \param place on the input, if known; the weights approximate it
   Insertion insert(Halfedge h, const Weights& weights, const Wanted& place = {}) {
     return weights[2] == 0 ? insert_on_edge(h, weights, place) : insert_in_face(h, weights, place);
   }

@@ -44,9 +44,9 @@ concept Encloses_lengths = requires(const Metric& m, std::uint32_t e) {
 \brief returns an interval that contains the length of an edge: that of the input as its numbers
 define it, after mollification, and between inserted vertices.
 
-With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by what
-intervals have grown to. Other inexact arithmetic has no error bounds: then the interval is [0,
-infinity].
+With exact traits the bounds differ by 1e-12 of the length at most, with `Interval_traits` by the
+width of the stored intervals. Other inexact arithmetic has no error bounds: then the interval is
+[0, infinity].
 \param t the triangulation
 \param e the edge
 \return bounds in the units of the input

@@ -15,9 +15,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// One end of a side of a face. The faces around a vertex are met by turning from the end of one
-// side to that of the next, which also works where gluings reverse the orientation and border
-// halfedges have no successor.
+// One end of a side of a face. Turning from the end of one side to that of the next visits the
+// faces around a vertex. This also works if gluings reverse the orientation and border halfedges do
+// not have a successor.
 struct Side_end {
   Gluing_map::Halfedge side;
   bool at_target;

@@ -96,7 +96,7 @@ static std::vector<std::uint32_t> split_vertices(Gluing& g) {
   for (std::uint32_t v = 0; v < g.number_of_vertices; ++v) {
     const auto first = static_cast<std::uint32_t>(rows.size());
     rows.insert(rows.end(), copies[v] == 0 ? 1 : copies[v], v);
-    copies[v] = first; // now: where the next copy goes
+    copies[v] = first; // from now on: the place of the next copy
   }
   for (std::uint32_t& v : row) v = copies[v]++;
   for (std::size_t h = 0; h < g.origin.size(); ++h) g.origin[h] = row[umbrella[h]];

@@ -69,7 +69,7 @@ Long_ball enclosed(const Gmpq& x) {
   return x == Gmpq(0) ? Long_ball(0) : Long_ball::around(Mpfr_number::nearest(x), 0);
 }
 
-// as good as so many bits can be, whatever a thin face loses
+// as accurate as the bits allow, even for a thin face
 Input_face_intervals<Long_ball>::Face wide_face(const Input_metric& input, std::uint32_t f) {
   return {{enclosed(input.squared_length<Gmpq>(f, 0)), enclosed(input.squared_length<Gmpq>(f, 1)),
            enclosed(input.squared_length<Gmpq>(f, 2))},

@@ -35,7 +35,7 @@ static Interval_nt<false> determinant_interval(double a, double b, double c, dou
 }
 
 // The same if the error of one product is found, so that nothing is lost where they cancel; a wide
-// interval if that may be no double. Products must be finite.
+// interval if that may not be a double. Products must be finite.
 static Interval_nt<false> sharp_determinant(double a, double b, double c, double d) {
   const double product = c * d, error = std::fma(-c, d, product);
   if (std::abs(product) < 0x1p-900 && c != 0 && d != 0) return determinant_interval(a, b, c, d);
@@ -43,7 +43,7 @@ static Interval_nt<false> sharp_determinant(double a, double b, double c, double
 }
 
 // a = 2 |u x v| of a face in space to a few units, when rounding upwards, or an interval below zero
-// where sides are no doubles. This is where most of the errors of all other values come from.
+// if sides are not doubles. Most of the errors of all other values come from here.
 static Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uint32_t f) {
   using FT = Interval_nt<false>;
   const Input_metric::Sides& s = m.sides(f);

@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// What a file holds.
+// The contents of a file.
 template <class Metric>
 struct Stored_triangulation {
   std::shared_ptr<const Input_definition> input;

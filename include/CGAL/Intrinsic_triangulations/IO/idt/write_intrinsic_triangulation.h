@@ -69,7 +69,7 @@ struct Compact_numbers {
   Compact_order of_vertices, of_edges, of_faces;
 };
 
-// What a file holds, with compact numbers of its elements.
+// The contents of a file, with compact numbers of elements.
 template <class Metric>
 struct Triangulation_to_write {
   const Input_definition& input;

@@ -56,7 +56,7 @@ struct Subdivision_field {
 
 namespace internal {
 
-// What is written.
+// The data to write.
 struct Subdivision_output {
   const Common_subdivision& s;
   std::span<const std::array<double, 3>> points;

@@ -52,7 +52,7 @@ struct Html_view {
   /// Marked points, each a polyline of one point: red where the label is positive, blue where it is
   /// negative, else yellow.
   std::span<const Polyline> marks{};
-  /// What the marked points are.
+  /// The name of the marked points.
   std::string_view marks_name = "points";
 };
 

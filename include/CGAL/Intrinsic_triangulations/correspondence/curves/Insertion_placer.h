@@ -54,7 +54,7 @@ inline Surface_point turned_around(const Surface_point& p) {
   return {p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}};
 }
 
-// the place that is wanted, if it is in the face, or one at weights
+// the given place, if it is in the face, or one at weights
 template <class Face, class View, class Coordinates>
 std::optional<Place_in_face> place_in(const Face& face, const View& view,
                                       const Coordinates& coordinates, std::uint32_t h,

@@ -227,7 +227,7 @@ public:
 
   /// makes room for edges without crossings.
   void grow(std::size_t number_of_edges) { lists_.grow(number_of_edges); }
-  /// forgets the crossings of an edge that goes.
+  /// removes the crossings of a removed edge.
   void clear(std::uint32_t edge) {
     size_ -= lists_[edge].size();
     lists_.clear(edge);

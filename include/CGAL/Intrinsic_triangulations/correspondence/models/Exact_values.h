@@ -201,7 +201,7 @@ private:
   bool can_unfold_soon() const {
     return places_.has_coordinates(t_) || memory_.passes > few_passes;
   }
-  // of all edges, in one pass along the input edges; where flips are known, they are made again
+  // of all edges, in one pass along the input edges; repeats the flips if they are listed
   void note_crossings() const {
     memory_.unfolder.take_steps(); // else these would count against storing crossings
     if (places_.flips() == nullptr) places_.coordinates(t_)->keep_crossings(t_);

@@ -34,7 +34,7 @@ struct Places_by_coordinates {
   static const Integer_coordinates* coordinates(const Triangulation& t) {
     return &t.correspondence();
   }
-  // asked for with flips only
+  // called with flips only
   static Gluing_map connectivity(const Triangulation&) { return {}; }
   static bool are_input_lengths_positive(const Triangulation&) { return true; }
 };

@@ -145,8 +145,8 @@ private:
     return input_.face(p) == f || (fan(w) != Gluing::none && input_.face(p ^ 1U) == f);
   }
 
-  // The corner in which a halfedge starts from a vertex of the input that crosses nothing and ends
-  // at an inserted vertex.
+  // The corner where a halfedge without crossings starts from a vertex of the input; it ends at an
+  // inserted vertex.
   std::uint32_t corner_to_target(std::uint32_t h) const {
     const std::uint32_t v = view_.source(h), w = view_.target(h);
     if (!signposts_.is_inserted(w)) refuse(h / 2);

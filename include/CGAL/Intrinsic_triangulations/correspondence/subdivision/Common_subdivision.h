@@ -54,7 +54,7 @@ user's numbers (see `Input_names`), intrinsic vertices their rows
 numbers in the intrinsic triangulation and its input.
 */
 struct Common_subdivision {
-  /// A number that names nothing.
+  /// The number of no element.
   static constexpr std::uint32_t none = Gluing::none;
 
   /// A point on an edge: `(1 - parameter) * vertices[0] + parameter * vertices[1]`.

@@ -30,9 +30,9 @@ std::size_t intrinsic_edge_bound(const Common_subdivision& s);
 /*!
 \brief visits each edge of a common subdivision once, in the order of its faces.
 
-Of the two sides of an edge the one that leads to the greater vertex is visited. That would miss
-edges of the border and loops: but these, and all others between vertices of the intrinsic
-triangulation, are whole intrinsic edges, of which the first side is visited.
+It visits the side of an edge that leads to the greater vertex. This would miss border edges and
+loops; but these, and all others between vertices of the intrinsic triangulation, are whole
+intrinsic edges: there it visits the first side.
 \tparam Visitor a function object with `operator()(std::uint32_t source, std::uint32_t target, const
   Common_subdivision::Side&)`
 \param s the subdivision

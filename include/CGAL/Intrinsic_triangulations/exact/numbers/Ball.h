@@ -197,9 +197,9 @@ typename Number::Magnitude magnitude(const Number& x) {
 /*!
 \brief encloses a complex number that is not zero by a center and a *relative* radius.
 
-The radius of a product is the sum of the radii, and little more, whatever their arguments are: an
-error grows linearly along a chain of rotations. Between intervals of real and imaginary part it
-grows exponentially.
+The radius of a product is the sum of the radii, and little more, for all arguments: an error grows
+linearly along a chain of rotations. Between intervals of real and imaginary part it grows
+exponentially.
 \tparam FT encloses real numbers: `Interval_nt<false>` or a `Ball`; rounding is as it requires
 */
 template <FieldNumber FT>

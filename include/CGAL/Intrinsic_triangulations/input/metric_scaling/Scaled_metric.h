@@ -87,8 +87,8 @@ Metric_source read_metric(const Triangulation& t) {
 
 } // namespace internal
 
-/// What is done where new lengths violate the triangle inequality (§4.8 of the course). Faces
-/// without area may do so by rounding already: meshes that have some need `repair`.
+/// Treatment of new lengths that violate the triangle inequality (§4.8 of the course). Faces
+/// without area may do so because of rounding: meshes with such faces need `repair`.
 enum class Triangle_inequality {
   refuse, ///< an exception names the first face
   repair, ///< edges are shortened, see `shorten_edges()`

@@ -47,10 +47,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The sides of a triangle as vectors of the plane, whatever lengths there are. They sum to zero
-// only up to rounding: each coordinate has an error of a few u times the length of its side. Where
-// ij has length zero, jk lies on the x-axis; where lengths violate the triangle inequality, or
-// there is no area, the height of k is zero.
+// The sides of a triangle as vectors of the plane, for any lengths. They sum to zero only up to
+// rounding: each coordinate has an error of a few u times the length of its side. Where ij has
+// length zero, jk lies on the x-axis; where lengths violate the triangle inequality, or there is no
+// area, the height of k is zero.
 Plane_sides planar_sides(double L_ij, double L_jk, double L_ki);
 
 // The same of the sides i -> j, j -> k, k -> i as vectors of space.

@@ -77,7 +77,7 @@ private:
   enum State : char { settled, suspect, not_delaunay };
 
   State& state(Halfedge h) { return state_[t_.index(edge(h, t_.mesh()))]; }
-  // all the same if there is no metric
+  // all edges alike if there is no metric
   double squared_length(Halfedge h) const {
     if constexpr (requires { t_.metric().approximate_squared_length(0U); })
       return t_.metric().approximate_squared_length(t_.index(edge(h, t_.mesh())));

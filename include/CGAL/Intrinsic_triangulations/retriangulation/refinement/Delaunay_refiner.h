@@ -213,7 +213,7 @@ private:
     }
     refused_.clear(); // vertices near it are removed
     const std::uint32_t i = t_.index(f);
-    // before: what changes is checked again, and removed if it goes
+    // before the split: changed edges are checked again, removed ones dropped
     state_.queue.push(i, priority(f));
     if (!moves_.split(segment)) state_.queue.remove(i);
   }

@@ -109,7 +109,7 @@ public:
   }
 
   // Inserts a vertex and its copies if they keep the least distance, squared, from others.
-  // \param wanted the distance of copies, as far as it is known before they are inserted
+  // \param wanted the distance of copies, if known before their insertion
   Insertion insert(const Surface_point& p, double least, double wanted) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
@@ -244,7 +244,7 @@ private:
     return n.vertex;
   }
 
-  // \param place on the input, if it is known
+  // \param place on the input, if known
   std::optional<Vertex> split_at(Halfedge h, double parameter,
                                  const std::optional<Surface_point>& place) {
     const std::uint32_t e = number(h) / 2;

@@ -90,7 +90,7 @@ struct Refinement_result {
   /// `cancelled`: refinement stopped before. `stalled`: faces listed as `refused` do not meet them,
   /// and no vertex could be inserted there. `inaccurate`: do not use the triangulation.
   Status status = Status::done;
-  /// What was done.
+  /// The counts.
   Refinement_counts counts;
   /// All faces that do not meet the criteria.
   std::vector<Unsatisfied_face<Face>> unsatisfied;

@@ -93,7 +93,7 @@ private:
   std::size_t waiting_ = 0;
 };
 
-/// What a face needs.
+/// The result for a face.
 enum class Face_state {
   good,       ///< it meets the criteria
   bad,        ///< it does not, and can be refined

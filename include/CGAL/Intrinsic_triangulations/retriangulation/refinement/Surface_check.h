@@ -41,7 +41,7 @@ as long as they are faces: a million moves on one spot stay within 2^-30 of the 
 below. Wrong lengths do not span the area of their faces: if they fit it to 2^-16, so do the angles
 of faces that are not thin.
 
-With exact traits nothing is computed. Else the time is linear.
+With exact traits it does nothing; otherwise the time is linear.
 */
 template <class Triangulation>
 class Surface_check {
@@ -94,7 +94,7 @@ private:
       add(m, t_.index(f), approximate_values(t_, f));
       ++m.euler_characteristic;
     }
-    // counted, as meshes may count what they have removed
+    // counted here, since meshes may count removed elements
     const auto& vertex_range = vertices(t_.mesh());
     const auto& edge_range = edges(t_.mesh());
     m.euler_characteristic += std::distance(vertex_range.begin(), vertex_range.end()) -

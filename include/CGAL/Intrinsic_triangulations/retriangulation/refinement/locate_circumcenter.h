@@ -42,7 +42,7 @@ struct Located_circumcenter {
     segment, ///< at an edge that may not be crossed
     none     ///< nowhere: rounding misled the walk
   };
-  /// What was found.
+  /// The result.
   Kind kind;
   /// The circumcenter. It is never at a vertex; if it is close to an edge up to rounding, it is on
   /// it.

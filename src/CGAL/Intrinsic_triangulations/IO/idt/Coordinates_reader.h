@@ -177,7 +177,7 @@ public:
   }
 
 private:
-  // both contain the exact value; bounds that are not numbers say nothing
+  // both contain the exact value; bounds may be not a number
   void check(const std::string& what, std::uint32_t i, const FT& a, const FT& b) const {
     if (a.sup() < b.inf() || b.sup() < a.inf())
       in_.fail("the " + what + std::to_string(i) + " does not agree with the places of vertices");

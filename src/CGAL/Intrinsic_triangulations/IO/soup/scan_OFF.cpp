@@ -158,8 +158,8 @@ private:
     out_.add_face(face_);
   }
 
-  // A face may take several lines; one that lacks vertices looks the same. If what follows does not
-  // fit, that is the error.
+  // A face may take several lines, and a face with missing vertices looks the same. If the next
+  // line does not fit, the missing vertices are the error.
   void go_on_in_next_line(std::int64_t k, std::int64_t size) {
     if (!short_face_) try {
         fail_face("has only " + std::to_string(k) + " of " + std::to_string(size) + " vertices");

@@ -18,7 +18,7 @@ namespace internal {
 
 namespace {
 
-// those on the border, which have no choice of flips in them
+// those on the border, which do not depend on flips
 void choose_halfedges_of_vertices(Gluing_map& mesh) {
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const Gluing_map::Halfedge h : mesh.sides({f})) mesh.set_halfedge(mesh.target(h), h);
