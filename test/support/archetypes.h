@@ -68,7 +68,7 @@ struct Traits {
   using Metric = archetypes::Metric;
 };
 
-/// Hears of every move and keeps count.
+/// Counts all moves.
 struct Correspondence {
   Correspondence() = default;
   Correspondence(Correspondence&&) = default;
@@ -127,7 +127,7 @@ private:
   }
 };
 
-/// Has no metric at all: it is Delaunay when every edge was flipped once.
+/// Has no metric: it is Delaunay after one flip of every edge.
 class Triangulation {
 public:
   using Mesh = IT::Gluing_map;

@@ -10,8 +10,8 @@ namespace curve_patterns {
 
 using CGAL::Intrinsic_triangulations::Corner_coordinates;
 
-/// All ways in which curves can run in a face, with up to `n` curves of each kind: about each corner,
-/// and from one corner if none is about that one.
+/// All ways in which curves can run in a face, with up to `n` curves of each kind: about each
+/// corner, and from one corner without curves about it.
 template <class Function>
 void for_each_pattern(int n, Function f) {
   for (int a = 0; a <= n; ++a)

@@ -14,7 +14,7 @@
 #include <map>
 #include <vector>
 
-// How curves cross, and which homotopy class they have: from their halfedges and the connectivity alone.
+// Crossings and homotopy classes of curves, from their halfedges and the connectivity only.
 
 namespace curve_topology {
 
@@ -22,8 +22,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 // ---- crossings
 
-/// Curves as they pass vertices. Where two run along the same edges, they cross if one comes from the left of the other and leaves
-/// to its right; nothing is taken from the order in which the network keeps them.
+/// Curves at vertices. Two curves along the same edges cross if one comes from the left of the
+/// other and leaves to its right; the order in the network has no effect.
 class Crossings {
 public:
   template <class Network>
@@ -41,7 +41,7 @@ public:
       add(network, network.halfedges(c), network.is_loop(c));
   }
 
-  /// Adds a curve that the network does not have; it goes nowhere out and back along an edge.
+  /// Adds a curve that is not in the network; it never goes out and back along an edge.
   template <class Network, class Halfedges>
   void add(const Network& network, const Halfedges& halfedges, bool is_loop) {
     const auto& t = network.triangulation();
@@ -151,8 +151,9 @@ inline Word cyclically_reduced(const Word& w) {
   return {w.begin() + k, w.end() - k};
 }
 
-/// The fundamental group of a connected surface: words of its halfedges, from a tree of faces, each of which says what the edge to the one before it is, and a tree of other
-/// edges, which are the neutral element. With a border what is left is a free group, else there is one relation.
+/// The fundamental group of a connected surface: words of its halfedges, from a tree of faces,
+/// which gives the edge of each face to its parent, and a tree of other edges, which are the
+/// neutral element. With a border the result is a free group, else it has one relation.
 class Fundamental_group {
 public:
   explicit Fundamental_group(const IT::Input& input)
@@ -180,7 +181,7 @@ public:
   int rank() const { return rank_; }
   bool is_closed() const { return is_closed_; }
 
-  /// Dehn's algorithm, which is right on closed surfaces of genus 2 and above.
+  /// Dehn's algorithm, for closed surfaces of genus 2 and above.
   bool is_trivial(Word w) const {
     if (!is_closed_) return w.empty();
     if (rank_ == 0) return true;
@@ -285,9 +286,9 @@ private:
   Word relator_;
 };
 
-/// The word of a curve of the triangulation. From face to face it is moved to an end of the edge in between, and
-/// along the sides of faces.
-/// \pre no vertex has been inserted, no two faces of the input have two edges in common
+/// The word of a curve of the triangulation. From face to face the curve moves to an end of the
+/// edge in between, and along the sides of faces.
+/// \pre no vertex is inserted, and no two faces of the input have two edges in common
 template <class Triangulation, class Halfedges>
 Word word_of(const Fundamental_group& group, const Triangulation& t, const Halfedges& halfedges) {
   const IT::Input& input = t.input();

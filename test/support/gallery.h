@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-// Delta-complexes that go wrong where code takes them for simplicial complexes, with what is known
-// of each.
+// Delta-complexes that break code for simplicial complexes, with known properties of each.
 
 namespace gallery {
 
@@ -130,7 +129,7 @@ Surface two_fans_and_an_isolated_vertex();
 /// The whole gallery.
 std::vector<Surface> all();
 
-/// Those whose gluings respect the orientation: what meshes with halfedges can hold.
+/// Those whose gluings respect the orientation, so that meshes with halfedges can represent them.
 std::vector<Surface> oriented();
 
 } // namespace gallery

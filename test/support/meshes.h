@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// Small meshes in space, made for what they do to Delaunay flips.
+// Small meshes in space as tests of Delaunay flips.
 
 namespace meshes {
 
@@ -37,9 +37,9 @@ struct Mesh {
   }
 };
 
-// ---- what is done to meshes
+// ---- changes of meshes
 
-/// Coordinates are multiplied: exactly, if `factor` is a power of two.
+/// Multiplies coordinates: exactly, if `factor` is a power of two.
 Mesh scaled(Mesh m, double factor);
 
 Mesh translated(Mesh m, const Point& by);

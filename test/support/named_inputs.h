@@ -22,7 +22,7 @@ struct Named_input {
   IT::Intrinsic_input input;
 };
 
-/// Surfaces that fields of vectors live on: closed and bordered, of several genera, covers, Delta-complexes.
+/// Surfaces for fields of vectors: closed and bordered, of several genera, covers, Delta-complexes.
 inline std::vector<Named_input> named_inputs() {
   std::vector<Named_input> all;
   for (const auto& [name, mesh] :

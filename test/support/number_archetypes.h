@@ -6,7 +6,7 @@
 
 namespace archetypes {
 
-/// A ring: nothing but +, - and *.
+/// A ring: only +, - and *.
 class Ring_number {
 public:
   struct Tag {};

@@ -10,7 +10,7 @@
 
 #include <utility>
 
-/// Builds a triangulation whose elements keep the numbers that the mesh has.
+/// Builds a triangulation whose elements keep the numbers of the mesh.
 template <class Triangulation>
 Triangulation numbered_as(const meshes::Mesh& m) {
   CGAL::Intrinsic_triangulations::Intrinsic_input input = m.input();

@@ -128,7 +128,7 @@ inline Shape renumbered(const Shape& s, const std::vector<std::uint32_t>& order,
   return r;
 }
 
-/// The row and column permutation that `order` makes of a matrix.
+/// The rows and columns of a matrix, permuted by `order`.
 inline Matrix renumbered(const Matrix& m, const std::vector<std::uint32_t>& order) {
   Eigen::PermutationMatrix<Eigen::Dynamic> p(m.rows());
   for (Eigen::Index i = 0; i < m.rows(); ++i)

@@ -46,7 +46,7 @@ inline int sign_of(const Wide_float& x) {
   return x < 0 ? -1 : 1;
 }
 
-/// What is the same for all Delaunay triangulations; see `properties`.
+/// The properties that all Delaunay triangulations share; see `properties`.
 struct Answer {
   std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> tessellation;
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> laplacian;
@@ -76,7 +76,7 @@ public:
       }
   }
 
-  /// Triangles that are glued as is said, not by their vertices.
+  /// Triangles with given gluings, not by their vertices.
   Triangulation(const meshes::Mesh& m, const std::vector<std::array<Side, 3>>& across) {
     add_triangles(m);
     for (std::size_t f = 0; f < triangles_.size(); ++f) triangles_[f].across = across[f];

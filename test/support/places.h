@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-// What vertices that are places on the input mean, exactly.
+// The exact meaning of vertices that are places on the input.
 
 namespace places {
 
@@ -34,7 +34,7 @@ using IT::Multiquadratic_number;
 /// A point of the plane.
 using Position = std::array<Gmpq, 2>;
 
-/// Whether a place is one that can define a vertex: weights are multiples of 2^-52 that sum to 1, and not those
+/// Whether a place can define a vertex: weights are multiples of 2^-52 that sum to 1, and not those
 /// of a corner.
 inline bool is_exact(const IT::Surface_point& p) {
   Gmpq sum(0);
@@ -64,7 +64,7 @@ inline double distance(const Position& p, const Position& q) {
                   std::abs(CGAL::to_double(Gmpq(p[1] - q[1]))));
 }
 
-/// Input faces with exact areas, for what evaluates unfolded faces.
+/// Input faces with exact areas, to evaluate unfolded faces.
 class Exact_input {
 public:
   using Face = std::pair<std::array<Multiquadratic_number, 3>, Multiquadratic_number>;
@@ -130,8 +130,8 @@ std::vector<std::uint32_t> halfedges_of_faces(const T& t) {
   return result;
 }
 
-/// The first halfedge of a face of which a stored interval, or the double beside it, lies outside of what the
-/// places say, or the face is not proven to be positive; none if there is no such face.
+/// The first halfedge of a face with a stored interval, or double beside it, that does not fit the
+/// places, or without a proof that the face is positive; none if there is no such face.
 template <class T>
 std::uint32_t first_wrong_value(const T& t) {
   const CGAL::Protect_FPU_rounding<true> upwards;

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-// Bezier curves in a plane, what those on a mesh that is flat must be; and flat meshes.
+// Bezier curves in a plane, for comparison with those on flat meshes; and flat meshes.
 namespace planar_bezier {
 
 using meshes::Point;

@@ -22,7 +22,8 @@
 #include <utility>
 #include <vector>
 
-// What does not depend on how an intrinsic triangulation came about, and what moves conserve.
+// Properties that do not depend on the history of an intrinsic triangulation, or that moves
+// conserve.
 
 namespace properties {
 
@@ -71,7 +72,7 @@ std::ptrdiff_t euler_characteristic(const T& t) {
          static_cast<std::ptrdiff_t>(num_edges(t.mesh()));
 }
 
-/// What each halfedge is joined to: equal iff the connectivity is, number by number.
+/// The neighbours of each halfedge: equal iff the connectivity is, number by number.
 template <class T>
 std::vector<std::array<std::uint32_t, 3>> connectivity(const T& t) {
   const IT::Gluing_map& m = t.mesh();
@@ -144,7 +145,8 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
         << "between " << ij.first << " and " << ij.second;
 }
 
-/// The values of the diamond of `h`, exactly, from the input. They refer to what `f` gets and must not leave it.
+/// The values of the diamond of `h`, exactly, from the input. They refer to the argument of `f` and
+/// must not leave it.
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
   const places::Exact_input input(t.input().metric());

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-// Triangulations that are flipped at random: any edge of a convex diamond, Delaunay or not.
+// Triangulations with random flips: of any edge of a convex diamond, Delaunay or not.
 
 namespace random_history {
 
@@ -124,7 +124,7 @@ private:
     const std::shared_ptr<const IT::Input>& shared_input() const { return input; }
   };
 
-  // what is read of a triangulation
+  // the data of a triangulation
   struct View {
     const Map* mesh;
     std::uint32_t next(std::uint32_t h) const { return mesh->next({h}).index; }

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// Meshes to refine in exact arithmetic: made here, and those of CGAL's data set if it is there.
+// Meshes to refine in exact arithmetic: made here, and those of CGAL's data set if available.
 
 namespace refined {
 

@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// Triangles that make no mesh, and their tufted cover by its definition alone.
+// Triangles that do not form a mesh, and their tufted cover by its definition only.
 
 namespace soups {
 
@@ -43,7 +43,7 @@ inline Mesh three_fins() {
           {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {2, 0, 3}}};
 }
 
-/// Three squares at an edge, 1 wide and high, each of triangles that are not like those of the others.
+/// Three unit squares at an edge, each with different triangles.
 inline Mesh book() {
   Mesh m;
   m.points = {{0, 0, 0}, {0, 1, 0}};

@@ -51,7 +51,7 @@ std::vector<CGAL::Sign> delaunay_signs(Triangulation& t) {
   return signs;
 }
 
-/// What the reader says about a file, nothing if it accepts it.
+/// The error message of the reader for a file; empty if it accepts the file.
 template <class Triangulation = Exact>
 std::string message_of(const std::string& file) {
   try {
@@ -62,7 +62,7 @@ std::string message_of(const std::string& file) {
   return "";
 }
 
-/// Expects equal lines, and shows the first ones that are not.
+/// Expects equal lines, and shows the first ones that differ.
 inline void expect_equal(const std::string& found, const std::string& expected) {
   std::istringstream a(found), b(expected);
   std::string x, y;

@@ -20,7 +20,7 @@ namespace {
 
 using generators::Parameters;
 
-// What is known of a family, beside its mesh.
+// The known properties of a family, besides its mesh.
 struct Family {
   const char* name;
   Mesh (*mesh)(const Parameters&);
@@ -107,7 +107,7 @@ void set(Parameters& p, const std::string& spec, const Family& family, std::stri
   }
 }
 
-// Takes what comes before the next colon off the front of `text`.
+// Removes the part before the next colon from `text`.
 std::string_view next_field(std::string_view& text) {
   const std::size_t end = std::min(text.find(':'), text.size());
   const std::string_view field = text.substr(0, end);

@@ -18,7 +18,7 @@
 #include <random>
 #include <utility>
 
-// The meshes of the stress families; see `stress_families.h` for what parameters mean.
+// The meshes of the stress families; see `stress_families.h` for the parameters.
 
 namespace stress::generators {
 

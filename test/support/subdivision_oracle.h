@@ -25,8 +25,8 @@
 #include <utility>
 #include <vector>
 
-// What integer coordinates must be: by counting crossings in the plane with rational numbers, and
-// by what holds on any surface.
+// The correct integer coordinates: from crossings in the plane, counted with rational numbers, and
+// from properties on any surface.
 
 namespace subdivision_oracle {
 
@@ -203,7 +203,7 @@ public:
     return n;
   }
 
-  /// Empty if all normal coordinates and roundabouts are what a count in the plane gives.
+  /// Empty if all normal coordinates and roundabouts equal the counts in the plane.
   std::string defect() const {
     std::string error;
     for (const auto e : edges(t.mesh())) {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// Common subdivisions that are known beforehand.
+// Common subdivisions with known results.
 namespace subdivisions {
 
 namespace IT = CGAL::Intrinsic_triangulations;

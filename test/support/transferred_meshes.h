@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-// Intrinsic triangulations that differ from their inputs, with what is to be known of both.
+// Intrinsic triangulations that differ from their inputs, with data on both.
 
 namespace transferred {
 

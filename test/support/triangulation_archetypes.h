@@ -65,7 +65,7 @@ private:
   const IT::Integer_coordinates& c_;
 };
 
-/// What all of them have: a mesh, and numbers for its edges.
+/// The common part: a mesh, and numbers for its edges.
 class Has_mesh {
 public:
   using Mesh = Wrapped::Mesh;

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-/// Laplacians whose weights span many orders of magnitude, and numbers that hold what comes of them.
+/// Laplacians whose weights span many orders of magnitude, and numbers for the results.
 namespace uneven_laplacians {
 
 using Precise = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,

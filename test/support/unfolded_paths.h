@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-// Paths over a mesh in space, in 200 digits: the faces that they cross are laid out in the plane, one after the other. Of a path
-// nothing is used but the vertices that it passes and the faces in between.
+// Paths over a mesh in space, in 200 digits: the faces that they cross are laid out in the plane,
+// one after the other. Of a path, they use only its vertices and the faces in between.
 
 namespace unfolded_paths {
 
@@ -32,13 +32,14 @@ inline Wide dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * 
 inline Wide cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
 inline Wide norm(const Vector& a) { return sqrt(dot(a, a)); }
 inline Wide pi() { return boost::math::constants::pi<Wide>(); }
-/// What 200 digits leave of zero.
+/// The rounding error of zero in 200 digits.
 inline Wide tiny() { return Wide("1e-150"); }
 
-/// What a path is, in 200 digits.
+/// The properties of a path, in 200 digits.
 struct Path {
   Wide length = 0;
-  /// How far it passes an end of an edge on the wrong side, relative to its length: at most rounding, if there is a straight line.
+  /// The distance by which it passes an end of an edge on the wrong side, relative to its length:
+  /// at most rounding for a straight line.
   Wide deviation = 0;
   /// The smallest angle at a vertex that it passes, on either side; the border has none.
   Wide least_angle = 2 * pi();

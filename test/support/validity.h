@@ -22,8 +22,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Checks a mesh without trusting anything in it: a descriptor is followed only after it was found
-// among the elements of the mesh, and no walk is longer than three steps.
+// Checks a mesh without trust in its data: it follows a descriptor only after finding it among the
+// elements of the mesh, and no walk is longer than three steps.
 template <class Mesh>
 class Delta_complex_checker {
   using Traits = boost::graph_traits<Mesh>;
@@ -42,7 +42,7 @@ public:
     for (const Face f : faces(mesh)) append(number_.face(f), face_known_);
   }
 
-  // the checks build on each other: each follows only what those before it found in order
+  // the checks build on each other: each follows only links that earlier checks found correct
   Defect run() {
     if (Defect d = for_each(halfedges(mesh_), &Delta_complex_checker::links)) return d;
     if (Defect d = for_each(edges(mesh_), &Delta_complex_checker::pairing)) return d;
@@ -184,7 +184,7 @@ private:
     return stored_previous(h, n);
   }
 
-  // what meshes with a link back have stored there, and what a gluing map finds by turning
+  // the stored link back of meshes that have one, and the result of turning in a gluing map
   Defect stored_previous([[maybe_unused]] Halfedge h, [[maybe_unused]] Halfedge n) const {
     if constexpr (!is_gluing_map)
       if (prev(n, mesh_) != h) return name(n) + " follows another halfedge than it refers back to";
