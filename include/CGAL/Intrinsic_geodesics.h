@@ -6,8 +6,8 @@
 
 /*!
 \file
-Includes geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances and
-shortest paths; and `CGAL/Intrinsic_triangulations.h`.
+Includes geodesic curves, paths, loops, networks and trees, Bezier curves, exact distances, shortest
+paths and isolines; and `CGAL/Intrinsic_triangulations.h`.
 */
 
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
@@ -16,6 +16,7 @@ shortest paths; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
+#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>

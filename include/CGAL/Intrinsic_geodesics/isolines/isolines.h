@@ -1,0 +1,300 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_ISOLINES_ISOLINES_H
+#define CGAL_INTRINSIC_GEODESICS_ISOLINES_ISOLINES_H
+
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// locates a point on an edge.
+struct Edge_point {
+  /// Number of a halfedge that has a face.
+  std::uint32_t halfedge = 0;
+  /// 0 at its source, 1 at its target.
+  double parameter = 0;
+
+  /// returns the point in the face of the halfedge.
+  Surface_point surface_point() const { return {halfedge, {1 - parameter, parameter, 0}}; }
+};
+
+/*!
+\brief is a line on which a piecewise linear function has one value.
+
+Larger values are on its left. See `isolines()`.
+*/
+struct Isoline {
+  /// The value.
+  double level = 0;
+  /// Which of the levels it is: its place among them.
+  std::size_t number_of_level = 0;
+  /// Whether a straight piece joins the last point with the first one. Other lines begin and end on
+  /// the border.
+  bool is_closed = false;
+  /// A point on each edge that the line crosses, in order. The piece after a point lies in the face
+  /// of its halfedge; the last point of a line that is not closed lies in the face before it.
+  std::vector<Edge_point> points;
+
+  /// returns the number of straight pieces, each in a face.
+  std::size_t number_of_pieces() const { return is_closed ? points.size() : points.size() - 1; }
+  /// returns the point where a piece leaves its face, on a side of that face. \pre
+  /// `piece < number_of_pieces()`
+  Edge_point end_of_piece(std::size_t piece) const;
+};
+
+namespace internal {
+
+// A triangulated surface, by numbers of halfedges, and a function on it.
+struct Function_on_halfedges {
+  // a halfedge of each face
+  std::vector<std::uint32_t> of_face;
+  // the next halfedge; `Gluing::none` on the border
+  std::vector<std::uint32_t> next;
+  // the value at the source of each halfedge that has a face
+  std::vector<double> value;
+
+  void resize(std::uint32_t edges);
+  void add_face(const std::array<std::uint32_t, 3>& halfedges, const std::array<double, 3>& values);
+};
+
+// The value of a row. Throws std::invalid_argument if there is none, or it is NaN.
+double value_of_row(std::span<const double> values, std::uint32_t row);
+
+std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<const double> levels);
+
+// Adds points to a polyline, except where they are the last one again.
+void add_point(const std::array<double, 3>& p, Polyline& line);
+// Takes the end away if it is the start again.
+void close(Polyline& line);
+
+} // namespace internal
+
+/*!
+\brief finds the lines on which a function has given values.
+
+The function is linear in each face. All decisions are comparisons of a value with a level, thus
+exact: a vertex is *above* if its value is at least the level, else *below*. A line crosses just the
+edges between a vertex below and one above, each once, and has one piece in each face with both. So
+it is closed, or ends on the border, and no piece dangles, also where vertices or edges are on the
+level: there consecutive points coincide, and a line may shrink to a vertex, a greatest one on the
+level.
+
+Infinite values, as distances where a search did not arrive, are above or below all levels. A line
+passes between them and finite values through the finite vertex.
+
+\tparam Triangulation a model of `NumberedTriangulation`; of a cover, lines are on the cover
+\param t the triangulation
+\param values a number per row, see `Intrinsic_triangulation::input_vertex()`
+\param levels the levels, in any order
+\return the lines, level by level; halfedges are those of `t`, by number
+\throws std::invalid_argument if a level is not finite, or a vertex has no value or one that is NaN
+\complexity linear in the number of faces for each level, and in the number of pieces
+*/
+template <NumberedTriangulation Triangulation>
+std::vector<Isoline> isolines(const Triangulation& t, std::span<const double> values,
+                              std::span<const double> levels) {
+  internal::Function_on_halfedges all;
+  all.resize(t.numbers().edge_capacity(t.mesh()));
+  for (const auto f : faces(t.mesh())) {
+    std::array<std::uint32_t, 3> sides{};
+    std::array<double, 3> corners{};
+    auto h = halfedge(f, t.mesh());
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh())) {
+      sides[k] = t.numbers().halfedge(h);
+      corners[k] = internal::value_of_row(values, t.input_vertex(source(h, t.mesh())));
+    }
+    all.add_face(sides, corners);
+  }
+  return internal::trace_isolines(all, levels);
+}
+
+/*!
+\brief finds the lines on which a function on a mesh of triangles has given values; see the overload
+for triangulations.
+\tparam Mesh a model of `ReadableFaceGraph`
+\param mesh the mesh
+\param values a number per vertex, by its number in `Mesh_adaptor<Mesh>`
+\param levels the levels
+\return the lines; halfedges are those of `mesh`, by number
+\throws std::invalid_argument also if a face is no triangle
+*/
+template <ReadableFaceGraph Mesh>
+std::vector<Isoline> isolines(const Mesh& mesh, std::span<const double> values,
+                              std::span<const double> levels) {
+  const Mesh_adaptor<Mesh> number(mesh);
+  internal::Function_on_halfedges all;
+  all.resize(number.edge_capacity(mesh));
+  for (const auto f : faces(mesh)) {
+    std::array<std::uint32_t, 3> sides{};
+    std::array<double, 3> corners{};
+    auto h = halfedge(f, mesh);
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
+      sides[k] = number.halfedge(h);
+      corners[k] = internal::value_of_row(values, number.vertex(source(h, mesh)));
+    }
+    if (h != halfedge(f, mesh))
+      throw std::invalid_argument("isolines need triangles; face " +
+                                  std::to_string(number.face(f)) + " is a polygon");
+    all.add_face(sides, corners);
+  }
+  return internal::trace_isolines(all, levels);
+}
+
+/*!
+\brief returns the length of an isoline, in the units of the input.
+\tparam Triangulation a model of `NumberedTriangulation`
+\param t the triangulation
+\param line one of the lines that `isolines()` found on `t`
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+double length_of_isoline(const Triangulation& t, const Isoline& line) {
+  const internal::Accurate_view<Triangulation> view(t);
+  double sum = 0;
+  for (std::size_t i = 0; i < line.number_of_pieces(); ++i) {
+    const auto v =
+        vector_between(view, line.points[i].surface_point(), line.end_of_piece(i).surface_point());
+    sum += std::hypot(v[0], v[1]);
+  }
+  return std::ldexp(sum, -t.metric().scale_exponent());
+}
+
+/*!
+\brief traces an isoline of a triangulation over its input.
+\tparam Triangulation a model of `CorrespondingTriangulation`
+\param t the triangulation
+\param line one of the lines that `isolines()` found on `t`
+\return its way, to the first point again if it is closed: `polyline()` and `face_locations()` take
+it to the user's mesh. Pieces of length zero are left out; nothing is left of a line of length zero.
+\complexity see `trace_shortest_path()`
+*/
+template <QueriedTriangulation Triangulation>
+Traced_curve trace_isoline(const Triangulation& t, const Isoline& line) {
+  const internal::Accurate_view<Triangulation> view(t);
+  const auto& input = t.correspondence().input();
+  std::vector<Strip_side> strip;
+  Traced_curve curve;
+  for (std::size_t i = 0; i < line.number_of_pieces(); ++i) {
+    const Surface_point p = line.points[i].surface_point();
+    const Surface_point q = line.end_of_piece(i).surface_point();
+    const auto v = vector_between(view, p, q);
+    if (v[0] == 0 && v[1] == 0) continue;
+    auto from = tangent_to_input(t, {p, v});
+    auto to = locate_on_input(t, q);
+    if (!from || !to) return {Status::not_traceable, {}, {}, 0, {0}};
+    from->point.weights = internal::without_rounding(input, from->point);
+    to->weights = internal::without_rounding(input, *to);
+    if (curve.points.empty()) curve.points.push_back(from->point);
+    internal::append_piece(input, *from, *to, strip, curve);
+  }
+  curve.length = length_of_isoline(t, line);
+  curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
+  return curve;
+}
+
+namespace internal {
+
+// Isolines as polylines; `point` takes points of the input to coordinates.
+template <class Triangulation, class Point_of>
+std::vector<Polyline> polylines_at(const Triangulation& t, const std::vector<Isoline>& lines,
+                                   const Point_of& point) {
+  std::vector<Polyline> result;
+  for (const Isoline& line : lines) {
+    Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
+    Traced_curve way = trace_isoline(t, line);
+    if (line.is_closed && !way.points.empty()) way.points.pop_back(); // the first one again
+    for (const Surface_point& p : way.points) add_point(point(p), all);
+    close(all);
+    if (all.points.size() > 1) result.push_back(std::move(all));
+  }
+  return result;
+}
+
+} // namespace internal
+
+/*!
+\brief returns isolines of a triangulation as polylines in space, which `write_polylines()` writes.
+\tparam Triangulation a model of `CorrespondingTriangulation`
+\param t the triangulation
+\param lines what `isolines()` found on `t`
+\param mesh the mesh that `t` was built from; its faces may be polygons
+\return the polylines, labelled by the numbers of their levels; lines of length zero, and those that
+`Signposts` lost, are left out
+\throws Invalid_input if the mesh is another one
+*/
+template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
+std::vector<Polyline> polylines(const Triangulation& t, const std::vector<Isoline>& lines,
+                                const Mesh& mesh) {
+  const internal::Named_mesh_elements<Mesh> named(internal::kept_input(t), mesh);
+  return internal::polylines_at(t, lines, [&](const Surface_point& p) {
+    return Mesh_adaptor<Mesh>::coordinates(named.point(p));
+  });
+}
+
+/*!
+\brief returns isolines of a triangulation as polylines in space, for programs with a soup instead
+of a mesh; see the overload with a mesh.
+\param t, lines see there
+\param points coordinates of the vertices of the mesh that `t` was built from, in its order
+*/
+template <QueriedTriangulation Triangulation>
+std::vector<Polyline> polylines(const Triangulation& t, const std::vector<Isoline>& lines,
+                                const std::vector<std::array<double, 3>>& points) {
+  return internal::polylines_at(
+      t, lines, [&](const Surface_point& p) { return point_in_space(t, p, points); });
+}
+
+/*!
+\brief returns isolines of a mesh as polylines in space.
+\tparam Mesh a model of `ReadableFaceGraph`
+\param lines what `isolines()` found on `mesh`
+\param mesh the mesh
+\return the polylines, labelled by the numbers of their levels; lines of length zero are left out
+\complexity linear
+*/
+template <ReadableFaceGraph Mesh>
+std::vector<Polyline> polylines(const std::vector<Isoline>& lines, const Mesh& mesh) {
+  const Mesh_adaptor<Mesh> number(mesh);
+  const auto map = Mesh_adaptor<Mesh>::point_map(mesh);
+  std::vector<Polyline> result;
+  for (const Isoline& line : lines) {
+    Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
+    for (const Edge_point& p : line.points) {
+      const auto h = number.halfedge_at(p.halfedge);
+      const auto a = Mesh_adaptor<Mesh>::coordinates(get(map, source(h, mesh)));
+      const auto b = Mesh_adaptor<Mesh>::coordinates(get(map, target(h, mesh)));
+      std::array<double, 3> x{};
+      for (std::size_t k = 0; k < 3; ++k) x[k] = std::lerp(a[k], b[k], p.parameter);
+      internal::add_point(x, all);
+    }
+    internal::close(all);
+    if (all.points.size() > 1) result.push_back(std::move(all));
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_GEODESICS_ISOLINES_ISOLINES_H
