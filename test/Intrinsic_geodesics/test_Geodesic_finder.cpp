@@ -104,7 +104,7 @@ using Triangulations = ::testing::Types<
     IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>>;
 TYPED_TEST_SUITE(GeodesicFinder, Triangulations);
 
-// Flips are taken back, before and after flips to Delaunay, of which exact traits know the history.
+// Flips are undone, before and after flips to Delaunay, whose history exact traits keep.
 TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
   for (const bool is_delaunay : {false, true}) {
     TypeParam t = numbered_as<TypeParam>(meshes::potato(3, 5));
@@ -386,7 +386,7 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200DigitsOnMeshesOfCgal) 
   EXPECT_GT(passed, 300U);
 }
 
-// Angles of zero in faces without area are not opened by flips: what is left gains nothing, and must not go on for ever.
+// Flips do not open angles of zero in faces without area: such steps gain nothing, and must end.
 TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
   const IT::Triangle_soup soup =
       IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/degtri_sliding.off");

@@ -32,8 +32,9 @@
 #include <utility>
 #include <vector>
 
-// What shortening must not change, however it is done: curves do not cross, and keep their homotopy class. Curves are edges of a
-// triangulation, which cross none of the others on the common subdivision as long as the integer coordinates are those of one: that is checked, too.
+// Properties that shortening must keep: curves do not cross, and keep their homotopy class. Curves
+// are edges of a triangulation, which cross none of the others on the common subdivision as long as
+// the integer coordinates are those of one: that is checked, too.
 
 namespace {
 
@@ -93,7 +94,7 @@ meshes::Mesh grid_with_holes(unsigned seed) {
   return m;
 }
 
-/// Never turns back unless it must; if it is to be closed, the first loop on its way.
+/// Turns back only if it must; if closed, it is the first loop on its way.
 Way random_walk(const Triangulation& t, std::size_t steps, bool is_closed, std::mt19937& random) {
   const auto& mesh = t.mesh();
   Way result;
@@ -176,7 +177,7 @@ void expect_same_curves(const Network& network, const Fundamental_group& group,
   }
 }
 
-/// Shortens networks, and compares what they were with what they are.
+/// Shortens networks, and compares them before and after.
 template <class Build>
 void check(Triangulation t, unsigned seed, const Build& build, Counts& counts) {
   std::mt19937 random(seed);

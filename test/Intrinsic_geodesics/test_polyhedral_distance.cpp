@@ -591,13 +591,13 @@ TEST(PolyhedralDistance, caps_and_needles_do_no_harm) {
     EXPECT_EQ(d.status(), Status::done);
     for (const Vertex v : vertices(t.mesh())) {
       EXPECT_NEAR(d.distance(v), e.distance(v), 1e-12 * (1 + d.distance(v)));
-      expect_path(t, d, v, 1e-7); // measured by lengths, of which caps make too much
+      expect_path(t, d, v, 1e-7); // measured by lengths, which caps make too large
     }
   }
 }
 
-// On a body so thin, windows that wind around it are hardly longer than those that do not. It ends, and where it ends early it says
-// so; what it claims to know is right.
+// On a body so thin, windows that wind around it are hardly longer than those that do not. It ends,
+// and reports an early end; all results it reports are right.
 TEST(PolyhedralDistance, ends_on_a_mesh_of_needles) {
   for (const double stretch : {1e3, 1e6, 1e8, 1e12}) {
     meshes::Mesh m = meshes::potato(2, 5);

@@ -38,7 +38,7 @@ using IT::Status;
 using Exact = IT::Exact_euclidean_traits;
 using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
 
-/// A halfedge between vertices of which there is one.
+/// The halfedge between two vertices with one common edge.
 template <class T>
 typename T::halfedge_descriptor halfedge_between(const T& t, std::uint32_t from, std::uint32_t to) {
   for (const auto h : halfedges(t.mesh()))

@@ -37,8 +37,8 @@
 #include <cstdint>
 #include <vector>
 
-// What a triangulation needs for the applications is what their concepts say: archetypes have nothing else, and get the
-// results of the triangulation that they wrap.
+// The concepts list all that applications require of a triangulation: archetypes have nothing else,
+// and get the results of the triangulation that they wrap.
 
 namespace {
 

@@ -36,7 +36,7 @@ using planar_bezier::distance;
 using planar_bezier::planar;
 using planar_bezier::vertex_at;
 
-// Lengths up to 20 are told to 1e-12 of them, and so are midpoints.
+// Lengths up to 20 have relative errors of 1e-12, and so have midpoints.
 constexpr double midpoint_error = 2e-11;
 
 template <class T>

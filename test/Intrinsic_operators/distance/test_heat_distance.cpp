@@ -220,7 +220,8 @@ TEST(Heat_distance, is_right_where_heat_is_below_the_range_of_doubles) {
 }
 
 TEST(Heat_distance, with_both_conditions_is_right_from_the_border_of_a_long_folded_strip) {
-  // to and fro, so that chords are no help; where heat is zero on the border, none comes from a source there
+  // to and fro, so chords do not help; where heat is zero on the border, none comes from a source
+  // there
   Shape s;
   constexpr std::uint32_t length = 2400, fold = 100;
   for (std::uint32_t x = 0; x <= length; ++x)
@@ -387,8 +388,8 @@ TEST(Heat_distance, refuses_what_makes_no_sense) {
 }
 
 TEST(Heat_distance, tends_to_a_limit_for_long_times) {
-  // Heat differs from the even one by area / time; what is left is that of the potential of the
-  // source. Differences of heat lose the digits of time / area.
+  // Heat differs from the even one by area / time; the rest is that of the potential of the source.
+  // Differences of heat lose the digits of time / area.
   for (unsigned seed = 1; seed <= 5; ++seed) {
     Exact t(rough_torus(12, 0.2, seed).input());
     IT::flip_to_delaunay(t);

@@ -94,7 +94,8 @@ std::vector<Precise> precise_biharmonic(const Matrix& l, const Eigen::VectorXd& 
   return x;
 }
 
-/// Slivers make weights, of which the square of the Laplacian loses the small eigenvalues: at 1e8 and above no double has them.
+/// Slivers make weights for which the square of the Laplacian loses the small eigenvalues: from 1e8
+/// on doubles cannot hold them.
 TEST(Surface_deformation, is_right_beside_great_weights) {
   for (const double greatest : {1., 1e5, 1e9, 1e15}) {
     const auto [l, m] = uneven_grid(7, greatest);

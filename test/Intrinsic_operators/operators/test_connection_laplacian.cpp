@@ -141,7 +141,7 @@ TEST(Parallel_transport, around_the_tip_of_a_cone_turns_by_its_defect) {
         curvature += IT::gaussian_curvature(t, target(h, t.mesh()));
       }
     EXPECT_LE(std::abs(around - 1.), 1e-12);
-    // Gauss and Bonnet: what is left of a full turn is the defect of the tip
+    // Gauss and Bonnet: the rest of a full turn is the defect of the tip
     EXPECT_NEAR(2 * pi - curvature, 2 * pi - sides * pi / 3, 1e-12);
   }
 }

@@ -227,8 +227,9 @@ TEST(Residual_indicators, fall_with_the_error_at_the_rates_of_linear_elements) {
 }
 
 TEST(Residual_indicators, bound_the_energy_error_whatever_the_coefficients) {
-  // The bound has a constant of its own, that of interpolation on right isosceles faces, for all
-  // coefficients. Where diffusion is not resolved, linear elements with data at the nodes are better than the bound.
+  // The bound has its own constant, that of interpolation on right isosceles faces, for all
+  // coefficients. Where diffusion is not resolved, linear elements with data at the nodes are
+  // better than the bound.
   for (const double c : {0., 1., 1e2, 1e3, 1e4}) {
     const Errors r = smooth_problem(24, {1, c});
     SCOPED_TRACE(testing::Message()

@@ -42,7 +42,7 @@ struct Pair {
     IT::flip_to_delaunay(one);
     IT::flip_to_delaunay(large);
   }
-  /// Whether what is in units of length to some power is as it should be.
+  /// Whether values in units of length to some power are right.
   void expect(double in_one, double in_large, int power, double tolerance = 1e-9) const {
     const double expected = in_one * std::pow(s, power);
     EXPECT_NEAR(in_large, expected, tolerance * std::abs(expected)) << s;

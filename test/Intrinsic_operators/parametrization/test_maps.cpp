@@ -310,8 +310,8 @@ TEST(Injective_harmonic_map, splits_edges_where_vertices_separate_others_from_th
   EXPECT_GT(repaired, 0U);
 }
 
-/// Two vertices so near to each other that the weights of their other edges are lost beside theirs: their images coincide but for rounding, until sizes of
-/// faces around them grow step by step.
+/// Two vertices so near to each other that the weights of their other edges are lost beside theirs:
+/// their images coincide up to rounding, until sizes of faces around them grow step by step.
 TEST(Injective_harmonic_map, reaches_small_sizes_in_few_rounds) {
   std::size_t repaired = 0;
   for (const double height : {1e-3, 1e-5, 1e-7, 1e-12}) {

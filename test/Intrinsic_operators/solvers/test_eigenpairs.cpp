@@ -28,8 +28,8 @@ namespace eigenpairs {
 using namespace operator_test;
 using namespace uneven_laplacians;
 
-// On the torus of n x n unit squares the cotangent Laplacian is the five point stencil, of which the eigenvalues are
-// 4 sin^2(pi p / n) + 4 sin^2(pi q / n), and every vertex has mass one.
+// On the torus of n x n unit squares the cotangent Laplacian is the five point stencil, with
+// eigenvalues 4 sin^2(pi p / n) + 4 sin^2(pi q / n), and every vertex has mass one.
 std::vector<double> eigenvalues_of_stencil(unsigned n) {
   std::vector<double> values;
   for (unsigned p = 0; p < n; ++p)

@@ -229,7 +229,8 @@ TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_te
         << i;
 }
 
-// A chain of equal springs, of which each mass but the first is tied to zero by a weak one: all numbers are in the matrix exactly.
+// A chain of equal springs, each mass except the first tied to zero by a weak one: all numbers are
+// in the matrix exactly.
 TEST(Solve_with_fixed_values, weak_diagonals_beside_strong_weights_count) {
   const int n = 301;
   const double strong = 0x1p49, weak = 10, tie = 100;

@@ -209,7 +209,7 @@ TEST(Vector_heat_method, reaches_the_far_end_of_a_long_strip_exactly) {
   EXPECT_LE((heat.extend_scalars(Values{{v, 7}}).array() - 7).abs().maxCoeff(), 1e-9);
 }
 
-/// Tiny and huge values at the ends of a strip, both of which are lost in products with the heat in doubles.
+/// Tiny and huge values at the ends of a strip; products with the heat in doubles lose both.
 TEST(Vector_heat_method,
      keeps_values_of_very_different_size_where_heat_is_below_the_range_of_doubles) {
   const std::uint32_t length = 2000, row = length + 1;

@@ -122,7 +122,7 @@ TEST(Orientation, nonorientable_gluing_is_left_alone_and_has_a_witness) {
     EXPECT_NE(g.glue[r.witness], IT::Gluing::none);
     EXPECT_EQ(g.origin, s.gluing.origin);
     EXPECT_EQ(g.glue, s.gluing.glue);
-    // what is left after cutting there may still be nonorientable, but the Moebius strips are not
+    // the rest after cutting there may still be nonorientable, but the Moebius strips are not
     if (s.name == "Moebius strip" || s.name == "Moebius strip of one triangle") {
       g.glue[IT::Gluing::partner(g.glue[r.witness])] = IT::Gluing::none;
       g.glue[r.witness] = IT::Gluing::none;

@@ -71,7 +71,8 @@ TEST(Delaunay_star, tells_directions_apart_that_rounding_does_not) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> x(-1, 1);
   for (int run = 0; run < 300; ++run) {
-    // on a few lines through the origin but for the last digits, and scaled so far down that squares underflow
+    // on a few lines through the origin up to the last digits, and scaled so far down that squares
+    // underflow
     Points points;
     const double scale = run % 2 == 0 ? 1 : 1e-170;
     for (int line = 0; line < 6; ++line) {

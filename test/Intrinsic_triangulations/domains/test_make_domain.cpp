@@ -53,7 +53,7 @@ std::size_t border_edges(const IT::Gluing_map& mesh) {
   return count;
 }
 
-// what every cover is, whatever it is of
+// the properties of every cover
 void expect_cover(const IT::Domain& d, const Mesh& m, const std::string& what) {
   const IT::Gluing_map& mesh = d.input.mesh;
   ASSERT_TRUE(IT::is_valid_delta_complex(mesh)) << what;
@@ -116,7 +116,7 @@ TEST(Make_domain, takes_the_tufted_cover_where_three_faces_meet) {
 TEST(Make_domain, glues_three_faces_as_one_does_by_hand) {
   const Mesh m = soups::three_fins();
   const IT::Gluing_map& mesh = domain(m).input.mesh;
-  // who is across side k of each front and back, as (face, side); front ijk, back jik
+  // the neighbour across side k of each front and back, as (face, side); front ijk, back jik
   using Side = std::pair<std::uint32_t, unsigned>;
   const std::map<Side, Side> expected{
       {{0, 0}, {3, 0}}, // the front of 012 runs along 01, the back of 013 against it

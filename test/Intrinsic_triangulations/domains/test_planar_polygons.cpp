@@ -264,7 +264,7 @@ TEST(Planar_polygons, of_both_sheets_of_a_cover_are_the_same) {
     EXPECT_TRUE(cover.input().metric().has_excess(f));
 }
 
-// All that is computed of planar polygons is what was computed without them, bit for bit.
+// All results for planar polygons equal those for triangles, bit by bit.
 TEST(Planar_polygons, planar_polygons_stay_as_they_are) {
   const Polygon_mesh flat = quadrilaterals(6, [](double x, double y) { return 0.5 * x - 2 * y; });
   Polygon_mesh prism{{}, {{}, {}}};
@@ -436,7 +436,7 @@ TEST(Planar_polygons, find_the_corner_at_a_vertex) {
   EXPECT_TRUE(all(1).points.empty());
 }
 
-// Tangles: whatever becomes of them, lengths are those of triangles, and those that are kept are triangulated as ever.
+// Tangles: in any case lengths are those of triangles, and kept polygons are triangulated as usual.
 TEST(Planar_polygons, tangles_become_planar_or_are_kept) {
   std::mt19937 random(9);
   std::normal_distribution<double> coordinate;
@@ -485,7 +485,7 @@ TEST(Planar_polygons, are_written_and_read) {
   }
 }
 
-// Faces of which nothing but lines is left have numbers, too.
+// Faces that shrink to lines have numbers, too.
 TEST(Planar_polygons, may_have_larger_numbers_than_there_are_triangles) {
   const Points points{{0, 0, 0.5}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}};
   const Polygon_mesh m{points, {{0, 1, 1}, {1, 2, 2}, {2, 3, 3}, {3, 0, 0}, {0, 1, 2, 3}}};

@@ -67,7 +67,7 @@ TEST(Sort_around_edge, ends_on_an_edge_without_length) {
   EXPECT_EQ(sorted({{1, 1, 1}, {1, 1, 1}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}}), (Order{0, 1, 2}));
 }
 
-// Points in a plane but for the last bits of coordinates: doubles cannot tell.
+// Points in a plane up to the last bits of coordinates: doubles do not detect this.
 TEST(Sort_around_edge, is_exact) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> small(-3, 3), large(1, 1000);

@@ -49,7 +49,7 @@ struct Right_corner {
     return (d.ij + d.ki - d.jk) * (d.ij + d.im - d.mj) - d.area_f * d.area_g;
   }
 };
-/// The same value, of which parts are negated.
+/// The same value with some parts negated.
 struct Negated_corner {
   template <class FT>
   constexpr FT operator()(const IT::Diamond_values<FT>& d) const {
@@ -272,7 +272,7 @@ public:
     const IT::Face_values<Number> v = values(face_of(h));
     const std::array<Halfedge, 3> sides{h, next(h, t.mesh()), next(next(h, t.mesh()), t.mesh())};
     if (t.insert_vertex(h, w).status != Move_status::done) return;
-    // where the vertex is on the input; all that follows is told by the moves
+    // the place of the vertex on the input; the moves determine the rest
     places::Unfolded<Triangulation> unfolded(t);
     const auto& [l, a] = v;
     Number rest = a;

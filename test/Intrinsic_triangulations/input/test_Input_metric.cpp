@@ -18,7 +18,7 @@ using CGAL::Gmpq;
 namespace {
 
 TEST(Input_metric, of_points_is_exact_in_an_exact_type) {
-  // 0.1 + 1e-9 is no multiple of a large power of two
+  // 0.1 + 1e-9 is not a multiple of a large power of two
   const meshes::Mesh m{{{0.1, 0, 0}, {0.3, 1e-9, 0}, {0, 0.7, 1e9}}, {{0, 1, 2}}};
   const Input_metric metric = Input_metric::from_points(m.map(), m.points, 0);
   const Gmpq x = Gmpq(0.3) - Gmpq(0.1), y(1e-9);

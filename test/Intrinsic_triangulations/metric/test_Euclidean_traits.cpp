@@ -148,7 +148,7 @@ TYPED_TEST(Euclidean_traits_of_algebraic_numbers, are_exact_on_tiny_meshes) {
 }
 
 TEST(Euclidean_traits, of_intervals_refuse_to_guess_at_ties) {
-  // right triangles: 4A = 2 sqrt(2) is no double, so that zero stays an interval around it
+  // right triangles: 4A = 2 sqrt(2) is not a double, so that zero stays an interval around it
   const meshes::Mesh m{{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   Triangulation<CGAL::Interval_nt<true>> t(m.input());
   const auto h = properties::flippable_by_connectivity(t).at(0);

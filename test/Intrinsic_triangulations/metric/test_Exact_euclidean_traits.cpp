@@ -181,7 +181,7 @@ TEST(Exact_euclidean_traits, near_ties_are_decided_and_not_taken_for_ties) {
     }
 }
 
-// a sheared grid in the plane, the squares of which are nearly cocircular once flips have found them
+// a sheared grid in the plane, whose squares are nearly cocircular after flips
 meshes::Mesh nearly_square_grid(unsigned seed, double noise) {
   meshes::Mesh m = meshes::sheared_grid(12, 12, 7);
   std::mt19937 random(seed);

@@ -61,7 +61,8 @@ TEST(Interval_traits, enclose_the_values_that_flips_make) {
     EXPECT_TRUE(contains(t.metric().quadruple_area(f), precise.metric().quadruple_area(f))) << f;
 }
 
-// Right triangles whose quadruple area 2 sqrt(2) is no double, so that zero stays an interval around it.
+// Right triangles whose quadruple area 2 sqrt(2) is not a double, so that zero stays an interval
+// around it.
 meshes::Mesh irrational_tie() {
   return {{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
 }

@@ -28,7 +28,7 @@ using IT::Input;
 using IT::Surface_point;
 using Walk = IT::Geodesic_walk<Input>;
 using Point = std::array<double, 3>;
-// A correspondence, of which the input is to keep its surface.
+// A correspondence whose input must keep its surface.
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                                   IT::Integer_coordinates>;
 

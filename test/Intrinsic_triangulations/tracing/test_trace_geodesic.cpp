@@ -29,7 +29,7 @@ using IT::Surface_point;
 using IT::internal::Geodesic_end;
 using Point = std::array<double, 3>;
 using Vector = IT::Plane_vector<double>;
-// A correspondence, of which the input is to keep its surface.
+// A correspondence whose input must keep its surface.
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                                   IT::Integer_coordinates>;
 

@@ -88,7 +88,7 @@ std::vector<bool> border(const T& t) {
   return result;
 }
 
-// flips and insertions leave all measures of the surface what they were, and inserted vertices are flat
+// flips and insertions keep all measures of the surface, and inserted vertices are flat
 template <class T>
 void expect_measures_of_space(double error) {
   for (const auto& [name, m] : all_meshes()) {

@@ -168,7 +168,7 @@ TEST(Reposition_in_star, keeps_the_vertex_and_its_neighbours) {
   EXPECT_NEAR(area, 1, 1e-14);
 }
 
-/// To the other face of the square, which is not one of its own.
+/// To the other face of the square, not its own face.
 TEST(Reposition_in_star, is_left_to_insertion_and_removal_where_the_vertex_leaves_its_faces) {
   Triangulation<double> t(meshes::grid(1, 1).input());
   std::vector<typename Triangulation<double>::face_descriptor> both(faces(t.mesh()).begin(),
@@ -183,7 +183,8 @@ TEST(Reposition_in_star, is_left_to_insertion_and_removal_where_the_vertex_leave
   EXPECT_NEAR(area, 1, 1e-14);
 }
 
-/// All ways lead to one Delaunay triangulation, whatever follows the moves: insertion and removal, or new lengths.
+/// All ways lead to one Delaunay triangulation, after any moves: insertion and removal, or new
+/// lengths.
 TEST(Reposition_in_star, leads_to_the_same_triangulation_as_with_a_correspondence) {
   const auto lengths = [](const auto& plane) {
     std::vector<double> result;

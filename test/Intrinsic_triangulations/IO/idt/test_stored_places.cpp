@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-// The file format with inserted vertices: what is read goes on as what was written.
+// The file format with inserted vertices: after reading, a triangulation works as before writing.
 
 namespace {
 
@@ -172,7 +172,7 @@ void expect_same(const T& t, const T& back) {
   expect_equal(text(back), text(t));
 }
 
-/// Expects equal cotangent Laplacians bit by bit, but for empty rows of removed vertices.
+/// Expects equal cotangent Laplacians bit by bit, except for empty rows of removed vertices.
 template <class T>
 void expect_same_laplacian(T& t, T& back) {
   const auto vertex = ranks(vertices(t.mesh()), [&t](auto v) { return t.input_vertex(v); });
@@ -195,7 +195,7 @@ void expect_same_laplacian(T& t, T& back) {
   EXPECT_EQ(found, expected);
 }
 
-/// All values, whatever the numbers of the elements.
+/// All values, independent of the numbers of the elements.
 template <class T>
 std::vector<double> sorted_values(const T& t) {
   std::vector<double> values;
@@ -396,7 +396,7 @@ TYPED_TEST(Stored_correspondence, Comes_back_with_the_input) {
   }
 }
 
-// what is read has numbers without gaps: so has what is read from that
+// a read triangulation has numbers without gaps, also after a second reading
 TYPED_TEST(Stored_correspondence, Traces_subdivides_and_goes_on_as_if_not_stored) {
   for (const meshes::Mesh& m : refined_meshes()) {
     TypeParam unstored(m.input());

@@ -25,7 +25,7 @@ template <class Correspondence>
 using Exact =
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
 
-/// A grid of which some vertices are pulled up: input edges that thousands of intrinsic ones will cross.
+/// A grid with some vertices pulled up: input edges that thousands of intrinsic ones will cross.
 IT::Intrinsic_input spikes(double height) {
   auto mesh = meshes::grid(9, 9);
   for (const std::size_t v : {22U, 47U, 64U, 75U}) mesh.points[v][2] = height;

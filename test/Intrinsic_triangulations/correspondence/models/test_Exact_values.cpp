@@ -129,7 +129,7 @@ TEST(Exact_values, repeat_flips_where_normal_coordinates_cannot_count) {
         t.sharpen(std::vector{IT::internal::indexed_face(t, {0})});
       EXPECT_EQ(IT::internal::Mover<Exact>(t).flip({2 * (i % 3)}), IT::Move_status::done);
     }
-    // the area of each face stays what it was, exactly
+    // the area of each face stays exactly the same
     t.sharpen(
         std::vector{IT::internal::indexed_face(t, {0}), IT::internal::indexed_face(t, {1})});
     Exact input(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),

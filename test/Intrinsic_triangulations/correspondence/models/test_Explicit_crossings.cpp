@@ -101,7 +101,7 @@ struct Step {
   std::uint32_t number; // of the new vertex
 };
 
-/// Makes random moves: equal ones on triangulations that are equal but for the correspondence.
+/// Makes the same random moves on triangulations that differ in the correspondence only.
 template <class T>
 class Mover {
 public:

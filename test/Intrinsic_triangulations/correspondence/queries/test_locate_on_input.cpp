@@ -22,7 +22,7 @@ using subdivision_oracle::Mover;
 using subdivision_oracle::Plane;
 using subdivision_oracle::Rounded;
 
-/// Largest distance between points of intrinsic faces and what is found of them on the input.
+/// Largest distance between points of intrinsic faces and their images on the input.
 template <class T>
 double greatest_error(Plane<T>& p, Mover<T>& mover, int count, bool on_side) {
   double worst = 0;

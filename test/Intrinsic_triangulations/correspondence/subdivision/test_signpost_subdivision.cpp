@@ -261,7 +261,7 @@ TEST(Signpost_subdivision, Is_that_of_integer_coordinates_after_exact_refinement
   EXPECT_GT(on_edges, 30U);
 }
 
-// ---- what is wrong is refused
+// ---- errors are refused
 
 /// Signposts that were turned by an angle.
 struct Turned_signposts {

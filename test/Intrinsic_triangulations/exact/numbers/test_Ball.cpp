@@ -80,8 +80,8 @@ TYPED_TEST(Ball_of, contains_what_rational_numbers_give) {
   EXPECT_GT(certain, 1900U);
 }
 
-// (a + b) - a - b is zero, whatever was lost; with c added at the end it is c, which shows if enough
-// bits are kept
+// (a + b) - a - b is zero, whatever the rounding; with c added at the end it is c, which shows if
+// enough bits are kept
 TYPED_TEST(Ball_of, keeps_its_bits_through_cancellation) {
   for (const int bits : {40, 60, 90, 110, 200, 240}) {
     const double small = std::ldexp(1.0, -bits);

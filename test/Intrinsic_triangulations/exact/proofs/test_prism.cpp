@@ -108,7 +108,7 @@ struct Count {
   std::size_t ties = 0, proven = 0, in_field = 0;
 };
 
-// takes four vertices at random again and again; what is proven must be true
+// takes four random vertices repeatedly; proven results must be true
 Count count(const meshes::Mesh& m, unsigned seed, std::size_t tries = 4000) {
   Unfolded_mesh mesh(m);
   const auto corners = mesh.corners();

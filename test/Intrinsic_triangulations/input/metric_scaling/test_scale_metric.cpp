@@ -198,7 +198,7 @@ TEST(Scale_by_norm, of_one_inner_product_in_the_plane_stretches_the_points) {
        {meshes::grid(4, 3), meshes::random_planar(100, 1000, 1), meshes::sheared_grid(3, 3, 7)}) {
     const Gluing_map map = m.map();
     const std::vector<double> expected = squared_lengths(stretched(m));
-    // coordinates below 2^10: differences are exact but for the rounding of stretched points
+    // coordinates below 2^10: differences are exact except for the rounding of stretched points
     expect_near(IT::scale_by_norm_in_space(m.input(), stretch_in_space).input.squared_lengths,
                 expected, 1e-12);
     expect_near(IT::scale_by_norm(m.input(), stretch_in_frames(m, map)).input.squared_lengths,
@@ -441,7 +441,7 @@ TEST(Scale_metric, keeps_edges_of_length_zero_without_asking_for_their_norm) {
   };
   const std::vector<double> before = squared_lengths(m);
   const auto twice = [](auto) { return std::log(2.0); };
-  // the two other sides of a face with a side of length zero are equal but for rounding
+  // the two other sides of a face with a side of length zero are equal up to rounding
   const auto repair = IT::parameters::triangle_inequality(Triangle_inequality::repair);
   for (const IT::Scaled_metric& s : {IT::scale_by_norm(m.input(), norm, repair),
                                      IT::scale_by_norm_in_space(m.input(), norm, repair),

@@ -282,7 +282,7 @@ struct Visitor : IT::Flip_to_delaunay_visitor {
   std::size_t stop_after = 1000;
   bool progress(const IT::Flip_to_delaunay_result& r) {
     checks.push_back(r.checks);
-    // the default rounding mode is in force, whatever the arithmetic needs
+    // the default rounding mode is in force, for every arithmetic
     volatile double one = 1, third = one / 3;
     EXPECT_EQ(third, 0x1.5555555555555p-2);
     return checks.size() < stop_after;
@@ -306,7 +306,7 @@ TEST(Flip_to_delaunay, visitor_sees_progress_and_may_cancel) {
   EXPECT_EQ(s.status, Status::cancelled);
   EXPECT_EQ(impatient.checks.size(), 1U);
   EXPECT_FALSE(IT::is_delaunay(u));
-  // what is there is a triangulation, and can be gone on with
+  // the result is a triangulation, and can be used further
   IT::flip_to_delaunay(u);
   properties::expect_same_tessellation(properties::tessellation(u), properties::tessellation(t),
                                        tolerance);
