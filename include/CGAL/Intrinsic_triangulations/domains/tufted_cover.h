@@ -29,7 +29,7 @@ std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double,
 // of ijk is jik.
 class Double_cover {
 public:
-  // \param faces of which only the origins are read
+  // \param faces only its origins are read
   explicit Double_cover(const Gluing& faces) {
     cover_.number_of_vertices = faces.number_of_vertices;
     cover_.origin.resize(2 * faces.origin.size());

@@ -104,8 +104,8 @@ public:
   template <class Figure>
   std::optional<double> weight(const Input_metric& input, const Figure& diamond, unsigned bits);
 
-  /// returns the same, in 106 bits, of many diamonds, each of which is two faces, joined along the
-  /// first side of each.
+  /// returns the same, in 106 bits, for many diamonds, each of two faces joined along the first
+  /// side of each.
   std::vector<std::optional<double>> weights(const Input_metric& input,
                                              const Replayed_faces& faces);
 

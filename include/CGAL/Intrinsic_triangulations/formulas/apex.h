@@ -62,8 +62,9 @@ Plane_sides planar_sides(double ij, double jk, double ki, double area);
 /*!
 \brief computes the barycentric coordinates of a point in the triangle with corners a, b and c.
 
-In a thin triangle the weight of c, a quotient of small heights above ab, is vague. So it is
-adjusted until the weights reproduce the position of the point along ab, up to rounding.
+In a thin triangle the weight of c, a quotient of small heights above ab, is vague. So it is limited
+such that no weight is negative and the weights reproduce the position of the point along ab, up to
+rounding.
 \param p the point; moved into the triangle if it is outside
 \param a,b,c the corners; if c is not on the left of ab, the triangle has no area
 \pre a and b differ

@@ -22,7 +22,7 @@ an upper bound of the negative.
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief multiplies two intervals, of which the second has no negative element.
+\brief multiplies two intervals; the second has no negative element.
 
 Whatever the sign of a bound, the outer of its products with both bounds of `b` is the right one;
 there is no branch.

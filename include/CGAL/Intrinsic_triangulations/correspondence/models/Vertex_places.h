@@ -54,7 +54,7 @@ public:
     are_all_flips_ = false;
   }
 
-  // to be called before an insertion; whether there are coordinates
+  // call it before an insertion; returns whether there are coordinates
   bool define(const Triangulation& t) {
     if (!are_all_flips_) return true;
     if (coordinates(t) == nullptr) return false;

@@ -120,7 +120,7 @@ struct Adaptive_refinement_result {
   /// reached; `stalled`: no vertex could be inserted in the faces of large error; `cancelled`;
   /// `inaccurate`: do not use the triangulation.
   Status status = Status::done;
-  /// The triangulations, the one refinement started from first; the last one is that in the end.
+  /// The triangulations: first the one before refinement, last the one at the end.
   std::vector<Adaptive_refinement_round> rounds;
   /// Damage by rounding, if it is `inaccurate`.
   std::optional<Inaccuracy> inaccuracy = std::nullopt;
