@@ -264,7 +264,7 @@ TEST(Planar_polygons, of_both_sheets_of_a_cover_are_the_same) {
     EXPECT_TRUE(cover.input().metric().has_excess(f));
 }
 
-// All results for planar polygons equal those for triangles, bit by bit.
+// With or without the option for planar polygons, planar faces give the same triangles.
 TEST(Planar_polygons, planar_polygons_stay_as_they_are) {
   const Polygon_mesh flat = quadrilaterals(6, [](double x, double y) { return 0.5 * x - 2 * y; });
   Polygon_mesh prism{{}, {{}, {}}};

@@ -168,7 +168,7 @@ TEST(Reposition_in_star, keeps_the_vertex_and_its_neighbours) {
   EXPECT_NEAR(area, 1, 1e-14);
 }
 
-/// To the other face of the square, not its own face.
+/// Moves the vertex to the other face of the square, out of its own faces.
 TEST(Reposition_in_star, is_left_to_insertion_and_removal_where_the_vertex_leaves_its_faces) {
   Triangulation<double> t(meshes::grid(1, 1).input());
   std::vector<typename Triangulation<double>::face_descriptor> both(faces(t.mesh()).begin(),
