@@ -26,7 +26,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \brief requires a measured and numbered triangulation, for matrices on tangent vectors.
+/*!
+\brief requires what matrices on tangent vectors are assembled from.
+
+Syntax of \ref ::ConnectedTriangulation, where its meaning is described.
+*/
 template <class Triangulation>
 concept ConnectedTriangulation =
     MeasuredTriangulation<Triangulation> && NumberedTriangulation<Triangulation>;

@@ -27,11 +27,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief requires a range, of known size, of triples of numbers: the vertices of triangles.
+
+Syntax of \ref ::TriangleRange, where its meaning is described.
 */
 template <class Range>
 concept TriangleRange = requires(const Range& triangles) {
   { triangles.size() } -> std::convertible_to<std::size_t>;
-  { (*triangles.begin())[0] } -> std::convertible_to<std::int64_t>;
+  requires std::integral<std::remove_cvref_t<decltype((*triangles.begin())[0])>>;
 };
 
 namespace internal {

@@ -15,7 +15,17 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief requires a triangulated surface with a metric, read by the numbers of its elements.
+\brief requires triangles that are read by the numbers of their sides.
+
+Syntax of \ref ::NumberedTriangles, where its meaning is described.
+*/
+template <class Complex>
+concept NumberedTriangles = requires(const Complex& c, std::uint32_t h) {
+  { c.next(h) } -> std::same_as<std::uint32_t>;
+};
+
+/*!
+\brief requires a triangulated surface with a metric that is read by the numbers of its elements.
 
 Syntax of \ref ::NumberedComplex, which describes its meaning.
 */
@@ -114,16 +124,17 @@ concept Has_numbers = requires(Mesh& m, const Mesh& c, const Mesh_adaptor<Mesh>&
 } // namespace internal
 
 /*!
-\brief requires the connectivity of a surface of polygons, for reading: BGL's `FaceListGraph` and
-`HalfedgeListGraph`, with a halfedge of each vertex. Elements need not be determined by their
-vertices.
+\brief requires the connectivity of a surface of polygons that can be read.
+
+Syntax of \ref ::ReadableFaceGraph, where its meaning is described.
 */
 template <class Mesh>
 concept ReadableFaceGraph = internal::Has_mesh_elements<Mesh> && internal::Has_connectivity<Mesh>;
 
 /*!
-\brief requires a surface of polygons that can be built element by element: BGL's
-`MutableFaceGraph`.
+\brief requires a surface of polygons that can be built, one element after another.
+
+Syntax of \ref ::WritableFaceGraph, where its meaning is described.
 */
 template <class Mesh>
 concept WritableFaceGraph = ReadableFaceGraph<Mesh> && internal::Has_mutable_connectivity<Mesh>;

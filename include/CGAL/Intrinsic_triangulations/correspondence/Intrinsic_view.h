@@ -41,7 +41,7 @@ typename boost::graph_traits<Mesh>::halfedge_descriptor graph_halfedge(Descripto
 /*!
 \brief reads an intrinsic triangulation by the numbers of its elements, with the same functions as
 `Input`: algorithms can walk over both.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
+\tparam Triangulation has a mesh and numbers of its elements; values are read where it has them
 \cgalModels{NumberedComplex}
 */
 template <class Triangulation>

@@ -109,6 +109,8 @@ private:
 
 /*!
 \brief requires a range of points with `x()`, `y()` and `z()`, or of arrays of three coordinates.
+
+Syntax of \ref ::PointRange, where its meaning is described.
 */
 template <class Range>
 concept PointRange = requires(const Range& points) {
@@ -118,6 +120,8 @@ concept PointRange = requires(const Range& points) {
 
 /*!
 \brief requires a range of ranges of integers: the numbers of the vertices of each face.
+
+Syntax of \ref ::FaceRange, where its meaning is described.
 */
 template <class Range>
 concept FaceRange = requires(const Range& faces) {

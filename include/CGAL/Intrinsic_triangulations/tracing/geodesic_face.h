@@ -31,14 +31,14 @@ Both are models of `NumberedComplex`: `Input`, `Intrinsic_view`.
 namespace CGAL::Intrinsic_triangulations {
 
 /// returns the sides of the face of `h`, from `h` on.
-template <class Complex>
+template <NumberedTriangles Complex>
 std::array<std::uint32_t, 3> sides_of_face(const Complex& complex, std::uint32_t h) {
   const std::uint32_t n = complex.next(h);
   return {h, n, complex.next(n)};
 }
 
 /// returns the squared lengths of the sides of the face of `h`, from `h` on.
-template <class Complex>
+template <NumberedComplex Complex>
 std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint32_t h) {
   const auto [ij, jk, ki] = sides_of_face(complex, h);
   return {complex.squared_length(ij / 2), complex.squared_length(jk / 2),
@@ -50,14 +50,14 @@ std::array<double, 3> squared_lengths_of_face(const Complex& complex, std::uint3
 \tparam Complex a model of `NumberedComplex`
 \pre `h` has a face, and a length
 */
-template <class Complex>
+template <NumberedComplex Complex>
 Plane_vector<double> apex_above_side(const Complex& complex, std::uint32_t h) {
   const auto [ij, jk, ki] = squared_lengths_of_face(complex, h);
   return apex(ij, jk, ki, complex.quadruple_area(complex.face(h)));
 }
 
 /// returns a functor from a halfedge to the values of its face, from it on, as doubles.
-template <class Complex>
+template <NumberedComplex Complex>
 auto approximate_values(const Complex& complex) {
   return [&complex](std::uint32_t h) {
     return Face_values<double>{squared_lengths_of_face(complex, h),
@@ -241,7 +241,7 @@ bool turn(const Complex& complex, Corner_direction& d, double tolerance = 0x1p-4
 \brief describes a point of the input from another halfedge of the same face.
 \pre `base` and the halfedge of `p` have one face
 */
-template <class Input>
+template <NumberedTriangles Input>
 Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_t base) {
   const std::array<double, 3>& w = p.weights;
   if (p.halfedge == base) return p;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
 #include <cmath>
@@ -110,7 +111,7 @@ struct Linked_crossings {
 \throws std::length_error if there are more than 2^31 crossings
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, CurveCoordinates Coordinates>
+template <internal::Has_triangulated_mesh Triangulation, CurveCoordinates Coordinates>
 Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
   Edge_crossings result;
   std::uint64_t count = 0;
@@ -219,7 +220,7 @@ number of moves.
 \param crossings what `edge_crossings()` returned
 \complexity linear in the number of crossings
 */
-template <class Triangulation, CurveCoordinates Coordinates>
+template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
 Crossing_parameters crossing_parameters(const Triangulation& t, const Coordinates& coordinates,
                                         const Edge_crossings& crossings) {
   const Intrinsic_view<Triangulation> view(t);

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_UNFOLDED_FACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_UNFOLDED_FACE_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -35,7 +37,7 @@ namespace CGAL::Intrinsic_triangulations {
 These are developed into the plane, such that the first side of the first triangle runs from 0 to 1.
 \tparam FT `double`, `Interval_nt<false>` or a `Ball`
 */
-template <class FT>
+template <FieldNumber FT>
 class Unfolded_face {
 public:
   /// A point of the plane.
@@ -49,19 +51,17 @@ public:
 
   /*!
   \brief unfolds the face of a halfedge.
-  \tparam Complex `Intrinsic_view`
-  \tparam Coordinates a model of `CurveCoordinates`
   \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face from it
   \complexity see `Face_development`
   */
-  template <class Complex, CurveCoordinates Coordinates, class Input_values>
+  template <NumberedTriangles Complex, CurveCoordinates Coordinates, class Input_values>
   void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
               const Input_values& values) {
     face_.unfold(complex, coordinates, h);
     develop(values);
   }
   /// unfolds a face that was unfolded in other numbers.
-  template <class Other, class Input_values>
+  template <FieldNumber Other, class Input_values>
   void unfold(const Unfolded_face<Other>& face, const Input_values& values) {
     face_ = face.development();
     develop(values);

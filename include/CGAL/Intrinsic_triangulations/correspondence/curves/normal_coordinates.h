@@ -4,11 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_NORMAL_COORDINATES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_NORMAL_COORDINATES_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -97,11 +99,19 @@ struct Curve_end {
 };
 
 /*!
-\brief describes how curves run in the face of `h`, whose source is corner 0.
-\tparam Complex `Intrinsic_view`
-\tparam Coordinates has a function `normal_coordinate(edge)`
+\brief requires the number of curves that cross each edge.
+
+Syntax of \ref ::NormalCoordinates, where its meaning is described.
 */
-template <class Complex, class Coordinates>
+template <class Coordinates>
+concept NormalCoordinates = requires(const Coordinates& c, std::uint32_t e) {
+  { c.normal_coordinate(e) } -> std::same_as<Normal_coordinate>;
+};
+
+/*!
+\brief describes how curves run in the face of `h`, whose source is corner 0.
+*/
+template <NumberedTriangles Complex, NormalCoordinates Coordinates>
 Corner_coordinates corner_coordinates(const Complex& complex, const Coordinates& coordinates,
                                       std::uint32_t h) {
   const std::array<std::uint32_t, 3> s = sides_of_face(complex, h);
@@ -111,7 +121,7 @@ Corner_coordinates corner_coordinates(const Complex& complex, const Coordinates&
 }
 
 /// returns where a curve that starts from a corner leaves the face. \pre such a curve exists
-template <class Complex, class Coordinates>
+template <NumberedTriangles Complex, NormalCoordinates Coordinates>
 Curve_crossing first_crossing(const Complex& complex, const Coordinates& coordinates,
                               const Curve_end& start) {
   const Corner_coordinates c = corner_coordinates(complex, coordinates, start.halfedge);
@@ -127,7 +137,8 @@ Curve_crossing first_crossing(const Complex& complex, const Coordinates& coordin
 \return the end, seen as the start of the curve that runs back
 \complexity linear in the number of crossings
 */
-template <class Complex, class Coordinates, class Visit>
+template <NumberedTriangles Complex, NormalCoordinates Coordinates,
+          std::invocable<const Curve_crossing&> Visit>
 Curve_end follow_curve(const Complex& complex, const Coordinates& coordinates,
                        Curve_crossing crossing, Visit visit) {
   for (;;) {
@@ -166,7 +177,8 @@ side, they take one step together.
 \return the number of steps
 \complexity linear in the number of steps, at most that of all crossings
 */
-template <class Complex, class Coordinates, class Visit>
+template <NumberedTriangles Complex, NormalCoordinates Coordinates,
+          std::invocable<Normal_coordinate, const Curve_end&> Visit>
 std::size_t follow_curves(const Complex& complex, const Coordinates& coordinates,
                           Curve_bundle bundle, std::vector<Curve_bundle>& stack, Visit visit) {
   std::size_t steps = 0;
@@ -211,7 +223,7 @@ struct Curve_strip {
   \param coordinates its normal coordinates
   \param start where the curve starts; it crosses the face there
   */
-  template <class Complex, class Coordinates>
+  template <NumberedTriangles Complex, NormalCoordinates Coordinates>
   Curve_strip(const Complex& complex, const Coordinates& coordinates, const Curve_end& start) {
     faces.start(start.halfedge);
     end = follow_curve(
@@ -220,7 +232,7 @@ struct Curve_strip {
   }
 
   /// returns the positions of all points, with the first side of the first face from 0 to 1.
-  template <class Complex>
+  template <NumberedComplex Complex>
   std::vector<Plane_vector<double>> develop(const Complex& complex) const {
     std::vector<Plane_vector<double>> z;
     faces.develop(z, approximate_values(complex));

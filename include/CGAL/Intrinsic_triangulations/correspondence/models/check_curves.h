@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -204,14 +205,12 @@ private:
 In every face curves meet (Eqs. 9 and 10 of the course), around every vertex each slot is the start
 of one curve (Eq. 12), every curve ends where its input edge ends, or its part between inserted
 vertices, and every vertex is in an input face that the edges start in.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
-\tparam Coordinates `Integer_coordinates`
 \param t the triangulation
 \param coordinates normal coordinates and roundabouts
 \return the first edge that is found to be wrong; none if there is none
 \complexity linear in the number of edges and crossings; memory linear in the number of edges
 */
-template <class Triangulation, CurveCoordinates Coordinates>
+template <internal::Has_triangulated_mesh Triangulation, CurveCoordinates Coordinates>
 std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates& coordinates) {
   return internal::Curve_check<Triangulation, Coordinates>(t, coordinates).first_bad_edge();
 }
@@ -225,7 +224,7 @@ the input faces over which it runs by coordinates.
 if there is none
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, CurveCoordinates Coordinates>
+template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
 std::uint32_t first_wrong_length(const Triangulation& t, const Coordinates& coordinates) {
   const auto& input = coordinates.input();
   const Intrinsic_view<Triangulation> view(t);

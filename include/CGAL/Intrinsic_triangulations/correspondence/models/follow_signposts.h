@@ -9,9 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -26,6 +28,14 @@ Edges of one triangulation traced over the other along geodesics that signposts 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Starts intrinsic halfedges as geodesics on the input, and says where they end.
+template <class Signposts>
+concept Starts_geodesics = requires(const Signposts& s, std::uint32_t i, double turn) {
+  { s.input() } -> std::convertible_to<const Input&>;
+  { s.target(i) } -> std::convertible_to<Geodesic_target>;
+  s.walk(i, turn);
+};
 
 // Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)`
 // starts.
@@ -202,13 +212,12 @@ struct Edge_traces {
 
 /*!
 \brief traces all intrinsic edges over the input.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
 \param t the triangulation
 \param signposts its signposts
 \return the traces, and what failed
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, class Signposts>
+template <NumberedTriangulation Triangulation, internal::Starts_geodesics Signposts>
 Edge_traces trace_edges(const Triangulation& t, const Signposts& signposts) {
   const Intrinsic_view<Triangulation> view(t);
   std::vector<char> exists(t.numbers().edge_capacity(t.mesh()), 0);

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <array>
@@ -190,7 +191,6 @@ It traces all intrinsic edges over the input, and accepts the traces only if the
 consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision is
 right, or there is none. A vertex exactly on an input edge cuts that edge. If rounding put it there,
 which only happens in doubles, other representations may have it beside the edge.
-\tparam Triangulation an instance of `Intrinsic_triangulation`
 \tparam Signposts its correspondence, `Signposts`
 \param t the triangulation
 \param signposts its signposts
@@ -199,7 +199,7 @@ which only happens in doubles, other representations may have it beside the edge
   others; the remedy is to use `Integer_coordinates`
 \complexity linear in the number of edges and crossings
 */
-template <class Triangulation, class Signposts>
+template <NumberedTriangulation Triangulation, internal::Starts_geodesics Signposts>
 Integer_coordinates integer_coordinates(const Triangulation& t, const Signposts& signposts) {
   return internal::Signpost_reader<Triangulation, Signposts>(t, signposts).read();
 }

@@ -76,8 +76,10 @@ consteval bool expect_correspondence() {
 } // namespace internal
 
 /*!
-\brief requires a `CorrespondingTriangulation`, as all queries do, and says what to do if there is
-no correspondence.
+\brief requires a `CorrespondingTriangulation`, as all queries do, and says what to do for one that
+has no correspondence.
+
+Syntax of \ref ::QueriedTriangulation, where its meaning is described.
 */
 template <class Triangulation>
 concept QueriedTriangulation =

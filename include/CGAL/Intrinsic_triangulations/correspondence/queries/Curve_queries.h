@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -200,7 +201,7 @@ returns an object with the same functions: `locate_on_input()` and all other que
 \tparam Triangulation an `Intrinsic_triangulation`
 \tparam Coordinates a model of `CurveCoordinates`
 */
-template <class Triangulation, CurveCoordinates Coordinates>
+template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
 class Curve_queries {
 public:
   /// refers to a triangulation and to its coordinates on the input.

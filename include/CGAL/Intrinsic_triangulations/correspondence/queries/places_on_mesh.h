@@ -43,7 +43,7 @@ headers of that package.
 
 The face and its file list that corner last: see `place_in_face()`.
 */
-template <class Mesh>
+template <ReadableFaceGraph Mesh>
 using Face_location =
     std::pair<typename boost::graph_traits<Mesh>::face_descriptor, std::array<double, 3>>;
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -214,7 +215,7 @@ With `position()` it gives the position in space of points from functions such a
 \param t the triangulation
 \param p a point of the input, not of the intrinsic triangulation
 */
-template <class Triangulation>
+template <NumberedTriangulation Triangulation>
 Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point& p) {
   const auto user = [&input = t.input()](std::uint32_t v) { return input.names().row(v); };
   const auto [i, j, k] = sides_of_face(t.input(), p.halfedge);

@@ -31,6 +31,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief requires a triangulation with its own metric: points in space do not define its edges.
+
+Syntax of \ref ::TriangulationWithMetric, where its meaning is described.
 */
 template <class Mesh>
 concept TriangulationWithMetric = requires(const Mesh& t) {

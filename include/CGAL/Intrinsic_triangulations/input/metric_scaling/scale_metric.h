@@ -130,6 +130,8 @@ Metric_source read_triangles(const Mesh& mesh) {
 /*!
 \brief requires a surface whose metric can be scaled: a mesh of triangles or polygons in space, an
 `Intrinsic_input`, or a triangulation.
+
+Syntax of \ref ::ScalableSurface, where its meaning is described.
 */
 template <class Mesh>
 concept ScalableSurface =
@@ -137,6 +139,8 @@ concept ScalableSurface =
 
 /*!
 \brief requires a functor or a readable property map from the vertices of a surface to numbers.
+
+Syntax of \ref ::VertexFactors, where its meaning is described.
 */
 template <class Factors, class Mesh>
 concept VertexFactors = std::invocable<const Factors&, internal::Named_vertex<Mesh>> ||
@@ -145,6 +149,8 @@ typename boost::property_traits<Factors>::key_type > ;
 
 /*!
 \brief requires a functor that measures vectors in the faces of a surface.
+
+Syntax of \ref ::FaceNorm, where its meaning is described.
 */
 template <class Norm, class Mesh, class Vector>
 concept FaceNorm = requires(const Norm& norm, internal::Named_face<Mesh> f, const Vector& v) {

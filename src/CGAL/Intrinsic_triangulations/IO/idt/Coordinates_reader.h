@@ -128,6 +128,7 @@ private:
 class Numbered_mesh {
 public:
   using Mesh = Gluing_map;
+  using halfedge_descriptor = Gluing_map::Halfedge;
   using edge_descriptor = Gluing_map::Edge;
   using face_descriptor = Gluing_map::Face;
 
