@@ -7,27 +7,29 @@
 #include "measure_models.h"
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <span>
 #include <vector>
 
 #include <malloc.h>
 
 namespace {
 
-std::size_t bytes_now = 0, bytes_peak = 0;
+std::atomic<std::size_t> bytes_now = 0, bytes_peak = 0; // of all threads
 
 void* counted(void* p) {
   if (p == nullptr) throw std::bad_alloc();
-  bytes_now += malloc_usable_size(p);
-  bytes_peak = std::max(bytes_peak, bytes_now);
+  const std::size_t now = bytes_now += malloc_usable_size(p);
+  if (now > bytes_peak) bytes_peak = now; // exact while one thread allocates, as where it is read
   return p;
 }
 
@@ -58,7 +60,7 @@ struct Distances {
 
 class Memory {
 public:
-  Memory() { bytes_peak = bytes_now; }
+  Memory() { bytes_peak = bytes_now.load(); }
   double peak_mib() const { return static_cast<double>(bytes_peak - start_) / 1048576; }
 
 private:
@@ -91,6 +93,27 @@ Distances run_ours(const Surface_mesh& mesh, bool from_mesh) {
   return {time, memory.peak_mib(), distance.distances()};
 }
 
+// The search alone, which is what programs report that take their tables as given.
+double milliseconds_of_search(const Triangulation& t) {
+  IT::Polyhedral_distance distance(t);
+  const Stopwatch watch;
+  distance.search(*vertices(t.mesh()).begin());
+  return watch.milliseconds();
+}
+
+// Of one column of a batch of sources, spread over the vertices.
+double milliseconds_of_column(const Triangulation& t, std::size_t threads) {
+  constexpr std::size_t columns = 8;
+  std::vector<Triangulation::vertex_descriptor> all(vertices(t.mesh()).begin(),
+                                                    vertices(t.mesh()).end()),
+      sources;
+  for (std::size_t i = 0; i < columns; ++i) sources.push_back(all[i * all.size() / columns]);
+  std::vector<double> out(columns * t.number_of_vertices());
+  const Stopwatch watch;
+  IT::polyhedral_distances(t, sources, std::span(out), IT::parameters::number_of_threads(threads));
+  return watch.milliseconds() / columns;
+}
+
 // The greatest difference, relative, of ours to CGAL's: negative if ours is shorter.
 double greatest_difference(const std::vector<double>& ours, const std::vector<double>& cgal) {
   double result = 0;
@@ -101,7 +124,8 @@ double greatest_difference(const std::vector<double>& ours, const std::vector<do
 }
 
 nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
-  std::vector<double> cgal_times, our_times, times_from_mesh;
+  std::vector<double> cgal_times, our_times, times_from_mesh, searches, columns, columns_in_threads;
+  const Triangulation t(mesh);
   Distances cgal, ours;
   for (std::size_t i = 0; i < repetitions; ++i) {
     cgal = run_cgal(mesh);
@@ -109,12 +133,18 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
     cgal_times.push_back(cgal.milliseconds);
     our_times.push_back(ours.milliseconds);
     times_from_mesh.push_back(run_ours(mesh, true).milliseconds);
+    searches.push_back(milliseconds_of_search(t));
+    columns.push_back(milliseconds_of_column(t, 1));
+    columns_in_threads.push_back(milliseconds_of_column(t, 0));
   }
   return {{"faces", num_faces(mesh)},
           {"milliseconds",
            {{"cgal", median(cgal_times)},
             {"ours", median(our_times)},
-            {"ours_from_mesh", median(times_from_mesh)}}},
+            {"ours_from_mesh", median(times_from_mesh)},
+            {"search", median(searches)},
+            {"column_of_batch", median(columns)},
+            {"column_of_batch_in_threads", median(columns_in_threads)}}},
           {"peak_mib", {{"cgal", cgal.peak_mib}, {"ours", ours.peak_mib}}},
           {"times_faster", median(cgal_times) / median(times_from_mesh)},
           {"times_less_memory", cgal.peak_mib / ours.peak_mib},

@@ -32,4 +32,5 @@ int main(int argc, char** argv) {
   const std::vector<Vertex> from(3, all.front()), to{all[1], all[all.size() / 2], all.back()};
   for (const double d : IT::pair_distances(t, from, to)) std::cout << d << '\n';
   //! [pairs]
+  return 0;
 }
