@@ -10,6 +10,7 @@
 # - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
 # - Links to examples, [name.cpp](path/name.cpp), become references to their pages.
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
+# - Links to sources, [source.cpp](path/source.cpp), become their text.
 # - Links to headers by the name of the file, [header.h](path/header.h), become that name.
 # - Links of user_manual.md to pages, not to sections, make them parts of it, which the tree at the side shows below it.
 # - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
@@ -34,6 +35,7 @@ function is_part(target,    file, label, line) {
 # the reference that a link becomes, or nothing
 function reference(text, target,    label, name) {
   if (target ~ /^\.\.\/\.\.\/include\// && text ~ /\.(h|html)$/) return text # a file, to which doxygen links if it has a page
+  if (target ~ /^\.\.\/\.\.\/src\//) return text # a source, which has no page
   if (target ~ /^\.\.\/\.\.\/include\/.*\.h$/) {
     name = text
     gsub(/`/, "", name)

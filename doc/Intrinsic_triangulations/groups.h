@@ -170,7 +170,7 @@ These pages describe the files: \ref page_file_format, \ref page_output_formats,
 | what decides, in which order | \itc{Exact_ladder}, Exact_ladder.cpp |
 | the figure that it decides on | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
 | the interface of a proof | \itc{Question}, \itc{ProofOf} |
-| two input faces, in integers of fixed size | \itc{Input_integers_proof} |
+| two input faces, in integers of fixed size | `Input_integers_proof`, of the sources |
 | diamonds in one plane | \itc{Flat_proof} |
 | cylinders and prisms | \itc{Prism_proof}, \itc{Prism_in_field_proof} |
 | symmetric ties | \itc{Mirrored_proof} |

@@ -88,10 +88,10 @@ class Options(Cli_test):
         os.symlink("m.off", self.path("link.off"))
         os.link(edges, self.path("hard.json"))
         for output in (self.mesh, "m.off", "./m.off", "link.off"):
-            self.assert_misused("delaunay", self.mesh, "-o", output, word="read")
+            self.assert_misused("delaunay", self.mesh, "-o", output, word="also an input")
         for output in ("edges.txt", "./edges.txt", "hard.json"):
             self.assert_misused("delaunay", self.mesh, "--constrain", edges, "--stats", output,
-                                word="read")
+                                word="also an input")
         self.write("factors.txt", "1\n" * len(self.points))
         self.assert_misused("delaunay", self.mesh, "--metric", "factors.txt", "--stats",
                             "factors.txt", word="factors.txt")

@@ -19,36 +19,37 @@ sources of the library, see `src/instances/`.
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
-/// calls a macro with a prefix and each of the usual triangulations that are not exact.
+/// \cond
+// calls a macro with a prefix and each of the usual triangulations that are not exact.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(instances, prefix)                               \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
                                             No_correspondence>);                                   \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
                                             Integer_coordinates>)
-/// calls a macro with a prefix and each of the usual exact triangulations.
+// calls a macro with a prefix and each of the usual exact triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(instances, prefix)                                 \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
                                             No_correspondence>);                                   \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
                                             Integer_coordinates>)
-/// calls a macro with a prefix and each exact triangulation with another correspondence.
+// calls a macro with a prefix and each exact triangulation with another correspondence.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(instances, prefix)                                \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
                                             Explicit_crossings>);                                  \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Signposts>)
 
-/// instantiates a triangulation.
+// instantiates a triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_OWNER(prefix, ...)                                           \
   prefix class __VA_ARGS__;                                                                        \
   prefix class Predicate_session<__VA_ARGS__>;                                                     \
   prefix class Move_session<__VA_ARGS__>;                                                          \
   prefix class internal::Mover<__VA_ARGS__>;                                                       \
   prefix class internal::Vertex_remover<__VA_ARGS__>
-/// instantiates the search for places of vertices of an exact triangulation.
+// instantiates the search for places of vertices of an exact triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PLACES(prefix, ...)                                          \
   prefix class internal::Vertex_places<__VA_ARGS__>;                                               \
   prefix class internal::Exact_values<__VA_ARGS__>
-/// instantiates the usual functions on a triangulation.
+// instantiates the usual functions on a triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS(prefix, ...)                                      \
   prefix Flip_to_delaunay_result internal::flip_from(                                              \
       __VA_ARGS__&, const Iterator_range<boost::graph_traits<Gluing_map>::edge_iterator>&,         \
@@ -64,13 +65,13 @@ sources of the library, see `src/instances/`.
       Refinement_visitor&);                                                                        \
   prefix Refinement_result<Gluing_map::Face> delaunay_refine(__VA_ARGS__&,                         \
                                                              const parameters::Parameters<>&)
-/// instantiates the preparation of inputs of triangulations with a metric.
+// instantiates the preparation of inputs of triangulations with a metric.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, ...)                                        \
   prefix internal::Prepared_input<__VA_ARGS__, Input> internal::prepare(Intrinsic_input&&);        \
   prefix internal::Prepared_input<__VA_ARGS__, Input_definition> internal::prepare(                \
       Intrinsic_input&&)
 
-/// instantiates the usual triangulations.
+// instantiates the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_INSTANCES(prefix)                              \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_OWNER, prefix);            \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_PLACES, prefix);           \
@@ -82,7 +83,7 @@ sources of the library, see `src/instances/`.
   prefix class Unfolded_face<Ball<Double_double>>;                                                 \
   prefix class Unfolded_face<Ball<Mpfr_number>>;                                                   \
   prefix class internal::First_copies<Integer_coordinates>
-/// instantiates the usual functions on the usual triangulations.
+// instantiates the usual functions on the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(prefix)                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);       \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);     \
@@ -90,7 +91,7 @@ sources of the library, see `src/instances/`.
       const Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>&);    \
   prefix Common_subdivision common_subdivision(                                                    \
       const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>&)
-/// instantiates the other exact triangulations, and the usual functions on them.
+// instantiates the other exact triangulations, and the usual functions on them.
 #define CGAL_INTRINSIC_TRIANGULATIONS_MODEL_INSTANCES(prefix)                                      \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(CGAL_INTRINSIC_TRIANGULATIONS_OWNER, prefix);           \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(CGAL_INTRINSIC_TRIANGULATIONS_PLACES, prefix);          \
@@ -105,5 +106,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_MODEL_INSTANCES(extern template);
 
 } // namespace CGAL::Intrinsic_triangulations
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+/// \endcond
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_COMPILED_H

@@ -324,8 +324,10 @@ Mesh mesh_from_gluing_map(Gluing_map map) {
   }
 }
 
+/// \cond
 extern template Gluing
 internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -24,8 +24,8 @@ struct Subdivision_field {
     faces     ///< each face
   };
 
-  std::string name;              ///< letters, digits and `_.-`; not a name that files use
-                                 ///< themselves
+  /// Letters, digits, underscores, dots and hyphens; not a name that files use themselves.
+  std::string name;
   std::vector<double> values;    ///< `components` for each vertex or face
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space
