@@ -39,7 +39,9 @@ static_assert(IT::IntrinsicCorrespondence<Signposts, Rounded>);
 
 constexpr auto none = IT::Gluing::none;
 
-using meshes::distance;
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 /// A triangulation with the positions of the vertices of its input.
 template <class T>

@@ -147,7 +147,9 @@ Point position(const T& t, const meshes::Mesh& m, const Surface_point& p) {
   return x;
 }
 
-using meshes::distance;
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 template <class Correspondence>
 class Tangent : public testing::Test {};

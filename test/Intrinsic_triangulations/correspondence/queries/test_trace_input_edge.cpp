@@ -50,7 +50,9 @@ TYPED_TEST_SUITE(Input_edges, Choices);
 
 using Point = std::array<double, 3>;
 
-using meshes::distance;
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 /// With signposts that are rounded, edges lose their way where many vertices lie on a line.
 template <class T>
