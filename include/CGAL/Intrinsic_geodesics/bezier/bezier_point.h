@@ -49,7 +49,7 @@ Surface_point point_on_curve(const Triangulation& t, const Traced_curve& curve, 
 \brief is a point on a Bezier curve, see `bezier_point()`.
 */
 struct Bezier_point {
-  /// `done`, or the reason why there is no geodesic; then `point` has no meaning.
+  /// `done`; else the reason why the construction failed, and `point` is not set.
   Status status = Status::done;
   /// The point on the input.
   Surface_point point{};

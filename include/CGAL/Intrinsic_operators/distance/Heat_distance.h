@@ -53,7 +53,8 @@ distance within the face. No distance is negative. No distance is less than the 
 distance in space, if the vertex and the sources have places there: if they are vertices of the
 user's mesh, or inserted with exact arithmetic or integer coordinates. (From a source inside an edge
 or a face, the bound is less by as much as the nearest corner of the face is away.) Values are
-finite, except infinity where there is no source: on other components and at isolated vertices.
+finite where a path leads to a source; on other components and at isolated vertices they are
+infinite.
 
 Every source has distance zero, also if there are many. Lagrange multipliers fix up to twenty, with
 the same factorization. For more, the matrix is factored without their rows, once until sources
@@ -97,8 +98,8 @@ public:
     `Face_location<Mesh>`; `Polyline_source`
   \param sources the sources; `vertex_on_intrinsic()` and `locate_on_intrinsic()` find those of the
   user's mesh
-  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there
-  is no source. An empty vector if the visitor stops the computation
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where no
+  path leads to a source. An empty vector if the visitor stops the computation
   \throws std::invalid_argument if a point is beyond the border, or consecutive points of a polyline
     are not in one face
   \throws std::runtime_error if rounding makes the matrix indefinite

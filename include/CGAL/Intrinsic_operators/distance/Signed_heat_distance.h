@@ -111,8 +111,8 @@ public:
   \tparam Curves a halfedge of `t.mesh()`, in the direction of the curve; a `Polyline_source`; or a
     range of these, or a range of ranges
   \param curves the curves
-  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity where there
-    is no curve: on other components and at isolated vertices
+  \return a distance per row of `t.input_vertex()`, in the units of the input; infinity on
+    components without a curve and at isolated vertices
   \throws std::invalid_argument if there are vertices or points among the curves, or consecutive
     points of a polyline are not in one face
   \throws std::runtime_error if rounding makes the matrix indefinite

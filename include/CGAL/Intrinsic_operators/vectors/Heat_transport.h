@@ -81,7 +81,7 @@ public:
   // the natural logarithm of the heat that comes from a source
   Eigen::VectorXd log_heat(const std::vector<Source_corner>& source) const;
   // the mean of the values at sources, by the heat that comes from each
-  // \throws std::invalid_argument if there is no source, as `transported()` does
+  // \throws std::invalid_argument if sources are missing; `transported()` does the same
   Eigen::VectorXd extended(const Vector_sources& sources) const;
   // the vectors from sources, with the mean of their lengths
   Eigen::VectorXcd transported(const Vector_sources& sources) const;
