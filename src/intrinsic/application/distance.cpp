@@ -93,17 +93,6 @@ Computed heat_distances(const Triangulation& t, const Sources& sources,
                    heat.time());
 }
 
-// All vertices in the rows of some, which on a cover have copies.
-template <class Triangulation>
-Vertices with_copies(const Triangulation& t, const Vertices& some) {
-  std::vector<char> has_row(t.number_of_vertices(), 0);
-  for (const auto v : some) has_row[t.input_vertex(v)] = 1;
-  Vertices all;
-  for (const auto v : vertices(t.mesh()))
-    if (has_row[t.input_vertex(v)] != 0) all.push_back(v);
-  return all;
-}
-
 template <class Triangulation>
 Computed exact_distances(const Triangulation& t, const Sources& sources,
                          const Application_options& o) {
@@ -111,9 +100,8 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   const Vertices targets = joined(std::span(sources).subspan(o.sources.size()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const IT::Polyhedral_distance<Triangulation> search(
-      t, with_copies(t, points),
-      IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity))
-          .targets(with_copies(t, targets)));
+      t, points,
+      IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(targets));
   const std::vector<double> by_row = search.distances();
   const auto rows = static_cast<Eigen::Index>(by_row.size());
   Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);

@@ -123,7 +123,7 @@ public:
   Polyhedral_distance without_sources() const { return Polyhedral_distance(*t_, field_.table); }
 
   /*!
-  \brief finds the distances from other sources, in the memory that is there.
+  \brief finds the distances from other sources, with the tables that are there.
   \param sources,np see the constructor
   \return `status()`
   */

@@ -58,6 +58,23 @@ bool for_each_in_threads(std::size_t size, std::size_t threads,
                          const std::function<std::function<void(std::size_t)>()>& make_worker,
                          const std::function<bool(std::size_t)>& progress);
 
+// Calls a function with a `Polyhedral_distance` that its thread has alone, and each number below
+// `size`. Takes `number_of_threads` and `visitor`. Returns whether all calls were made.
+template <class Distance, class NP, class Function>
+bool search_in_threads(const Distance& surface, std::size_t size, const NP& np,
+                       const Function& search) {
+  auto stored_visitor = object_or<tags::visitor>(np, Batch_visitor());
+  auto& observed = unwrapped(stored_visitor);
+  return for_each_in_threads(
+      size, value_or<tags::number_of_threads>(np, std::size_t{0}),
+      [&] {
+        return [&, own = std::make_shared<Distance>(surface.without_sources())](std::size_t i) {
+          search(*own, i);
+        };
+      },
+      [&](std::size_t done) { return observed.progress(done, size); });
+}
+
 } // namespace internal
 
 /*!
@@ -98,25 +115,18 @@ Status polyhedral_distances(const Triangulation& t, const SourceSets& sets, std:
                                 std::to_string(columns) + " sets of sources need place for " +
                                 std::to_string(rows * columns) + " numbers, not " +
                                 std::to_string(out.size()));
-  using Distance = Polyhedral_distance<Triangulation>;
-  const Distance surface(t);
+  const Polyhedral_distance<Triangulation> surface(t);
   const auto limits =
       parameters::maximum_distance(
           internal::value_or<maximum_distance>(np, std::numeric_limits<double>::infinity()))
           .maximum_number(internal::value_or<maximum_number>(np, surface.default_cap()))
           .targets(internal::object_or<targets>(np, std::array<Surface_point, 0>()));
   std::vector<Status> statuses(columns, Status::done);
-  auto stored_visitor = internal::object_or<visitor>(np, Batch_visitor());
-  auto& observed = internal::unwrapped(stored_visitor);
-  const bool is_complete = internal::for_each_in_threads(
-      columns, internal::value_or<number_of_threads>(np, std::size_t{0}),
-      [&] {
-        return [&, own = std::make_shared<Distance>(surface.without_sources())](std::size_t i) {
-          statuses[i] = own->search(std::ranges::begin(sets)[std::ptrdiff_t(i)], limits);
-          own->copy_distances(out.subspan(i * rows, rows));
-        };
-      },
-      [&](std::size_t done) { return observed.progress(done, columns); });
+  const bool is_complete =
+      internal::search_in_threads(surface, columns, np, [&](auto& own, std::size_t i) {
+        statuses[i] = own.search(std::ranges::begin(sets)[std::ptrdiff_t(i)], limits);
+        own.copy_distances(out.subspan(i * rows, rows));
+      });
   if (!is_complete) return Status::cancelled;
   return std::ranges::find(statuses, Status::cap) == statuses.end() ? Status::done : Status::cap;
 }
@@ -157,26 +167,17 @@ pair_distances(const Triangulation& t,
   for (std::size_t k = 0; k < order.size(); ++k)
     if (k == 0 || from[order[k]] != from[order[k - 1]]) begins.push_back(k);
   begins.push_back(order.size());
-  using Distance = Polyhedral_distance<Triangulation>;
-  const Distance surface(t);
+  const Polyhedral_distance<Triangulation> surface(t);
   std::vector<double> result(from.size(), std::numeric_limits<double>::quiet_NaN());
-  auto stored_visitor = internal::object_or<visitor>(np, Batch_visitor());
-  auto& observed = internal::unwrapped(stored_visitor);
-  internal::for_each_in_threads(
-      begins.size() - 1, internal::value_or<number_of_threads>(np, std::size_t{0}),
-      [&] {
-        return [&, own = std::make_shared<Distance>(surface.without_sources())](std::size_t group) {
-          const auto pairs =
-              std::span(order).subspan(begins[group], begins[group + 1] - begins[group]);
-          std::vector<typename Triangulation::vertex_descriptor> partners;
-          for (const std::size_t i : pairs) partners.push_back(to[i]);
-          own->search(from[pairs.front()],
-                      parameters::targets(partners).maximum_number(
-                          internal::value_or<maximum_number>(np, surface.default_cap())));
-          for (const std::size_t i : pairs) result[i] = own->distance(to[i]);
-        };
-      },
-      [&](std::size_t done) { return observed.progress(done, begins.size() - 1); });
+  internal::search_in_threads(surface, begins.size() - 1, np, [&](auto& own, std::size_t group) {
+    const auto pairs = std::span(order).subspan(begins[group], begins[group + 1] - begins[group]);
+    std::vector<typename Triangulation::vertex_descriptor> partners;
+    for (const std::size_t i : pairs) partners.push_back(to[i]);
+    own.search(from[pairs.front()],
+               parameters::targets(partners).maximum_number(
+                   internal::value_or<maximum_number>(np, surface.default_cap())));
+    for (const std::size_t i : pairs) result[i] = own.distance(to[i]);
+  });
   return result;
 }
 

@@ -24,7 +24,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -84,10 +83,32 @@ double value_of_row(std::span<const double> values, std::uint32_t row);
 
 std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<const double> levels);
 
-// Adds points to a polyline, except where they are the last one again.
-void add_point(const std::array<double, 3>& p, Polyline& line);
-// Takes the end away if it is the start again.
-void close(Polyline& line);
+// Reads a function; `row` returns the row with the value of a vertex.
+template <class Mesh, class Numbers, class Row>
+Function_on_halfedges function_on_halfedges(const Mesh& mesh, const Numbers& number,
+                                            std::span<const double> values, const Row& row) {
+  Function_on_halfedges all;
+  all.resize(number.edge_capacity(mesh));
+  for (const auto f : faces(mesh)) {
+    std::array<std::uint32_t, 3> sides{};
+    std::array<double, 3> corners{};
+    auto h = halfedge(f, mesh);
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
+      sides[k] = number.halfedge(h);
+      corners[k] = value_of_row(values, row(source(h, mesh)));
+    }
+    if (h != halfedge(f, mesh))
+      throw std::invalid_argument("isolines need triangles; face " +
+                                  std::to_string(number.face(f)) + " is a polygon");
+    all.add_face(sides, corners);
+  }
+  return all;
+}
+
+// Adds a line through points to polylines, unless its length is zero. Points that repeat the last
+// one are left out.
+void add_polyline(const Isoline& line, const std::vector<std::array<double, 3>>& points,
+                  std::vector<Polyline>& polylines);
 
 } // namespace internal
 
@@ -115,19 +136,10 @@ passes between them and finite values through the finite vertex.
 template <NumberedTriangulation Triangulation>
 std::vector<Isoline> isolines(const Triangulation& t, std::span<const double> values,
                               std::span<const double> levels) {
-  internal::Function_on_halfedges all;
-  all.resize(t.numbers().edge_capacity(t.mesh()));
-  for (const auto f : faces(t.mesh())) {
-    std::array<std::uint32_t, 3> sides{};
-    std::array<double, 3> corners{};
-    auto h = halfedge(f, t.mesh());
-    for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh())) {
-      sides[k] = t.numbers().halfedge(h);
-      corners[k] = internal::value_of_row(values, t.input_vertex(source(h, t.mesh())));
-    }
-    all.add_face(sides, corners);
-  }
-  return internal::trace_isolines(all, levels);
+  return internal::trace_isolines(
+      internal::function_on_halfedges(t.mesh(), t.numbers(), values,
+                                      [&](const auto v) { return t.input_vertex(v); }),
+      levels);
 }
 
 /*!
@@ -138,28 +150,16 @@ for triangulations.
 \param values a number per vertex, by its number in `Mesh_adaptor<Mesh>`
 \param levels the levels
 \return the lines; halfedges are those of `mesh`, by number
-\throws std::invalid_argument also if a face is no triangle
+\throws std::invalid_argument also if a face has more than three sides
 */
 template <ReadableFaceGraph Mesh>
 std::vector<Isoline> isolines(const Mesh& mesh, std::span<const double> values,
                               std::span<const double> levels) {
   const Mesh_adaptor<Mesh> number(mesh);
-  internal::Function_on_halfedges all;
-  all.resize(number.edge_capacity(mesh));
-  for (const auto f : faces(mesh)) {
-    std::array<std::uint32_t, 3> sides{};
-    std::array<double, 3> corners{};
-    auto h = halfedge(f, mesh);
-    for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
-      sides[k] = number.halfedge(h);
-      corners[k] = internal::value_of_row(values, number.vertex(source(h, mesh)));
-    }
-    if (h != halfedge(f, mesh))
-      throw std::invalid_argument("isolines need triangles; face " +
-                                  std::to_string(number.face(f)) + " is a polygon");
-    all.add_face(sides, corners);
-  }
-  return internal::trace_isolines(all, levels);
+  return internal::trace_isolines(
+      internal::function_on_halfedges(mesh, number, values,
+                                      [&](const auto v) { return number.vertex(v); }),
+      levels);
 }
 
 /*!
@@ -193,21 +193,14 @@ it to the user's mesh. Pieces of length zero are left out; nothing is left of a 
 template <QueriedTriangulation Triangulation>
 Traced_curve trace_isoline(const Triangulation& t, const Isoline& line) {
   const internal::Accurate_view<Triangulation> view(t);
-  const auto& input = t.correspondence().input();
-  std::vector<Strip_side> strip;
+  internal::Piece_tracer<Triangulation> tracer(t);
   Traced_curve curve;
   for (std::size_t i = 0; i < line.number_of_pieces(); ++i) {
     const Surface_point p = line.points[i].surface_point();
     const Surface_point q = line.end_of_piece(i).surface_point();
     const auto v = vector_between(view, p, q);
     if (v[0] == 0 && v[1] == 0) continue;
-    auto from = tangent_to_input(t, {p, v});
-    auto to = locate_on_input(t, q);
-    if (!from || !to) return {Status::not_traceable, {}, {}, 0, {0}};
-    from->point.weights = internal::without_rounding(input, from->point);
-    to->weights = internal::without_rounding(input, *to);
-    if (curve.points.empty()) curve.points.push_back(from->point);
-    internal::append_piece(input, *from, *to, strip, curve);
+    if (!tracer.append(p, q, v, curve)) return {Status::not_traceable, {}, {}, 0, {0}};
   }
   curve.length = length_of_isoline(t, line);
   curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
@@ -222,12 +215,11 @@ std::vector<Polyline> polylines_at(const Triangulation& t, const std::vector<Iso
                                    const Point_of& point) {
   std::vector<Polyline> result;
   for (const Isoline& line : lines) {
-    Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
     Traced_curve way = trace_isoline(t, line);
     if (line.is_closed && !way.points.empty()) way.points.pop_back(); // the first one again
-    for (const Surface_point& p : way.points) add_point(point(p), all);
-    close(all);
-    if (all.points.size() > 1) result.push_back(std::move(all));
+    std::vector<std::array<double, 3>> points;
+    for (const Surface_point& p : way.points) points.push_back(point(p));
+    add_polyline(line, points, result);
   }
   return result;
 }
@@ -280,17 +272,16 @@ std::vector<Polyline> polylines(const std::vector<Isoline>& lines, const Mesh& m
   const auto map = Mesh_adaptor<Mesh>::point_map(mesh);
   std::vector<Polyline> result;
   for (const Isoline& line : lines) {
-    Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
+    std::vector<std::array<double, 3>> points;
     for (const Edge_point& p : line.points) {
       const auto h = number.halfedge_at(p.halfedge);
       const auto a = Mesh_adaptor<Mesh>::coordinates(get(map, source(h, mesh)));
       const auto b = Mesh_adaptor<Mesh>::coordinates(get(map, target(h, mesh)));
       std::array<double, 3> x{};
       for (std::size_t k = 0; k < 3; ++k) x[k] = std::lerp(a[k], b[k], p.parameter);
-      internal::add_point(x, all);
+      points.push_back(x);
     }
-    internal::close(all);
-    if (all.points.size() > 1) result.push_back(std::move(all));
+    internal::add_polyline(line, points, result);
   }
   return result;
 }

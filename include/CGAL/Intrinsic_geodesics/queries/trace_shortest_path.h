@@ -34,12 +34,37 @@ void append_piece(const Input& input, const Tangent_vector& from, const Surface_
 // Follows the straight pieces of a shortest path, each in one face of the triangulation, over the
 // input.
 template <class Triangulation>
+class Piece_tracer {
+public:
+  explicit Piece_tracer(const Triangulation& t) : t_(t), input_(t.correspondence().input()) {}
+
+  // Appends the straight piece v from p to q, of one face, to a curve over the input. Returns false
+  // if the piece is not traceable.
+  bool append(const Surface_point& p, const Surface_point& q, const Plane_vector<double>& v,
+              Traced_curve& curve) {
+    auto from = tangent_to_input(t_, {p, v});
+    auto to = locate_on_input(t_, q);
+    if (!from || !to) return false;
+    // where an edge or a vertex of the input is within rounding, the point is named on it
+    from->point.weights = without_rounding(input_, from->point);
+    to->weights = without_rounding(input_, *to);
+    if (curve.points.empty()) curve.points.push_back(from->point);
+    append_piece(input_, *from, *to, strip_, curve);
+    return true;
+  }
+
+private:
+  const Triangulation& t_;
+  const Input& input_;
+  std::vector<Strip_side> strip_;
+};
+
+template <class Triangulation>
 class Path_over_input {
   using View = Accurate_view<Triangulation>;
 
 public:
-  explicit Path_over_input(const Triangulation& t)
-      : t_(t), view_(t), input_(t.correspondence().input()) {}
+  explicit Path_over_input(const Triangulation& t) : view_(t), tracer_(t) {}
 
   Traced_curve operator()(const Shortest_path& path) {
     Traced_curve curve;
@@ -48,15 +73,8 @@ public:
       const Surface_point& p = path.points[i];
       const std::optional<Surface_point> q = in_face(path.points[i + 1], p);
       if (!q) continue; // a copy of the same vertex on a cover
-      const Plane_vector<double> v = vector_between(view_, p, *q);
-      auto from = tangent_to_input(t_, {p, v});
-      auto to = locate_on_input(t_, *q);
-      if (!from || !to) return {Status::not_traceable, {}, {}, 0, {0}};
-      // where an edge or a vertex of the input is within rounding, the point is named on it
-      from->point.weights = without_rounding(input_, from->point);
-      to->weights = without_rounding(input_, *to);
-      if (curve.points.empty()) curve.points.push_back(from->point);
-      append_piece(input_, *from, *to, strip_, curve);
+      if (!tracer_.append(p, *q, vector_between(view_, p, *q), curve))
+        return {Status::not_traceable, {}, {}, 0, {0}};
     }
     curve.length = path.length;
     curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
@@ -80,10 +98,8 @@ private:
     return std::nullopt;
   }
 
-  const Triangulation& t_;
   View view_;
-  const Input& input_;
-  std::vector<Strip_side> strip_;
+  Piece_tracer<Triangulation> tracer_;
 };
 
 } // namespace internal

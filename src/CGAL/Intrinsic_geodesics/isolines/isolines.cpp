@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -132,13 +133,14 @@ std::vector<Isoline> trace_isolines(const Function_on_halfedges& f,
   return lines;
 }
 
-void add_point(const std::array<double, 3>& p, Polyline& line) {
-  if (line.points.empty() || line.points.back() != p) line.points.push_back(p);
-}
-
-void close(Polyline& line) {
-  if (line.is_closed && line.points.size() > 1 && line.points.back() == line.points.front())
-    line.points.pop_back();
+void add_polyline(const Isoline& line, const std::vector<std::array<double, 3>>& points,
+                  std::vector<Polyline>& polylines) {
+  Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
+  for (const std::array<double, 3>& p : points)
+    if (all.points.empty() || all.points.back() != p) all.points.push_back(p);
+  if (all.is_closed && all.points.size() > 1 && all.points.back() == all.points.front())
+    all.points.pop_back();
+  if (all.points.size() > 1) polylines.push_back(std::move(all));
 }
 
 } // namespace internal
