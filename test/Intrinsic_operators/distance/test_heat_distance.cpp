@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
@@ -49,8 +50,7 @@ vertices_of_rows(const T& t, const std::vector<std::uint32_t>& rows) {
 // the distances on [0, n]^2 from its middle: the greatest error, relative to n
 double error_on_square(std::uint32_t n, IT::Heat_border border) {
   const Shape s = rough_grid(n, 0.2, 0, 5);
-  Exact t(s.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(s.input());
   const std::uint32_t middle = (n + 1) * (n / 2) + n / 2;
   IT::Heat_distance heat(t, IT::parameters::border_condition(border));
   const Vector d = heat.distances(vertex_of_row(t, middle));
@@ -114,8 +114,7 @@ TEST(Heat_distance, does_not_depend_on_the_correspondence) {
 
 TEST(Heat_distance, is_zero_at_each_of_many_sources_and_never_below_the_chord) {
   const Shape s = rough_torus(16, 0.3, 8);
-  Exact t(s.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(s.input());
   IT::Heat_distance heat(t);
   for (const std::size_t many : {1U, 2U, 8U, 9U, 60U}) {
     std::vector<std::uint32_t> rows = random_order(s.points.size(), 7);
@@ -200,18 +199,25 @@ TEST(Heat_distance, is_finite_on_every_complex_of_the_gallery) {
   }
 }
 
-TEST(Heat_distance, is_right_where_heat_is_below_the_range_of_doubles) {
-  // a strip of 3 x 2500 cells: heat is about exp(-0.96 x), 10^-1000 at its end
+/// A strip of 2 x length cells, whose vertices 3 x + y are at (place(x), y, height(x)).
+template <class Place, class Height>
+Shape strip(std::uint32_t length, const Place& place, const Height& height) {
   Shape s;
-  constexpr std::uint32_t length = 2500;
   for (std::uint32_t x = 0; x <= length; ++x)
     for (std::uint32_t y = 0; y < 3; ++y)
-      s.points.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+      s.points.push_back({place(x), static_cast<double>(y), height(x)});
   for (std::uint32_t v = 0; v < 3 * length; v += 3)
     for (const std::uint32_t i : {v, v + 1}) {
       s.triangles.push_back({i, i + 3, i + 4});
       s.triangles.push_back({i, i + 4, i + 1});
     }
+  return s;
+}
+
+TEST(Heat_distance, is_right_where_heat_is_below_the_range_of_doubles) {
+  // a strip of 3 x 2500 cells: heat is about exp(-0.96 x), 10^-1000 at its end
+  const Shape s = strip(
+      2500, [](double x) { return x; }, [](double) { return 0.; });
   const Exact t(s.input());
   IT::Heat_distance heat(t, IT::parameters::border_condition(IT::Heat_border::insulated));
   const Vector d = heat.distances(vertices_of_rows(t, {0, 1, 2}));
@@ -222,19 +228,11 @@ TEST(Heat_distance, is_right_where_heat_is_below_the_range_of_doubles) {
 TEST(Heat_distance, with_both_conditions_is_right_from_the_border_of_a_long_folded_strip) {
   // to and fro, so chords do not help; where heat is zero on the border, none comes from a source
   // there
-  Shape s;
-  constexpr std::uint32_t length = 2400, fold = 100;
-  for (std::uint32_t x = 0; x <= length; ++x)
-    for (std::uint32_t y = 0; y < 3; ++y) {
-      const double rest = x % fold;
-      s.points.push_back(
-          {x / fold % 2 == 0 ? rest : fold - rest, static_cast<double>(y), x / 1000.});
-    }
-  for (std::uint32_t v = 0; v < 3 * length; v += 3)
-    for (const std::uint32_t i : {v, v + 1}) {
-      s.triangles.push_back({i, i + 3, i + 4});
-      s.triangles.push_back({i, i + 4, i + 1});
-    }
+  const auto folded = [](std::uint32_t x) {
+    const double rest = x % 100;
+    return x / 100 % 2 == 0 ? rest : 100 - rest;
+  };
+  const Shape s = strip(2400, folded, [](double x) { return x / 1000; });
   const Exact t(s.input());
   IT::Heat_distance heat(t); // average
   const Vector d = heat.distances(vertex_of_row(t, 0));
@@ -391,8 +389,7 @@ TEST(Heat_distance, tends_to_a_limit_for_long_times) {
   // Heat differs from the even one by area / time; the rest is that of the potential of the source.
   // Differences of heat lose the digits of time / area.
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    Exact t(rough_torus(12, 0.2, seed).input());
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(rough_torus(12, 0.2, seed).input());
     const double areas = IT::total_area(t) / IT::Heat_distance(t).time();
     const auto after = [&](double time) {
       return IT::Heat_distance(t, IT::parameters::time_factor(time * areas))
@@ -428,8 +425,7 @@ TEST(Heat_distance, on_a_sphere_and_a_cylinder_is_near_the_closed_form) {
     }
     sphere.triangles.push_back({at(n / 2 - 1, j), last, at(n / 2 - 1, j + 1)});
   }
-  Exact t(sphere.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(sphere.input());
   const Vector d = IT::Heat_distance(t).distances(vertex_of_row(t, 0));
   for (std::uint32_t v = 0; v < sphere.points.size(); ++v)
     EXPECT_NEAR(d[v], std::acos(std::clamp(sphere.points[v][2], -1.0, 1.0)), 0.06);

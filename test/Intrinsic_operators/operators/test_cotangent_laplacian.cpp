@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -27,21 +28,12 @@ whose ends are rounded outwards: some 20 roundings of which each cancels at most
 */
 constexpr double weight_error = 128 * epsilon;
 
-template <class Triangulation>
-Triangulation delaunay(IT::Intrinsic_input input) {
-  Triangulation t(std::move(input));
-  IT::flip_to_delaunay(t);
-  return t;
-}
-
 Matrix delaunay_laplacian(IT::Intrinsic_input input) {
-  Exact t = delaunay<Exact>(std::move(input));
-  return IT::cotangent_laplacian(t);
+  return IT::cotangent_laplacian(delaunay<Exact>(std::move(input)));
 }
 
 Matrix laplacian(IT::Intrinsic_input input) {
-  Exact t(std::move(input));
-  return IT::cotangent_laplacian(t);
+  return IT::cotangent_laplacian(Exact(std::move(input)));
 }
 
 // the integral of |grad u|^2 from the gradients in space of u on each triangle

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 
+#include "delaunay.h"
 #include "meshes.h"
 #include "operator_test_meshes.h"
 
@@ -34,12 +35,6 @@ namespace {
 
 using namespace operator_test;
 using Map = Eigen::MatrixX2d;
-
-Exact delaunay_of(const Shape& s) {
-  Exact t(s.input());
-  IT::flip_to_delaunay(t);
-  return t;
-}
 
 // A convex piece of a sphere: a grid that is projected to it, from z = 1 to below the equator if `steep` is above 1.
 Shape sphere_cap(std::uint32_t n, double steep) {
@@ -71,7 +66,7 @@ IT::Border_map own_border(const Shape& s, const Exact& t) {
 
 TEST(Harmonic_map, of_a_flat_disk_with_its_own_border_is_the_identity) {
   const Shape s = rough_grid(9, 0.3, 0, 4);
-  for (const Exact& t : {Exact(s.input()), delaunay_of(s)}) {
+  for (const Exact& t : {Exact(s.input()), delaunay<Exact>(s.input())}) {
     const Map uv = IT::harmonic_map(t, own_border(s, t));
     for (std::uint32_t v = 0; v < s.points.size(); ++v)
       EXPECT_LE((uv.row(v) - s.point(v).head<2>().transpose()).norm(), 1e-11);
@@ -88,7 +83,7 @@ TEST(Harmonic_map, to_the_circle_is_injective_by_certificate_if_edges_are_Delaun
     Shape s = rough_grid(10, 0.35, seed % 2 == 0 ? 0.4 : 0, seed);
     if (seed % 2 == 1)
       for (auto& p : s.points) p[1] *= 0.05; // slivers
-    Exact t = delaunay_of(s);
+    Exact t = delaunay<Exact>(s.input());
     const IT::Map_certificate certificate = IT::certify_map(t, IT::harmonic_map(t));
     EXPECT_TRUE(certificate.is_injective()) << seed;
     EXPECT_EQ(certificate.faces, 200U);
@@ -115,7 +110,7 @@ TEST(Harmonic_map, flips_faces_where_weights_are_negative_and_the_certificate_sa
 
 TEST(Harmonic_map, reaches_the_corners_of_a_polygon) {
   const Shape s = rough_grid(12, 0.05, 0.1, 2); // corners of the grid come to corners of the square
-  const Exact t = delaunay_of(s);
+  const Exact t = delaunay<Exact>(s.input());
   const std::vector<std::array<double, 2>> square{{0, 0}, {3, 0}, {3, 3}, {0, 3}};
   const IT::Border_map border = IT::polygonal_border(t, square);
   const Map uv = IT::harmonic_map(t, border);
@@ -151,14 +146,14 @@ TEST(Conformal_maps, of_developable_surfaces_are_isometries) {
     EXPECT_TRUE(IT::certify_map(t, uv).is_injective()) << what;
     EXPECT_LE(IT::measure_distortion(t, uv).maximum_angle_change, 1e-4) << what;
   };
-  const Exact flat = delaunay_of(rough_grid(10, 0.3, 0, 9));
+  const Exact flat = delaunay<Exact>(rough_grid(10, 0.3, 0, 9).input());
   expect_isometry(flat, IT::least_squares_conformal_map(flat), "flat, least squares");
   expect_isometry(flat, IT::spectral_conformal_map(flat), "flat, spectral");
 }
 
 TEST(Conformal_maps, of_a_bent_sheet_are_nearly_isometries) {
   // inscribed in a cylinder: curvature at vertices is small, but not zero
-  const Exact t = delaunay_of(bent_grid(24));
+  const Exact t = delaunay<Exact>(bent_grid(24).input());
   for (const Map& uv : {IT::least_squares_conformal_map(t), IT::spectral_conformal_map(t)}) {
     EXPECT_TRUE(IT::certify_map(t, uv).is_injective());
     const IT::Map_distortion d = IT::measure_distortion(t, uv);
@@ -169,7 +164,7 @@ TEST(Conformal_maps, of_a_bent_sheet_are_nearly_isometries) {
 
 TEST(Conformal_maps, of_a_piece_of_a_sphere_tend_to_conformal_ones) {
   const auto distortion = [](std::uint32_t n, bool is_spectral) {
-    const Exact t = delaunay_of(sphere_cap(n, 0.9));
+    const Exact t = delaunay<Exact>(sphere_cap(n, 0.9).input());
     const Map uv = is_spectral ? IT::spectral_conformal_map(t) : IT::least_squares_conformal_map(t);
     EXPECT_TRUE(IT::certify_map(t, uv).is_injective()) << n;
     const IT::Map_distortion d = IT::measure_distortion(t, uv);
@@ -185,7 +180,7 @@ TEST(Conformal_maps, of_a_piece_of_a_sphere_tend_to_conformal_ones) {
 
 TEST(Conformal_maps, have_no_less_energy_than_is_possible) {
   const Shape s = rough_grid(7, 0.3, 0.8, 5);
-  const Exact t = delaunay_of(s);
+  const Exact t = delaunay<Exact>(s.input());
   const Eigen::MatrixXcd c(IT::conformal_energy(t));
   EXPECT_LE((c - c.adjoint()).norm(), 1e-15 * c.norm());
   const Eigen::VectorXd eigenvalues =
@@ -288,7 +283,7 @@ TEST(Injective_harmonic_map, splits_edges_where_vertices_separate_others_from_th
       s.points[40][0] += lean * height;
       s.points[40][1] += 0.3 * lean * height;
       s.points[40][2] += height;
-      Exact t = delaunay_of(s);
+      Exact t = delaunay<Exact>(s.input());
       const double area = IT::total_area(t);
       const bool is_bad = !IT::certify_map(t, IT::harmonic_map(t)).is_injective();
       const IT::Border_map border = IT::circular_border(t);
@@ -325,7 +320,7 @@ TEST(Injective_harmonic_map, reaches_small_sizes_in_few_rounds) {
       s.triangles.push_back({corners[1], corners[2], tip});
       s.triangles.push_back({corners[2], corners[0], tip});
     }
-    Exact t = delaunay_of(s);
+    Exact t = delaunay<Exact>(s.input());
     const bool is_bad = !IT::certify_map(t, IT::harmonic_map(t)).is_injective();
     const IT::Injective_map map = IT::injective_harmonic_map(t);
     if (is_bad && map.status == IT::Status::done) ++repaired;
@@ -391,7 +386,7 @@ TEST(Injective_harmonic_map, splits_large_faces_whose_numbers_come_after_many_of
   std::size_t repaired = 0;
   for (const double height : {1.5, 2.})
     for (const double lean : {1., 2.}) {
-      Exact t = delaunay_of(tube_with_thorn(height, lean));
+      Exact t = delaunay<Exact>(tube_with_thorn(height, lean).input());
       const auto large = [&t](const Map& uv) {
         const IT::Map_certificate c = IT::internal::complete_certificate(t, uv);
         EXPECT_EQ(c.bad_faces.size(), c.flipped + c.degenerate);
@@ -429,7 +424,7 @@ TEST(Map_distortion, of_a_linear_map_is_its_singular_values) {
 }
 
 TEST(Map_distortion, does_not_depend_on_the_unit_of_the_map) {
-  const Exact t = delaunay_of(rough_grid(6, 0.3, 0.5, 8));
+  const Exact t = delaunay<Exact>(rough_grid(6, 0.3, 0.5, 8).input());
   const Map uv = IT::harmonic_map(t);
   const IT::Map_distortion expected = IT::measure_distortion(t, uv);
   EXPECT_GT(expected.mean_quasi_conformal, 1.01);
