@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
+#include "delaunay.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
@@ -53,8 +54,7 @@ double largest(const Complex_matrix& m) {
 TEST(Connection_laplacian, is_hermitian_and_positive_semidefinite_everywhere) {
   for (operator_test::Named_input& n : operator_test::named_inputs())
     for (const int order : {1, 2, 4, 6}) {
-      Exact t{IT::Intrinsic_input(n.input)};
-      IT::flip_to_delaunay(t);
+      Exact t = delaunay<Exact>(IT::Intrinsic_input(n.input));
       const Complex_matrix l = IT::connection_laplacian(t, order);
       const Complex_matrix difference = l - Complex_matrix(l.adjoint());
       EXPECT_EQ(difference.norm(), 0) << n.name;
@@ -64,8 +64,7 @@ TEST(Connection_laplacian, is_hermitian_and_positive_semidefinite_everywhere) {
 
 TEST(Connection_laplacian, of_order_zero_is_that_of_functions) {
   for (const meshes::Mesh& m : {meshes::box(2, 3, 2), meshes::potato(2, 5)}) {
-    Exact t(m.input());
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(m.input());
     const Eigen::MatrixXcd zero = IT::connection_laplacian(t, 0);
     const Eigen::MatrixXd functions = IT::cotangent_laplacian(t);
     EXPECT_LE((zero - functions.cast<Complex>()).norm(), 1e-12 * functions.norm());
@@ -75,8 +74,7 @@ TEST(Connection_laplacian, of_order_zero_is_that_of_functions) {
 /// The energy of a field edge by edge, with transports by halfedge.
 TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_insertions) {
   for (operator_test::Named_input& n : operator_test::named_inputs()) {
-    Exact t{IT::Intrinsic_input(n.input)};
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(IT::Intrinsic_input(n.input));
     if (t.input().names().sheets == 1 && num_faces(t.mesh()) > 20)
       IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_insertions(30));
     const Complex_matrix l = IT::connection_laplacian(t, 2);
@@ -102,8 +100,7 @@ TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_inser
 
 TEST(Parallel_transport, turns_around_a_face_by_its_excess_of_scaled_angles) {
   for (operator_test::Named_input& n : operator_test::named_inputs()) {
-    Exact t{IT::Intrinsic_input(n.input)};
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(IT::Intrinsic_input(n.input));
     const auto& mesh = t.mesh();
     const std::vector<Complex> r = IT::transport_along_halfedges(t);
     const IT::Intrinsic_view<Exact> view(t);
@@ -149,8 +146,7 @@ TEST(Parallel_transport, around_the_tip_of_a_cone_turns_by_its_defect) {
 TEST(Connection_laplacian,
      of_a_flat_torus_has_the_eigenvalues_of_functions_whatever_the_triangulation) {
   for (const double shear : {0., 0.3, 2.2}) {
-    Exact t(operator_test::torus(5, shear));
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(operator_test::torus(5, shear));
     const Eigen::VectorXd functions = operator_test::eigenvalues(IT::cotangent_laplacian(t));
     for (const int order : {1, 3, 4})
       EXPECT_LE((eigenvalues_of(IT::connection_laplacian(t, order)) - functions).norm(), 1e-10);
@@ -159,8 +155,7 @@ TEST(Connection_laplacian,
 
 /// Ties of faces on a circle may be broken either way.
 TEST(Connection_laplacian, does_not_depend_on_the_delaunay_triangulation) {
-  Exact t(meshes::box(2, 3, 2).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::box(2, 3, 2).input());
   const Eigen::VectorXd before = eigenvalues_of(IT::connection_laplacian(t, 4));
   std::size_t flips = 0;
   for (const auto e : edges(t.mesh()))
@@ -174,8 +169,7 @@ TEST(Connection_laplacian, does_not_depend_on_the_delaunay_triangulation) {
 
 /// On the unit sphere, fields of order n have the eigenvalues l (l + 1) - n^2, 2 l + 1 times, l >= n.
 TEST(Connection_laplacian, of_a_sphere_has_its_eigenvalues) {
-  Exact t(meshes::sphere(3).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::sphere(3).input());
   const Eigen::MatrixXcd mass = Eigen::MatrixXd(IT::lumped_mass_matrix(t)).cast<Complex>();
   for (const int n : {1, 2, 4}) {
     const Eigen::VectorXd values =
@@ -195,8 +189,7 @@ TYPED_TEST_SUITE(Connection_laplacian_on, All_meshes);
 /// Frames differ between mesh types, the quadratic form does not.
 TYPED_TEST(Connection_laplacian_on, has_the_same_eigenvalues_for_all_mesh_types_and_arithmetics) {
   const operator_test::Shape shape = operator_test::rough_torus(7, 0.3, 1);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Eigen::VectorXd expected = eigenvalues_of(IT::connection_laplacian(t, 4));
   const auto mesh = operator_test::mesh_of<Surface_mesh>(shape);
   IT::Intrinsic_triangulation<TypeParam, IT::Euclidean_traits<double>> u(mesh);

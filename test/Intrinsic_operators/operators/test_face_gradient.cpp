@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 #include "soups.h"
 
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
 #include <CGAL/Intrinsic_operators/operators/hodge_stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -77,15 +77,13 @@ TEST(Face_gradient, divergence_and_derivatives_make_the_laplacian) {
   expect_identities(Exact(rough_grid(7, 0.2, 0.5, 3).input()));
   expect_identities(Double(cube().input()));
   expect_identities(Exact(torus(1, 0.25))); // one vertex: all edges are loops
-  Exact t(rough_grid(7, 0.3, 2, 4).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(rough_grid(7, 0.3, 2, 4).input());
   expect_identities(t);
 }
 
 TEST(Face_gradient, is_that_of_the_surface_below_a_cover) {
   auto domain = IT::make_domain(soups::soup(soups::book()), IT::Domain_kind::tufted_cover);
-  Exact t(std::move(domain.input));
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(std::move(domain.input));
   expect_identities(t);
 }
 

@@ -3,10 +3,10 @@
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double solve_error = 1e-11; // condition numbers are under 1e4
 
 TEST(Point_sources, of_the_green_function_balance_a_constant_sink) {
-  Exact t(rough_torus(12, 0.8, 6).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(rough_torus(12, 0.8, 6).input());
   const Matrix m = IT::galerkin_mass_matrix(t), l = IT::cotangent_laplacian(t);
   const Vector u = IT::harmonic_green_function(t, 17);
   Vector expected = m * Vector::Constant(m.rows(), -1 / m.sum());
@@ -36,8 +35,7 @@ TEST(Point_sources, of_the_green_function_balance_a_constant_sink) {
 }
 
 TEST(Point_sources, of_heat_keep_their_integral_and_are_symmetric) {
-  Exact t(rough_torus(12, 0.8, 7).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(rough_torus(12, 0.8, 7).input());
   const Matrix m = IT::galerkin_mass_matrix(t);
   const Vector u = IT::short_time_heat_kernel(t, 17, 0.5);
   EXPECT_NEAR((m * u).sum(), 1, solve_error);

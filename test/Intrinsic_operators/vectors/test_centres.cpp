@@ -7,10 +7,10 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include "Following.h"
+#include "delaunay.h"
 #include "meshes.h"
 #include "operator_test_meshes.h"
 
@@ -48,8 +48,7 @@ IT::Surface_point at_vertex(const Exact& t, std::uint32_t v) {
 
 TEST(Karcher_mean, in_a_convex_part_of_the_plane_is_the_weighted_mean) {
   const meshes::Mesh shape = meshes::scaled(meshes::random_planar(60, 1000, 2), 0.01);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   for (std::uint32_t i = 0; i < 30; i += 7) {
     Weighted_points points{{at_vertex(t, i), 1}, {at_vertex(t, 59 - i), 2}};
@@ -74,8 +73,7 @@ TEST(Karcher_mean, in_a_convex_part_of_the_plane_is_the_weighted_mean) {
 
 TEST(Karcher_mean, of_one_point_is_that_point_and_of_an_octant_of_the_sphere_its_centre) {
   const meshes::Mesh shape = meshes::sphere(4);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   const auto one = place_of(t, IT::karcher_mean(heat, {{at_vertex(t, 9), 3}}).point, shape);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(one[c], shape.points[9][c], 1e-3);
@@ -159,8 +157,7 @@ TEST(Voronoi_centres, in_the_plane_are_the_centroids_of_their_cells) {
 
 TEST(Voronoi_centres, spread_over_the_sphere) {
   const meshes::Mesh shape = meshes::potato(3, 5);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   std::vector<IT::Surface_point> sites;
   for (std::uint32_t v = 0; v < 8; ++v) sites.push_back(at_vertex(t, v));

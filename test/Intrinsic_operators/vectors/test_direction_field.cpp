@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include "Following.h"
+#include "delaunay.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
@@ -95,8 +96,7 @@ TEST(Singularities, of_any_field_sum_up_to_the_euler_characteristic_and_the_turn
 
 TEST(Smoothest_direction_field, exists_everywhere_with_the_right_sum_of_indices) {
   for (operator_test::Named_input& n : operator_test::named_inputs()) {
-    Exact t{IT::Intrinsic_input(n.input)};
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(IT::Intrinsic_input(n.input));
     for (const int degree : {1, 2, 4}) {
       const IT::Direction_field field = IT::smoothest_direction_field(t, degree);
       const IT::internal::Vertex_copies copies(t);
@@ -111,8 +111,7 @@ TEST(Smoothest_direction_field, exists_everywhere_with_the_right_sum_of_indices)
 
 /// On a round sphere the fields of least energy are those of least number of zeros.
 TEST(Smoothest_direction_field, of_a_sphere_has_the_least_number_of_singularities) {
-  Exact t(meshes::sphere(4).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::sphere(4).input());
   for (const int degree : {1, 2, 4}) {
     const auto s = IT::singularities(t, IT::smoothest_direction_field(t, degree));
     int positive = 0, others = 0;
@@ -123,8 +122,7 @@ TEST(Smoothest_direction_field, of_a_sphere_has_the_least_number_of_singularitie
 }
 
 TEST(Smoothest_direction_field, of_a_flat_torus_is_parallel) {
-  Exact t(operator_test::torus(6, 0.3));
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(operator_test::torus(6, 0.3));
   const std::vector<Complex> r = IT::transport_along_halfedges(t);
   for (const int degree : {1, 3, 4}) {
     const IT::Direction_field field = IT::smoothest_direction_field(t, degree);
@@ -138,8 +136,7 @@ TEST(Smoothest_direction_field, of_a_flat_torus_is_parallel) {
 
 /// Against a dense eigenvector of the generalized problem.
 TEST(Smoothest_direction_field, is_the_smallest_eigenvector) {
-  Exact t(meshes::potato(2, 6).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::potato(2, 6).input());
   for (const int degree : {1, 4}) {
     const Eigen::MatrixXcd l = IT::connection_laplacian(t, degree),
                            m = Eigen::MatrixXd(IT::lumped_mass_matrix(t)).cast<Complex>();
@@ -155,8 +152,7 @@ TEST(Smoothest_direction_field, is_the_smallest_eigenvector) {
 }
 
 TEST(Smoothest_direction_field, keeps_fixed_directions_and_is_parallel_to_one_on_a_flat_torus) {
-  Exact t(operator_test::torus(6, 0.3));
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(operator_test::torus(6, 0.3));
   const std::vector<Complex> r = IT::transport_along_halfedges(t);
   const auto v = t.numbers().vertex_at(7);
   const IT::Direction_field field = IT::smoothest_direction_field(t, 4, Fixed{{v, {2, 1}}});
@@ -170,8 +166,7 @@ TEST(Smoothest_direction_field, keeps_fixed_directions_and_is_parallel_to_one_on
 }
 
 TEST(Aligned_direction_field, is_the_guide_if_that_is_strong_and_smooth_if_it_is_weak) {
-  Exact t(meshes::potato(2, 6).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::potato(2, 6).input());
   IT::Tangent_field guide(t.number_of_vertices());
   std::mt19937 random(5);
   for (Complex& z : guide) z = std::polar(3., static_cast<double>(random() % 1000));
@@ -191,8 +186,7 @@ TEST(Aligned_direction_field, is_the_guide_if_that_is_strong_and_smooth_if_it_is
 
 /// Around a disk, crosses that follow the border do not turn relative to it: the indices inside sum up to 4.
 TEST(Fixed_directions, along_the_border_of_a_disk_leave_the_whole_characteristic_inside) {
-  Exact t(meshes::rough_grid(8, 4).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::rough_grid(8, 4).input());
   std::vector<Exact::halfedge_descriptor> border;
   const auto start = IT::boundary_loops(t.mesh()).front();
   auto h = start;
@@ -270,8 +264,7 @@ TEST(Principal_directions, of_a_cylinder_are_those_of_its_circles) {
 }
 
 TEST(Direction_fields, can_be_followed_and_cancelled) {
-  Exact t(meshes::box(3, 3, 3).input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(meshes::box(3, 3, 3).input());
   std::vector<IT::Direction_step> steps;
   const Following follow{[&](IT::Direction_step step) {
     steps.push_back(step);

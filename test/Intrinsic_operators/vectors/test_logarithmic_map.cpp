@@ -7,10 +7,10 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
+#include "delaunay.h"
 #include "meshes.h"
 #include "operator_test_meshes.h"
 
@@ -133,8 +133,7 @@ TEST(Logarithmic_map, in_the_plane_is_undone_by_the_exponential_map) {
 
 TEST(Logarithmic_map, in_the_plane_is_the_displacement_from_points_in_faces) {
   const meshes::Mesh shape = meshes::scaled(meshes::random_planar(50, 1000, 3), 0.01);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   for (const auto f : faces(t.mesh()))
     for (const std::array<double, 3>& w :
@@ -157,8 +156,7 @@ TEST(Logarithmic_map, in_the_plane_is_the_displacement_from_points_in_faces) {
 
 TEST(Logarithmic_map, at_a_vertex_given_as_a_point_is_that_of_the_vertex) {
   const meshes::Mesh shape = meshes::potato(2, 5);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   for (const auto h : halfedges(t.mesh())) {
     if (t.numbers().halfedge(h) % 17 != 0) continue;
@@ -185,8 +183,7 @@ TEST(Logarithmic_map, at_a_vertex_given_as_a_point_is_that_of_the_vertex) {
 TEST(Logarithmic_map, on_a_flat_torus_is_the_displacement) {
   const std::uint32_t n = 24;
   const double shear = 0.3;
-  Exact t(operator_test::torus(n, shear));
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(operator_test::torus(n, shear));
   const Heat heat(t);
   for (const auto method : all_methods) {
     const std::vector<Complex> log = heat.logarithmic_map(t.numbers().vertex_at(0), method);
@@ -231,8 +228,7 @@ TEST(Logarithmic_map, undoes_the_exponential_map_on_a_cylinder_and_a_cone) {
     cone.push_back({0.2 * r, 2 - 0.06 * r});
   }
   for (const meshes::Mesh& shape : {revolved(24, cylinder), revolved(24, cone)}) {
-    Exact t(shape.input());
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(shape.input());
     const Heat heat(t);
     const auto v = t.numbers().vertex_at(24 * 12);
     EXPECT_LE(worst_round_trip(t, v, heat.logarithmic_map(v), shape.points, 1e300), 1e-12);
@@ -251,8 +247,7 @@ TEST(Logarithmic_map, converges_on_the_sphere) {
     std::vector<double> errors, lengths;
     for (const unsigned levels : {3U, 4U, 5U}) {
       const meshes::Mesh shape = meshes::sphere(levels);
-      Exact t(shape.input());
-      IT::flip_to_delaunay(t);
+      Exact t = delaunay<Exact>(shape.input());
       const Heat heat(t);
       const auto v = t.numbers().vertex_at(0);
       const std::vector<Complex> log = heat.logarithmic_map(v, method);
@@ -283,8 +278,7 @@ TEST(Logarithmic_map, has_directions_from_a_source_with_uneven_edges_far_away) {
                                                  shape.points.begin());
   const Complex place(12.6, 12.3);
   shape.points[center] = {place.real(), place.imag(), 0};
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const std::vector<Complex> log =
       Heat(t).logarithmic_map(t.numbers().vertex_at(center), IT::Logarithm_method::polar);
   std::vector<Complex> turns;
@@ -301,8 +295,7 @@ TEST(Logarithmic_map, has_directions_from_a_source_with_uneven_edges_far_away) {
 /// Points of the sphere, not only vertices.
 TEST(Logarithmic_map, of_points_on_the_sphere_undoes_the_exponential_map) {
   const meshes::Mesh shape = meshes::sphere(4);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const Heat heat(t);
   for (const std::uint32_t f : {0U, 77U, 500U})
     for (const auto method : all_methods) {
@@ -322,8 +315,7 @@ TEST(Logarithmic_map, by_shortest_paths_is_undone_by_the_exponential_map) {
     SCOPED_TRACE(seed);
     const meshes::Mesh shape =
         seed % 2 == 0 ? meshes::potato(3, seed) : meshes::rough_grid(9, seed, 0.5);
-    Exact t(shape.input());
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(shape.input());
     const auto v = t.numbers().vertex_at(40 + seed);
     const std::vector<Complex> log = IT::logarithmic_map(t, v);
     const IT::Polyhedral_distance distance(t, v);
@@ -348,8 +340,7 @@ TEST(Logarithmic_map, by_shortest_paths_is_undone_by_the_exponential_map) {
 
 TEST(Logarithmic_map, near_a_vertex_is_that_of_the_whole_surface) {
   const meshes::Mesh shape = meshes::potato(4, 3);
-  Exact t(shape.input());
-  IT::flip_to_delaunay(t);
+  Exact t = delaunay<Exact>(shape.input());
   const auto v = t.numbers().vertex_at(17);
   const std::vector<Complex> all = IT::logarithmic_map(t, v),
                              near = IT::logarithmic_map(t, v, IT::parameters::maximum_distance(1));
@@ -377,8 +368,7 @@ TEST(Logarithmic_map, says_where_it_does_not_know) {
     for (const Point& p : {Point{9, 0, 0}, Point{10, 0, 0}, Point{9, 1, 0}})
       shape.points.push_back(p);
     shape.triangles.push_back({n + 1, n + 2, n + 3});
-    Exact t(shape.input());
-    IT::flip_to_delaunay(t);
+    Exact t = delaunay<Exact>(shape.input());
     const Heat heat(t);
     for (const auto v : vertices(t.mesh()))
       for (const auto method : all_methods) {
