@@ -131,7 +131,9 @@ public:
   class Const_session {
   public:
     explicit Const_session(const Measured_triangulation& t) : session_(t.t_) {}
-    double cotangent_weight(edge_descriptor e) const { return session_.cotangent_weight(e); }
+    double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const {
+      return session_.cotangent_weight(e, tolerance);
+    }
 
   private:
     Wrapped::Const_session session_;
@@ -201,7 +203,9 @@ public:
   class Const_session {
   public:
     explicit Const_session(const Measured_and_numbered_triangulation& t) : session_(t.t_) {}
-    double cotangent_weight(edge_descriptor e) const { return session_.cotangent_weight(e); }
+    double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const {
+      return session_.cotangent_weight(e, tolerance);
+    }
 
   private:
     Wrapped::Const_session session_;
@@ -250,7 +254,9 @@ public:
       return session_.is_locally_delaunay(h);
     }
     CGAL::Sign delaunay_sign(halfedge_descriptor h) const { return session_.delaunay_sign(h); }
-    double cotangent_weight(edge_descriptor e) const { return session_.cotangent_weight(e); }
+    double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const {
+      return session_.cotangent_weight(e, tolerance);
+    }
     template <class Function>
     auto suspended(Function f) const {
       return session_.suspended(f);

@@ -65,6 +65,10 @@ public:
     /// returns half the sum of the cotangents of the angles opposite an edge, one of them on the
     /// border.
     double cotangent_weight(edge_descriptor e) const;
+    /// the same; for an edge between two faces exact metrics allow an error, relative to the weight
+    /// or to min(1, E), where E is the least Dirichlet energy in the two faces of functions that
+    /// change by one along the edge; other metrics ignore `tolerance`.
+    double cotangent_weight(edge_descriptor e, double tolerance) const;
   };
 
   /// returns the connectivity.

@@ -83,19 +83,23 @@ public:
     return (length_[jk] + length_[ki] - length_[ij]) / (2 * area_[f]);
   }
 
-  /// tells whether the interval of the squared length of an edge has relative width at most 2^-41.
+  /// Greatest relative width of intervals whose doubles users get, unless they allow larger errors.
+  static constexpr double narrow = 0x1p-41;
+
+  /// tells whether the interval of the squared length of an edge has at most the relative width
+  /// `narrow`.
   bool is_narrow(std::uint32_t edge) const {
     const FT& x = squared_length_[edge];
-    return is_narrow(x, x.sup());
+    return is_narrow(x, narrow * x.sup());
   }
-  /// tells whether the interval of the quadruple area of a face has relative width at most 2^-41.
-  bool is_area_narrow(std::uint32_t face) const {
+  /// tells whether the interval of the quadruple area of a face has at most a relative width.
+  bool is_area_narrow(std::uint32_t face, double width = narrow) const {
     const FT& x = quadruple_area_[face];
-    return is_narrow(x, x.sup());
+    return is_narrow(x, width * x.sup());
   }
-  /// tells whether the values of a face are precise enough to place points in it, for lengths of an
-  /// ordinary face.
-  bool is_narrow(const Indexed_face& face) const;
+  /// tells whether the intervals of a face have at most a relative width; with the default the
+  /// values are precise enough to place points in the face, for lengths of an ordinary face.
+  bool is_narrow(const Indexed_face& face, double width = narrow) const;
 
   /// computes a flip so that the doubles stay good, see `flipped_consistently()`. Use it for edges
   /// that may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
@@ -165,10 +169,10 @@ protected:
   accurate enough:
 
   its sign is right, it is zero only where the intervals are zero too, and its error is at most
-  2^-40 of itself or of min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet energy in
-  the two faces of functions that change by one along the edge.
+  `tolerance` times itself or min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet
+  energy in the two faces of functions that change by one along the edge.
   */
-  std::optional<double> stored_weight(const Diamond& d) const {
+  std::optional<double> stored_weight(const Diamond& d, double tolerance = 0x1p-40) const {
     const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
     const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij,
              q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
@@ -179,13 +183,13 @@ protected:
     const double product_of_areas = a_f.inf() * a_g.inf(),
                  part = rest_of_weight(left, q_f, a_f) * a_g.inf() +
                         rest_of_weight(right, q_g, a_g) * a_f.inf();
-    if (part <= 2 * (0x1p-40 - 0x1p-51) * (size * product_of_areas) && size < 0x1p1000 &&
+    if (part <= 2 * (tolerance - 0x1p-51) * (size * product_of_areas) && size < 0x1p1000 &&
         size > 0x1p-900 && product_of_areas > 0x1p-900)
       return weight;
     const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
                          0x1p-52 * size,
                  energy = 0.25 * (a_f.inf() + a_g.inf()) / ij.sup();
-    if (!(error <= 0x1p-40 * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
+    if (!(error <= tolerance * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
       return std::nullopt;
     // a sum that the error does not reach
     if (error < size) return weight;
@@ -207,8 +211,8 @@ private:
                        : std::numeric_limits<double>::infinity();
   }
 
-  static bool is_narrow(const FT& x, double size) {
-    return x.sup() - x.inf() <= 0x1p-41 * size && CGAL::is_finite(x);
+  static bool is_narrow(const FT& x, double width) {
+    return x.sup() - x.inf() <= width && CGAL::is_finite(x);
   }
 
   template <class T>

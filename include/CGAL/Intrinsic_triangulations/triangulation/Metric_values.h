@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
@@ -22,6 +23,9 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+// Greatest relative width of the intervals of values that users get.
+inline constexpr double usual_width = Enclosed_values::narrow;
 
 // Stores intervals, which can be made narrow.
 template <class Metric>
@@ -61,13 +65,14 @@ Face_values<double> approximate_values(const Triangulation& t,
 }
 
 // The values of a face in scaled units, for users: with exact traits, it first narrows intervals
-// and doubles.
+// and doubles, if the intervals are wider than allowed.
 template <class Triangulation>
 Face_values<double> accurate_values(const Triangulation& t,
-                                    typename Triangulation::face_descriptor f) {
+                                    typename Triangulation::face_descriptor f,
+                                    double width = usual_width) {
   const Indexed_face face = indexed_face(t, f);
   if constexpr (Has_enclosures<typename Triangulation::Metric>) {
-    if (!t.metric().is_narrow(face)) {
+    if (!t.metric().is_narrow(face, width)) {
       const typename Triangulation::Metric::Scope scope;
       t.sharpen(std::span(&face, 1));
     }
@@ -77,10 +82,11 @@ Face_values<double> accurate_values(const Triangulation& t,
 
 // The quadruple area of a face in scaled units, for users; see above.
 template <class Triangulation>
-double accurate_quadruple_area(const Triangulation& t, typename Triangulation::face_descriptor f) {
+double accurate_quadruple_area(const Triangulation& t, typename Triangulation::face_descriptor f,
+                               double width) {
   const std::uint32_t i = t.index(f);
   if constexpr (Has_enclosures<typename Triangulation::Metric>)
-    if (!t.metric().is_area_narrow(i)) return accurate_values(t, f).quadruple_area;
+    if (!t.metric().is_area_narrow(i, width)) return accurate_values(t, f).quadruple_area;
   return t.metric().approximate_quadruple_area(i);
 }
 
@@ -137,10 +143,11 @@ public:
     else
       return metric().is_locally_delaunay(d);
   }
-  /// returns half the sum of the cotangents of the angles opposite the edge of a diamond.
-  double cotangent_weight(const Diamond& d) const {
+  /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
+  /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.
+  double cotangent_weight(const Diamond& d, double tolerance = 0x1p-40) const {
     if constexpr (by_input) {
-      if (const auto weight = metric().stored_weight(d)) return *weight;
+      if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
       const auto exact = self().exact_values();
       if (exact.asks_for_weights()) find_weights();
       if (const auto weight = exact.known_weight(d, metric().statistics())) return *weight;
@@ -176,10 +183,12 @@ public:
     return std::ldexp(std::sqrt(internal::accurate_squared_length(self(), e)),
                       -metric().scale_exponent());
   }
-  /// returns the area of a face as a double, in the units of the input; with exact traits to 1e-12
-  /// of it.
-  double area(typename boost::graph_traits<Mesh>::face_descriptor f) const {
-    return std::ldexp(internal::accurate_quadruple_area(self(), f),
+  /// returns the area of a face as a double, in the units of the input; with exact traits its
+  /// relative error is at most the tolerance, and at most 2^-41 where that takes more than the
+  /// stored values.
+  double area(typename boost::graph_traits<Mesh>::face_descriptor f,
+              double tolerance = internal::usual_width) const {
+    return std::ldexp(internal::accurate_quadruple_area(self(), f, tolerance),
                       -2 * metric().scale_exponent() - 2);
   }
 

@@ -71,13 +71,18 @@ public:
 
   With exact traits it is zero exactly where the opposite angles sum to pi, and never negative
   on a locally Delaunay edge. Dimensionless.
+  \param e an edge
+  \param tolerance with exact traits, the greatest error of the weight of an edge between two faces,
+  relative to itself or to min(1, E), where E is the least Dirichlet energy in the two faces of
+  functions that change by one along the edge; statistics of many edges need less than the default
   \pre the faces at the edge have an area
   */
-  double cotangent_weight(edge_descriptor e) const {
+  double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const {
     const auto null = boost::graph_traits<Mesh>::null_face();
     halfedge_descriptor h = halfedge(e, t_.mesh());
     if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());
-    if (face(opposite(h, t_.mesh()), t_.mesh()) != null) return t_.cotangent_weight(t_.diamond(h));
+    if (face(opposite(h, t_.mesh()), t_.mesh()) != null)
+      return t_.cotangent_weight(t_.diamond(h), tolerance);
     const halfedge_descriptor jk = next(h, t_.mesh()), ki = next(jk, t_.mesh());
     const auto number = [this](halfedge_descriptor g) { return t_.numbers().halfedge(g) / 2; };
     return t_.metric().cotangent_weight(number(h), number(jk), number(ki),

@@ -284,10 +284,11 @@ concept MeasuredTriangulation = internal::Has_triangulated_mesh<Triangulation> &
     std::constructible_from<typename Triangulation::Const_session, const Triangulation&> &&
     requires(const Triangulation& t, const typename Triangulation::Const_session& c,
              typename Triangulation::edge_descriptor e, typename Triangulation::face_descriptor f,
-             std::uint32_t i) {
+             std::uint32_t i, double x) {
   { t.metric().is_degenerate(i) } -> std::same_as<bool>;
   { t.squared_length(e) } -> std::same_as<double>;
   { c.cotangent_weight(e) } -> std::same_as<double>;
+  { c.cotangent_weight(e, x) } -> std::same_as<double>;
 };
 
 /*!

@@ -41,15 +41,16 @@ Enclosed_values::Enclosed_values(std::vector<FT> squared_lengths,
                                             [](const FT& x) { return x.sup() > 0; });
 }
 
-bool Enclosed_values::is_narrow(const Indexed_face& face) const {
+bool Enclosed_values::is_narrow(const Indexed_face& face, double width) const {
   const Face_values<FT> f = enclosure(face);
   double longest = 0;
   for (const FT& x : f.squared_lengths) {
-    if (!is_narrow(x, x.sup())) return false;
+    if (!is_narrow(x, width * x.sup())) return false;
     longest = std::max(longest, x.sup());
   }
   // zero never gets narrow relative to itself
-  return is_narrow(f.quadruple_area, std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
+  return is_narrow(f.quadruple_area,
+                   width * std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
 }
 
 void Enclosed_values::store(std::span<const std::uint32_t> edges,

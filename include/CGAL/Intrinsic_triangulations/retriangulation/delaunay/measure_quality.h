@@ -45,11 +45,15 @@ struct Quality {
 
 namespace internal {
 
+// Greatest relative error of the squared lengths, areas and weights that statistics are made of.
+// Stored values have it nearly always; a smaller one would take longer than all flips.
+inline constexpr double statistics_tolerance = 0x1p-30;
+
 template <class Triangulation>
 void measure_faces(const Triangulation& t, Quality& q) {
   double sum = 0;
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-    const auto [lengths, area] = accurate_values(t, f);
+    const auto [lengths, area] = accurate_values(t, f, statistics_tolerance);
     const auto [a, b, c] = lengths;
     for (const double numerator : {a + b - c, b + c - a, c + a - b}) {
       const double angle = std::atan2(area, numerator) * (180 / std::numbers::pi);
@@ -88,7 +92,7 @@ Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
-    const double w = is_tie(e) ? 0 : session.cotangent_weight(e);
+    const double w = is_tie(e) ? 0 : session.cotangent_weight(e, internal::statistics_tolerance);
     q.minimum_weight = std::min(q.minimum_weight, w);
     q.maximum_weight = std::max(q.maximum_weight, w);
     ++q.weights[w < 0 ? 0 : w < 2 ? 1 + static_cast<std::size_t>(4 * w) : 9];
