@@ -1,12 +1,13 @@
 # Builds TARGET in BUILD_DIR and fails unless the compiler rejects it with a message that matches
-# the first line of SOURCE, `// expect: REGEX` (a regular expression of CMake), or `// expect at once: REGEX`: in the
-# first five lines, those not counted that tell by which headers a header was included. `of templates` before the colon
-# tells that the compiler finds it when it instantiates templates, which it does after it has read the source.
+# the line of CASE in SOURCE, `// case NAME: REGEX` (a regular expression of CMake), or
+# `// case NAME at once: REGEX`: in the first five lines, those not counted that tell by which
+# headers a header was included. `of templates` before the colon tells that the compiler finds it
+# when it instantiates templates, which it does after it has read the source.
 
 set(ENV{LC_ALL} C) # plain ASCII quotes in messages
-file(STRINGS "${SOURCE}" first_line LIMIT_COUNT 1)
-if(NOT first_line MATCHES "^// expect( at once)?( of templates)?: (.+)$")
-  message(FATAL_ERROR "${SOURCE} must start with a line `// expect: REGEX`")
+file(READ "${SOURCE}" text)
+if(NOT text MATCHES "\n// case ${CASE}( at once)?( of templates)?: ([^\n]+)\n")
+  message(FATAL_ERROR "${SOURCE} must have a line `// case ${CASE}: REGEX`")
 endif()
 set(at_once "${CMAKE_MATCH_1}")
 set(expected "${CMAKE_MATCH_3}")
@@ -16,7 +17,7 @@ execute_process(
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 message(NOTICE "${output}")
 if(result EQUAL 0)
-  message(FATAL_ERROR "${SOURCE} compiles, it must not")
+  message(FATAL_ERROR "${CASE} of ${SOURCE} compiles, it must not")
 elseif(NOT output MATCHES " error: ")
   message(FATAL_ERROR "The compiler was not reached")
 endif()
@@ -26,5 +27,5 @@ if(at_once) # what the compiler says follows its command
   string(REGEX MATCH "^([^\n]*\n?[^\n]*\n?[^\n]*\n?[^\n]*\n?[^\n]*)" output "${output}")
 endif()
 if(NOT output MATCHES "${expected}")
-  message(FATAL_ERROR "${SOURCE} fails without a message that matches: ${expected}")
+  message(FATAL_ERROR "${CASE} of ${SOURCE} fails without a message that matches: ${expected}")
 endif()

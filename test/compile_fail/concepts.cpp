@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A case per concept: arguments that are no model of it, and a message that names it.
+
+#include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+using namespace CGAL::Intrinsic_triangulations;
+
+#if defined CASE_ConnectedTriangulation
+// Integers have no angles to transport vectors by.
+// case ConnectedTriangulation: satisfaction of .ConnectedTriangulation<
+void misuse(const Integer_only_triangulation<>& t) { connection_laplacian(t); }
+
+#elif defined CASE_CorrespondingTriangulation
+// Correspondence alone does not answer queries where no values are stored.
+// case CorrespondingTriangulation: satisfaction of .CorrespondingTriangulation<
+void misuse(const Integer_only_triangulation<>& t) { common_subdivision(t); }
+
+#elif defined CASE_CurveCoordinates
+// Directions are no curves.
+// case CurveCoordinates: satisfaction of .CurveCoordinates<
+void misuse(const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Signposts>& t) {
+  edge_crossings(t, t.correspondence());
+}
+
+#elif defined CASE_FaceNorm
+// A norm is of a vector in a face, not of a vector alone.
+// case FaceNorm: satisfaction of .FaceNorm<
+void misuse() {
+  scale_by_norm(Gluing_map(), [](Plane_vector<double>) { return 1.0; });
+}
+
+#elif defined CASE_FaceRange
+// Points are no faces.
+// case FaceRange: satisfaction of .FaceRange<
+void misuse(const std::vector<std::array<double, 3>>& points) {
+  triangle_soup(points, std::vector<int>{0, 1, 2});
+}
+
+#elif defined CASE_Factorization
+// A matrix is not factored yet.
+// case Factorization: satisfaction of .Factorization<
+void misuse(internal::Diffusion<Eigen::SparseMatrix<double>>* flow);
+
+#elif defined CASE_FieldNumber
+// Degrees of polynomials have no quotient.
+// case FieldNumber: satisfaction of .FieldNumber<
+void misuse(const Expression_degree& length) {
+  apex(length, length, length, Expression_degree::area());
+}
+
+#elif defined CASE_GeodesicTriangulation
+// A triangulation without a metric does not compare angles, nor take flips back.
+// case GeodesicTriangulation: satisfaction of .GeodesicTriangulation<
+void misuse(Integer_only_triangulation<>& t) { insert_geodesic(t, {}, {}); }
+
+#elif defined CASE_IntrinsicCorrespondence
+// An observer that is told after a flip only cannot know what was there before.
+// case IntrinsicCorrespondence: satisfaction of .IntrinsicCorrespondence<
+struct Hears_too_late {
+  template <class Triangulation>
+  void after(const Triangulation&, const Flip&) {}
+};
+template <class Triangulation, class Correspondence>
+  requires IntrinsicCorrespondence<Correspondence, Triangulation>
+void use(Correspondence&) {}
+void misuse(Hears_too_late& correspondence) { use<Intrinsic_triangulation<>>(correspondence); }
+
+#elif defined CASE_IntrinsicMetric
+// A metric that decides nothing.
+// case IntrinsicMetric: satisfaction of .IntrinsicMetric<
+struct Lengths_only {
+  using FT = double;
+  struct Scope {};
+  double squared_length(std::uint32_t) const { return 1; }
+};
+template <IntrinsicMetric Metric>
+void use(Metric&) {}
+void misuse(Lengths_only& metric) { use(metric); }
+
+#elif defined CASE_IntrinsicTriangulation
+// What has neither a mesh nor a metric has no Delaunay triangulation.
+// case IntrinsicTriangulation: satisfaction of .IntrinsicTriangulation<
+struct Nothing {};
+void misuse(const Nothing& nothing) { is_delaunay(nothing); }
+
+#elif defined CASE_IntrinsicTriangulationTraits
+// A number type is not yet a traits class.
+// case IntrinsicTriangulationTraits: satisfaction of .IntrinsicTriangulationTraits<
+void misuse(Intrinsic_triangulation<Gluing_map, double>*);
+
+#elif defined CASE_MeasuredTriangulation
+// A triangulation that stores no lengths has no cotangents.
+// case MeasuredTriangulation: satisfaction of .MeasuredTriangulation<
+void misuse(const Integer_only_triangulation<>& t) { cotangent_laplacian(t); }
+
+#elif defined CASE_MutableDeltaComplex
+// A list of gluings cannot be flipped.
+// case MutableDeltaComplex: satisfaction of .MutableDeltaComplex<
+void misuse(Intrinsic_triangulation<Gluing, Euclidean_traits<double>>*);
+
+#elif defined CASE_NormalCoordinates
+// A list of numbers is not read by edges.
+// case NormalCoordinates: satisfaction of .NormalCoordinates<
+void misuse(const Input& input) { corner_coordinates(input, std::vector<int>(3), 0); }
+
+#elif defined CASE_NumberedComplex
+// Connectivity without lengths has no geodesics.
+// case NumberedComplex: satisfaction of .NumberedComplex<
+void misuse(const Gluing_map& mesh) { angle_at_source(mesh, 0); }
+
+#elif defined CASE_NumberedTriangles
+// A mesh gives halfedges, no numbers.
+// case NumberedTriangles: satisfaction of .NumberedTriangles<
+void misuse(const Gluing_map& mesh) { sides_of_face(mesh, 0); }
+
+#elif defined CASE_NumberedTriangulation
+// A mesh has places, but no input that it was built from.
+// case NumberedTriangulation: satisfaction of .NumberedTriangulation<
+void misuse(const Gluing_map& mesh) { point_in_space(mesh, Surface_point{}, mesh); }
+
+#elif defined CASE_PointRange
+// Coordinates that are not in points are no points.
+// case PointRange: satisfaction of .PointRange<
+void misuse(const std::vector<std::array<int, 3>>& faces) {
+  triangle_soup(std::vector<double>(9), faces);
+}
+
+#elif defined CASE_QueriedTriangulation
+// A mesh is on no other surface.
+// case QueriedTriangulation: satisfaction of .QueriedTriangulation<
+void misuse(const Gluing_map& mesh) { locate_on_input(mesh, Surface_point{}); }
+
+#elif defined CASE_ReadableFaceGraph
+// A soup of triangles has no halfedges.
+// case ReadableFaceGraph: satisfaction of .ReadableFaceGraph<
+void misuse(const Triangle_soup& soup) { euler_characteristic(soup); }
+
+#elif defined CASE_RefinableMetric
+// A metric that only flips.
+// case RefinableMetric: satisfaction of .RefinableMetric<
+struct Only_flips : Euclidean_metric<double> {
+  using Euclidean_metric::Euclidean_metric;
+  bool insert_in_face(const Vertex_star&, const std::array<double, 3>&) = delete;
+};
+template <RefinableMetric Metric>
+void use(Metric&) {}
+void misuse(Only_flips& metric) { use(metric); }
+
+#elif defined CASE_RefinableTriangulation
+// A triangulation whose edges flip, but whose vertices stay, cannot be refined.
+// case RefinableTriangulation: satisfaction of .RefinableTriangulation<
+void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
+
+#elif defined CASE_ScalableSurface
+// A soup of triangles has no metric between its faces.
+// case ScalableSurface: satisfaction of .ScalableSurface<
+void misuse(const Triangle_soup& soup) {
+  scale_conformally(soup, [](int) { return 0.0; });
+}
+
+#elif defined CASE_TriangleRange
+// Numbers of vertices that are not in triples are no triangles.
+// case TriangleRange: satisfaction of .TriangleRange<
+void misuse() { gluing_from_triangles(3, std::vector<int>{0, 1, 2}); }
+
+#elif defined CASE_VertexFactors
+// A factor is of a vertex, not of a face.
+// case VertexFactors: satisfaction of .VertexFactors<
+void misuse(const Gluing_map& mesh) {
+  scale_conformally(mesh, [](Gluing_map::Face) { return 0.0; });
+}
+
+#elif defined CASE_WritableFaceGraph
+// A constant mesh is not built.
+// case WritableFaceGraph: satisfaction of .WritableFaceGraph<
+void misuse(const Gluing_map& mesh) { copy_gluing_map(mesh, mesh); }
+
+#endif

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Correspondences that cannot do what is required: messages say which one can.
+
+#include <CGAL/Intrinsic_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+
+#include <istream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+#if defined CASE_No_correspondence
+// Queries say what to do where there is no correspondence.
+// case No_correspondence at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
+bool misuse(const IT::Intrinsic_triangulation<>& t) {
+  return IT::locate_on_input(t, IT::Surface_point()) ? true : false;
+}
+
+#elif defined CASE_subdivision_without_correspondence
+// What uses the result of a query that is refused says so after what to do.
+// case subdivision_without_correspondence at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
+int misuse(const IT::Intrinsic_triangulation<>& t) {
+  const auto subdivision = IT::common_subdivision(t);
+  for (const auto e : edges(t.mesh()))
+    if (IT::trace_edge(t, e).points.empty()) return 1;
+  return static_cast<int>(subdivision.number_of_faces());
+}
+
+#elif defined CASE_read_signposts
+// Files say what to do where a correspondence cannot be restored.
+// case read_signposts at once of templates: files hold integer coordinates, from which signposts are not made; read with Integer_coordinates
+void misuse(std::istream& file) {
+  using Triangulation =
+      IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Signposts>;
+  IT::read_intrinsic_triangulation<Triangulation>(file, "file.idt");
+}
+
+#elif defined CASE_correspondence_without_moves
+// An observer is told of all moves.
+// case correspondence_without_moves of templates: the third argument of Intrinsic_triangulation is a model of IntrinsicCorrespondence
+struct Hears_of_flips {
+  template <class Triangulation>
+  void start(const Triangulation&) {}
+  template <class Triangulation>
+  bool before(const Triangulation&, const IT::Flip&) {
+    return true;
+  }
+  template <class Triangulation>
+  void after(const Triangulation&, const IT::Flip&) {}
+};
+void misuse(const IT::Intrinsic_input& input) {
+  IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Hears_of_flips> t(input);
+}
+
+#endif
