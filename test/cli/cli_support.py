@@ -7,6 +7,8 @@ import importlib.util
 import json
 import math
 import os
+import random
+import struct
 import subprocess
 import sys
 import tempfile
@@ -21,6 +23,10 @@ REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "b
 REPORT_PYTHON = (sys.executable
                  if all(importlib.util.find_spec(m) for m in ("pandas", "matplotlib"))
                  else "/usr/bin/python3")
+
+
+CUBE = ([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+        [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
 
 
 class Run:
@@ -104,6 +110,38 @@ class Cli_test(unittest.TestCase):
                 entries[int(j) - 1, int(i) - 1] = float(x)
         return int(lines[0][0]), int(lines[0][1]), entries
 
+    def read_rows(self, name):
+        """The rows of numbers of a text."""
+        with open(self.path(name), encoding="ascii") as file:
+            return [[float(x) for x in line.split()] for line in file]
+
+    def read_ply(self, name):
+        """The rows of the elements of a PLY that is binary: properties by name, numbers or lists."""
+        with open(self.path(name), "rb") as file:
+            head, data = file.read().split(b"end_header\n", 1)
+        elements, rows, start = [], {}, 0
+        for word in map(str.split, head.decode("ascii").splitlines()):
+            if word[0] == "element":
+                elements.append((word[1], int(word[2]), []))
+            elif word[0] == "property":
+                elements[-1][2].append(word[1:])
+
+        def take(type_name, count=1):
+            nonlocal start
+            form = f"<{count}" + {"double": "d", "int": "i", "uchar": "B"}[type_name]
+            values = struct.unpack_from(form, data, start)
+            start += struct.calcsize(form)
+            return values
+
+        for element, count, properties in elements:
+            rows[element] = [{p[-1]: list(take(p[2], take(p[1])[0])) if p[0] == "list"
+                              else take(p[0])[0] for p in properties} for _ in range(count)]
+        return rows
+
+    def assert_same_file(self, a, b):
+        with open(self.path(a), "rb") as one, open(self.path(b), "rb") as other:
+            self.assertEqual(one.read(), other.read())
+
     def assert_close(self, a, b, relative, message=None):
         self.assertLessEqual(abs(a - b), relative * max(abs(a), abs(b)), message or f"{a} {b}")
 
@@ -161,6 +199,68 @@ def jittered_grid(n):
     points, faces = grid(n)
     return [(x + 0.3 * math.sin(7 * x + 13 * y), 0.15 * (y + 0.3 * math.sin(11 * x - 5 * y)), 0)
             for x, y, _ in points], faces
+
+
+def parabola_fan(n):
+    """All faces at one of the points of a parabola: doubles lose much of it."""
+    return [(i, i * i / n, 0) for i in range(n)], [(0, i, i + 1) for i in range(1, n - 1)]
+
+
+def beside(points, faces, x):
+    """Two copies of a mesh, the second one moved along the first axis."""
+    n = len(points)
+    return (list(points) + [(p[0] + x, *p[1:]) for p in points],
+            list(faces) + [tuple(v + n for v in f) for f in faces])
+
+
+def shuffled(points, faces, seed):
+    """A mesh with vertices and faces in another order; the new number of each vertex; and faces in
+    the new order with the old numbers of vertices."""
+    generator = random.Random(seed)
+    place = list(range(len(points)))
+    generator.shuffle(place)
+    faces = generator.sample(faces, len(faces))
+    moved = sorted(range(len(points)), key=lambda v: place[v])
+    return [points[v] for v in moved], [tuple(place[v] for v in f) for f in faces], place, faces
+
+
+class Glued_triangles:
+    """Triangles with lengths; halfedge 3f + k is side k of face f: its first vertex, its squared
+    length, and the side it is glued to, or None at a border."""
+
+    def __init__(self):
+        self.origin, self.squared, self.glue = [], [], {}
+
+    @staticmethod
+    def next(h):
+        return h - 2 if h % 3 == 2 else h + 1
+
+    def exchange(self, h):
+        """Flips the edge of a halfedge; what depends on its own length is not changed."""
+        o = self.glue[h]
+        h1, o1 = self.next(h), self.next(o)
+        h2, o2 = self.next(h1), self.next(o1)
+        apex, opposite = self.origin[h2], self.origin[o2]
+        moved = {o2: h1, h1: h2, h2: o1, o1: o2}
+        old = {s: (self.origin[s], self.squared[s], self.glue[s]) for s in moved}
+        for s, place in moved.items():
+            self.origin[place], self.squared[place], partner = old[s]
+            partner = moved.get(partner, partner)
+            self.glue[place] = partner
+            if partner is not None:
+                self.glue[partner] = place
+        self.origin[h], self.origin[o] = apex, opposite
+
+    def flip_to_delaunay(self):
+        """Flips edges for which `is_bad()` holds until there is none."""
+        waiting = list(range(len(self.origin)))
+        while waiting:
+            h = waiting.pop()
+            o = self.glue[h]
+            if o is not None and h // 3 != o // 3 and self.is_bad(h):
+                self.flip(h)
+                waiting += [x for y in (h, o) for x in range(3 * (y // 3), 3 * (y // 3) + 3)]
+        return self
 
 
 def product(matrix, vector):

@@ -3,12 +3,10 @@
 """Bad input gives a certified result, or an error that names the element."""
 
 import os
-import random
 import resource
 import subprocess
-import unittest
 
-from cli_support import TIME_LIMIT, Cli_test, grid, icosphere, main
+from cli_support import CUBE, TIME_LIMIT, Cli_test, beside, grid, icosphere, main, shuffled
 
 TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
                [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
@@ -107,10 +105,7 @@ class Accepted_input(Cli_test):
         return stats
 
     def test_disconnected(self):
-        points, faces = TETRAHEDRON
-        points = points + [(x + 5, y, z) for x, y, z in points]
-        faces = faces + [tuple(v + 4 for v in f) for f in faces]
-        stats = self.certify(self.write_off("d.off", points, faces))
+        stats = self.certify(self.write_off("d.off", *beside(*TETRAHEDRON, 5)))
         self.assertEqual(stats["input"]["components"], 2)
         self.assertEqual(stats["input"]["genus"], 0)
 
@@ -128,14 +123,7 @@ class Accepted_input(Cli_test):
         # a disk, a second one that shares a vertex with the first, and vertices without faces
         points = points + [(x + 400, y, z) for x, y, z in points[1:]] + [(-5, -5, 0), (-6, -5, 0)]
         faces = faces + [tuple(v + n - 1 if v > 0 else 0 for v in f) for f in faces]
-        order = list(range(len(points)))
-        seeded = random.Random(3)
-        seeded.shuffle(order)
-        seeded.shuffle(faces)
-        shuffled = [None] * len(points)
-        for v, p in enumerate(points):
-            shuffled[order[v]] = p
-        mesh = self.write_off("s.off", shuffled, [tuple(order[v] for v in f) for f in faces])
+        mesh = self.write_off("s.off", *shuffled(points, faces, 3)[:2])
         facts = self.stats("info", mesh)["input"]
         self.assertTrue(facts["renumbered"])
         for key, value in (("vertices", 2 * n + 1), ("faces", 4 * side * side), ("components", 2),
@@ -173,9 +161,7 @@ class Accepted_input(Cli_test):
         self.assertEqual(stats["input"]["boundary_edges"], 0)
 
     def test_polygons_are_triangulated(self):
-        stats = self.certify(self.write_off(
-            "q.off", [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
-            [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]))
+        stats = self.certify(self.write_off("q.off", *CUBE))
         self.assertEqual(stats["input"]["triangulated_polygons"], 6)
         self.assertEqual(stats["input"]["faces"], 12)
         self.assertEqual(stats["delaunay"]["cocircular_edges"], 6)

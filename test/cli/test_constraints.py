@@ -5,11 +5,9 @@
 import math
 import random
 
-from cli_support import Cli_test, jittered_grid, main
+from cli_support import CUBE, Cli_test, jittered_grid, main, shuffled
 
 KINDS = ("integer", "crossings", "signposts", "none")
-CUBE = ([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
-        [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
 
 
 class Constraints(Cli_test):
@@ -99,17 +97,14 @@ class Constraints(Cli_test):
 
     def test_edges_are_those_of_the_file_where_that_is_renumbered(self):
         points, faces = jittered_grid(257)  # smaller meshes keep their order
-        seeded = random.Random(5)
-        order = list(range(len(points)))
-        seeded.shuffle(order)
-        seeded.shuffle(faces)
+        *mixed, order, faces = shuffled(points, faces, 5)
         opposite = {}
         for f in faces:
             for k in range(3):
                 a, b, c = f[k], f[(k + 1) % 3], f[(k + 2) % 3]
                 opposite.setdefault((min(a, b), max(a, b)), []).append(c)
         edges = sorted(opposite)
-        listed = seeded.sample(edges, 5000)
+        listed = random.Random(5).sample(edges, 5000)
 
         def cotangent(a, b, c):
             u, v = ([points[x][k] - points[c][k] for k in range(2)] for x in (a, b))
@@ -119,10 +114,7 @@ class Constraints(Cli_test):
                and len(opposite[e]) == 2]
         self.assertGreater(len(bad), 100)
         self.assertLess(len(bad), 4000)
-        shuffled = [None] * len(points)
-        for v, p in enumerate(points):
-            shuffled[order[v]] = p
-        mesh = self.write_off("s.off", shuffled, [tuple(order[v] for v in f) for f in faces])
+        mesh = self.write_off("s.off", *mixed)
         kept = self.write("c.txt", "".join(f"{order[a]} {order[b]}\n" for a, b in listed))
         stats = self.stats("laplacian", mesh, "--no-flip", "--constrain", kept, "--arithmetic", "double")
         self.assertTrue(stats["input"]["renumbered"])

@@ -4,7 +4,7 @@
 
 import math
 
-from cli_support import Cli_test, icosphere, jittered_grid, main, product
+from cli_support import Cli_test, beside, icosphere, jittered_grid, main, product
 
 
 class Sizes(Cli_test):
@@ -176,9 +176,7 @@ class Adaptive_refinement(Cli_test):
     def test_bad_input(self):
         self.assert_fails(self.run_program("refine", self.mesh, "--adaptive", "--source", "162"),
                           "m.off", "vertex 162", "below 162")
-        n = len(self.points)
-        two = self.write_off("two.off", self.points + [(x + 9, y, z) for x, y, z in self.points],
-                             self.faces + [tuple(v + n for v in f) for f in self.faces])
+        two = self.write_off("two.off", *beside(self.points, self.faces, 9))
         self.assert_fails(self.run_program("refine", two, "--adaptive"), "two.off", "connected")
         for arguments in (("--source", "1"), ("--tolerance", "1"), ("--max-vertices", "9"),
                           ("--adaptive", "--order", "worst"), ("--adaptive", "--tolerance", "0"),

@@ -6,32 +6,22 @@ sums over what the files say. The Delaunay Laplacian is unique, so the flips nee
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
-from cli_support import Cli_test, grid, icosphere, main
+from cli_support import Cli_test, Glued_triangles, grid, icosphere, main
 
 getcontext().prec = 50
 TIE = Decimal(10) ** -30  # far above the rounding of 50 digits, far below any cotangent that is no tie
 
 
-class Reference:
-    """Glued triangles with lengths; halfedge 3f + k is side k of face f."""
+class Reference(Glued_triangles):
+    """Lengths are numbers of 50 digits."""
 
     def __init__(self, points, faces):
+        super().__init__()
         self.origin = [v for f in faces for v in f]
-        self.glue = [None] * len(self.origin)
-        self.squared = [None] * len(self.origin)
-        side = {}
-        for h, v in enumerate(self.origin):
-            w = self.origin[self.next(h)]
-            self.squared[h] = sum((Decimal(a) - Decimal(b)) ** 2
-                                  for a, b in zip(points[v], points[w]))
-            side[v, w] = h
-            if (w, v) in side:
-                self.glue[h] = side[w, v]
-                self.glue[side[w, v]] = h
-
-    @staticmethod
-    def next(h):
-        return h - 2 if h % 3 == 2 else h + 1
+        side = {(v, self.origin[self.next(h)]): h for h, v in enumerate(self.origin)}
+        self.glue = {h: side.get((w, v)) for (v, w), h in side.items()}
+        self.squared = [sum((Decimal(a) - Decimal(b)) ** 2 for a, b in zip(points[v], points[w]))
+                        for v, w in side]
 
     def apex(self, h):
         """The third corner of the face of h in the plane, where h runs from (0, 0) along x."""
@@ -51,36 +41,19 @@ class Reference:
         w = self.cotangent(h)
         return (w if self.glue[h] is None else w + self.cotangent(self.glue[h])) / 2
 
+    def is_bad(self, h):
+        return self.weight(h) <= -TIE
+
     def flip(self, h):
         o = self.glue[h]
-        h1, o1 = self.next(h), self.next(o)
-        h2, o2 = self.next(h1), self.next(o1)
         (xk, yk), (xm, ym) = self.apex(h), self.apex(o)
         across = (xk - (self.squared[h].sqrt() - xm)) ** 2 + (yk + ym) ** 2
-        k, m = self.origin[h2], self.origin[o2]
-        moved = {o2: h1, h1: h2, h2: o1, o1: o2}
-        old = {x: (self.origin[x], self.squared[x], self.glue[x]) for x in moved}
-        for x, place in moved.items():
-            self.origin[place], self.squared[place], partner = old[x]
-            self.glue[place] = moved.get(partner, partner)
-            if partner is not None and partner not in moved:
-                self.glue[partner] = place
-        self.origin[h], self.origin[o] = k, m
+        self.exchange(h)
         self.squared[h] = self.squared[o] = across
-
-    def flip_to_delaunay(self):
-        waiting = list(range(len(self.glue)))
-        while waiting:
-            h = waiting.pop()
-            o = self.glue[h]
-            if o is None or h // 3 == o // 3 or self.weight(h) > -TIE:
-                continue
-            self.flip(h)
-            waiting += [x for y in (h, o) for x in range(3 * (y // 3), 3 * (y // 3) + 3)]
 
     def laplacian(self):
         entries = {}
-        for h, o in enumerate(self.glue):
+        for h, o in sorted(self.glue.items()):
             i, j = self.origin[h], self.origin[self.next(h)]
             if (o is not None and o < h) or i == j:
                 continue
@@ -88,16 +61,6 @@ class Reference:
             for a, b, x in ((i, i, w), (j, j, w), (i, j, -w), (j, i, -w)):
                 entries[a, b] = entries.get((a, b), 0) + x
         return entries
-
-
-def read_matrix_market(path):
-    entries = {}
-    with open(path) as file:
-        lines = [line for line in file if line[0] != "%"]
-    for line in lines[1:]:
-        i, j, x = line.split()
-        entries[int(i) - 1, int(j) - 1] = entries[int(j) - 1, int(i) - 1] = Fraction(float(x))
-    return entries
 
 
 def trace(matrix):
@@ -137,6 +100,9 @@ def read_idt(path):
 
 
 class Independent_check(Cli_test):
+    def fractions(self, name):
+        return {key: Fraction(x) for key, x in self.read_matrix(name)[2].items()}
+
     def meshes(self):
         points, faces = icosphere(2)
         yield [(x, 0.7 * y, 0.05 * z) for x, y, z in points], faces
@@ -153,7 +119,7 @@ class Independent_check(Cli_test):
             mesh = self.write_off("m.off", points, faces)
             for arithmetic in ("exact", "double"):
                 stats = self.stats("laplacian", mesh, "--arithmetic", arithmetic, "-o", "l.mtx")
-                matrix = read_matrix_market(self.path("l.mtx"))
+                matrix = self.fractions("l.mtx")
                 # doubles: some hundred flips, each with a few rounding errors of 1e-16 times the
                 # aspect ratio of a face, which is below 1e3
                 self.assert_close(stats["laplacian"]["trace"], trace(expected), 1e-9)
@@ -186,7 +152,7 @@ class Independent_check(Cli_test):
             mesh = self.write_off("m.off", points, faces)
             for kind in ("lumped", "galerkin"):
                 stats = self.stats("laplacian", mesh, "--mass", "m.mtx", "--mass-kind", kind)
-                total = float(sum(read_matrix_market(self.path("m.mtx")).values()))
+                total = float(sum(self.fractions("m.mtx").values()))
                 self.assert_close(total, stats["area"]["input"], 1e-12)
 
 

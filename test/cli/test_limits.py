@@ -10,12 +10,7 @@ import signal
 import stat
 import subprocess
 
-from cli_support import Cli_test, grid, icosphere, main
-
-
-def parabola_fan(n):
-    """All faces at one of the points of a parabola: doubles lose much of it."""
-    return [(i, i * i / n, 0) for i in range(n)], [(0, i, i + 1) for i in range(1, n - 1)]
+from cli_support import Cli_test, grid, icosphere, main, parabola_fan
 
 
 class Limits(Cli_test):

@@ -119,10 +119,6 @@ class Point_cloud(Cli_test):
         stored = self.stats("laplacian", "t.idt")
         self.assertEqual(stored["laplacian"]["trace"], drawn["laplacian"]["trace"])
 
-    def rows(self, name):
-        with open(self.path(name), encoding="ascii") as file:
-            return [list(map(float, line.split())) for line in file]
-
     def in_space(self, row):
         """The vector of a row in space: two coordinates before two axes."""
         x, y = row[-8:-6]
@@ -134,7 +130,7 @@ class Point_cloud(Cli_test):
         self.write("v.txt", "0 30 2\n")
         stats = self.stats("transport", cloud, "--vectors", self.path("v.txt"), "-o", "t.txt")
         self.assertEqual(stats["transport"]["unknown_vertices"], 0)
-        rows = self.rows("t.txt")
+        rows = self.read_rows("t.txt")
         p, v = points[0], self.in_space(rows[0])
         self.assertAlmostEqual(sum(a * b for a, b in zip(v, rows[0][-6:-3])),
                                2 * math.cos(math.pi / 6), 6)
@@ -159,7 +155,7 @@ class Point_cloud(Cli_test):
         for degree in (1, 4):
             stats = self.stats("field", cloud, "--degree", str(degree), "-o", "f.txt")["field"]
             self.assertEqual((stats["degree"], stats["seam_edges"]), (degree, 0))
-            vectors = [self.in_space(row) for row in self.rows("f.txt")]
+            vectors = [self.in_space(row) for row in self.read_rows("f.txt")]
             angles = [math.atan2(y, x) for x, y, _ in vectors]
             for angle in angles: # equal but for quarters of a turn
                 difference = degree * (angle - angles[0]) / (2 * math.pi)

@@ -3,9 +3,8 @@
 """Polygons that are not planar: what becomes of them, and what is reported and written."""
 
 import math
-import unittest
 
-from cli_support import Cli_test, main
+from cli_support import CUBE, Cli_test, main
 
 
 def skew_rhombi(copies, height):
@@ -79,8 +78,7 @@ class Polygons(Cli_test):
                 self.stats("delaunay", mesh, "--polygons", polygons, "--arithmetic", arithmetic,
                            "-o", "s.idt")
                 stored = self.stats("delaunay", "s.idt", "-o", "b.vtp")
-                with open(self.path("a.vtp"), "rb") as a, open(self.path("b.vtp"), "rb") as b:
-                    self.assertEqual(a.read(), b.read())  # with the face of the file under each
+                self.assert_same_file("a.vtp", "b.vtp")  # with the face of the file under each
                 for key in ("polygons", "triangulated_polygons"):
                     self.assertEqual(stored["input"][key], asked["input"][key])
                 self.assertEqual(stored["input"]["polygons"], len(faces))
@@ -102,17 +100,14 @@ class Polygons(Cli_test):
             self.assertAlmostEqual(entries.get((a, b), entries.get((b, a), 0)), x, 11)
 
     def test_planar_polygons_stay_as_they_are(self):
-        points = [(x, y, z) for x in (0, 3) for y in (0, 2) for z in (0, 1)]
-        faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-        mesh = self.write_off("b.off", points, faces)
+        mesh = self.write_off("b.off", [(3 * x, 2 * y, z) for x, y, z in CUBE[0]], CUBE[1])
         one = self.stats("delaunay", mesh, "-o", "a.ply")
         other = self.stats("delaunay", mesh, "-o", "b.ply", "--polygons", "planar")
         self.assertEqual(other["polygons"], {"planar": 6, "flattened": 0, "kept": 0,
                                              "max_angle_change_deg": 0})
         self.assertEqual(one["delaunay"], other["delaunay"])
         self.assertEqual(one["area"], other["area"])
-        with open(self.path("a.ply"), "rb") as a, open(self.path("b.ply"), "rb") as b:
-            self.assertEqual(a.read(), b.read())
+        self.assert_same_file("a.ply", "b.ply")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 
 import math
 
-from cli_support import Cli_test, grid, icosphere, main
+from cli_support import Cli_test, grid, icosphere, jittered_grid, main
 
 
 class Refine(Cli_test):
@@ -37,38 +37,29 @@ class Refine(Cli_test):
         self.assertEqual(sum(angles[:3]), 0)
         self.assertEqual(sum(stats["quality"]["cotan_weight_histogram"]), 3 * vertices - 6)
 
-    def read_diagonal(self, path):
-        with open(path, encoding="ascii") as file:
-            lines = [line.split() for line in file if not line.startswith("%")]
-        size = int(lines[0][0])
-        diagonal = {int(w[0]): float(w[2]) for w in lines[1:] if w[0] == w[1]}
-        self.assertEqual(sorted(diagonal), list(range(1, size + 1)))
-        return list(diagonal.values())
+    def read_diagonal(self, name):
+        size, _, entries = self.read_matrix(name)
+        return [entries[i, i] for i in range(size)]
 
     def test_writes_the_laplacian_of_the_refined_triangulation(self):
-        matrix = self.path("l.mtx")
-        stats = self.stats("refine", self.mesh, "--laplacian", matrix)
-        diagonal = self.read_diagonal(matrix)
+        stats = self.stats("refine", self.mesh, "--laplacian", "l.mtx")
+        diagonal = self.read_diagonal("l.mtx")
         self.assertEqual(len(diagonal), stats["input"]["vertices"] + stats["refine"]["insertions"])
         self.assert_close(sum(diagonal), stats["laplacian"]["trace"], 1e-12)
 
     def test_removed_vertices_have_no_rows(self):
-        points, faces = grid(12)
-        mesh = self.write_off("jittered.off", [
-            (x + 0.3 * math.sin(7 * x + 13 * y), 0.15 * (y + 0.3 * math.sin(11 * x - 5 * y)), 0)
-            for x, y, _ in points], faces)
+        mesh = self.write_off("jittered.off", *jittered_grid(12))
         for arithmetic in ("exact", "double"):
             for kind in ("integer", "crossings", "signposts", "none"):
-                matrix, stored = self.path("l.mtx"), self.path("t.idt")
-                stats = self.stats("refine", mesh, "--laplacian", matrix, "--min-angle", "28",
+                stats = self.stats("refine", mesh, "--laplacian", "l.mtx", "--min-angle", "28",
                                    "--arithmetic", arithmetic, "--correspondence", kind,
-                                   "-o", stored)
+                                   "-o", "t.idt")
                 self.assertGreater(stats["refine"]["removals"], 10)
-                diagonal = self.read_diagonal(matrix)
+                diagonal = self.read_diagonal("l.mtx")
                 vertices = stats["input"]["vertices"] + stats["refine"]["insertions"]
                 self.assertEqual(len(diagonal), vertices)
                 self.assertGreater(min(diagonal), 0)
-                with open(stored, encoding="ascii") as file:
+                with open(self.path("t.idt"), encoding="ascii") as file:
                     counts = [line.split()[1] for line in file if line.startswith("vertices ")]
                 self.assertEqual(counts, [str(vertices)])
 

@@ -5,7 +5,6 @@
 import math
 import os
 import random
-import struct
 
 from cli_support import Cli_test, main
 
@@ -21,34 +20,6 @@ def read_off(path):
     points = [tuple(map(float, row)) for row in rows[2:2 + vertices]]
     return points, [[int(x) for x in row[1:1 + int(row[0])]]
                     for row in rows[2 + vertices:2 + vertices + faces]]
-
-
-def read_ply(path):
-    """Vertices and faces of a binary PLY file, each with its properties by name."""
-    types = {"double": "d", "int": "i", "uchar": "B"}
-    with open(path, "rb") as file:
-        data = file.read()
-    start = data.index(b"end_header\n") + 11
-    elements = []
-    for line in data[:start].decode("ascii").splitlines():
-        word = line.split()
-        if word[0] == "element":
-            elements.append((word[1], int(word[2]), []))
-        elif word[0] == "property":
-            elements[-1][2].append(word[1:])
-    rows = {}
-
-    def take(type_name, count=1):
-        nonlocal start
-        form = f"<{count}{types[type_name]}"
-        values = struct.unpack_from(form, data, start)
-        start += struct.calcsize(form)
-        return values
-
-    for name, count, properties in elements:
-        rows[name] = [{p[-1]: list(take(p[2], take(p[1])[0])) if p[0] == "list" else take(p[0])[0]
-                       for p in properties} for _ in range(count)]
-    return rows["vertex"], rows["face"]
 
 
 def area(points, faces):
@@ -134,7 +105,8 @@ class Subdivision(Cli_test):
         for options in ([], ["--arithmetic", "double"], ["--correspondence", "crossings"]):
             stats = self.stats("refine", mesh, "-o", "out.ply", "--max-edge-length", "0.8", *options)
             self.assertGreater(stats["refine"]["insertions"], 50)
-            vertices, faces = read_ply(self.path("out.ply"))
+            ply = self.read_ply("out.ply")
+            vertices, faces = ply["vertex"], ply["face"]
             around = [set() for _ in vertices]
             for face in faces:
                 self.assertLess(face["input_face"], len(polygons))

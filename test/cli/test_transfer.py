@@ -16,10 +16,6 @@ class Transfer(Cli_test):
     def write_field(self, name, rows):
         return self.write(name, "".join(" ".join(map(repr, r)) + "\n" for r in rows))
 
-    def read_field(self, name):
-        with open(self.path(name)) as file:
-            return [[float(x) for x in line.split()] for line in file]
-
     def intrinsic_points(self, *options):
         """Where the vertices of the intrinsic triangulation are, by other ways than this command."""
         self.stats("refine" if options else "laplacian", self.mesh, "--interpolation", "p.mtx",
@@ -55,7 +51,7 @@ class Transfer(Cli_test):
             self.stats("transfer", self.mesh, field, "--arithmetic", arithmetic, "--refine",
                        *criteria, "-o", "a.txt")
             self.stats("transfer", "r.idt", field, "-o", "b.txt")
-            asked, stored = self.read_field("a.txt"), self.read_field("b.txt")
+            asked, stored = self.read_rows("a.txt"), self.read_rows("b.txt")
             self.assertEqual(len(stored), self.read_matrix("l.mtx")[0])
             self.assertGreater(len(stored), len(rows))
             for x, y in zip(asked, stored, strict=True):
@@ -63,7 +59,7 @@ class Transfer(Cli_test):
             # and back: what is linear between the vertices of the mesh comes back
             self.stats("transfer", "r.idt", self.path("b.txt"), "--from", "intrinsic", "-o",
                        "c.txt", "--method", "pointwise")
-            self.assertEqual(len(self.read_field("c.txt")), len(rows))
+            self.assertEqual(len(self.read_rows("c.txt")), len(rows))
 
     def test_linear_functions_are_reproduced_both_ways(self):
         field = self.write_field("f.txt", self.points)
@@ -75,13 +71,13 @@ class Transfer(Cli_test):
                                        method, "--arithmetic", arithmetic, *options)
                     self.assertEqual(stats["transfer"]["functions"], 3)
                     self.assertLess(max(stats["transfer"]["L2_distance"]), 1e-9)
-                    values = self.read_field("g.txt")
+                    values = self.read_rows("g.txt")
                     self.assertEqual(len(values), len(wanted))
                     for a, b in zip(values, wanted):
                         self.assertLess(math.dist(a, b), 1e-9)
                     self.stats("transfer", self.mesh, self.path("g.txt"), "-o", "h.txt", "--from",
                                "intrinsic", "--method", method, "--arithmetic", arithmetic, *options)
-                    for a, b in zip(self.read_field("h.txt"), self.points):
+                    for a, b in zip(self.read_rows("h.txt"), self.points):
                         self.assertLess(math.dist(a, b), 1e-9)
 
     def rough(self, n):
@@ -105,7 +101,7 @@ class Transfer(Cli_test):
         stats = self.stats("transfer", self.mesh, self.write_field("f.txt", field), "-o", "g.txt",
                            "--refine")["transfer"]
         for name, command, values in (("integral_on_input", ("laplacian", "--no-flip"), field),
-                                      ("integral_on_intrinsic", ("refine",), self.read_field("g.txt"))):
+                                      ("integral_on_intrinsic", ("refine",), self.read_rows("g.txt"))):
             self.stats(command[0], self.mesh, "--mass", "m.mtx", *command[1:])
             weighted = product(self.read_matrix("m.mtx"), [x for x, in values])
             self.assertAlmostEqual(sum(weighted), stats[name][0], 9)
@@ -116,7 +112,7 @@ class Transfer(Cli_test):
                    "--min-angle", "33", "--method", "pointwise")
         self.stats("transfer", self.mesh, self.path("g.txt"), "-o", "h.txt", "--refine",
                    "--min-angle", "33", "--method", "pointwise", "--from", "intrinsic")
-        self.assertEqual(self.read_field("h.txt"), field)
+        self.assertEqual(self.read_rows("h.txt"), field)
 
     def test_constants_on_a_surface_with_other_options(self):
         points, faces = icosphere(2)
@@ -125,7 +121,7 @@ class Transfer(Cli_test):
         for options in (("--sharp-angle", "20"), ("--refine", "--adaptive", "--tolerance", "0.03"),
                         ("--refine", "--max-edge-length", "0.5", "--sharp-angle", "20")):
             stats = self.stats("transfer", mesh, field, "-o", "g.txt", *options)
-            self.assertTrue(all(abs(x - 7) < 1e-9 for x, in self.read_field("g.txt")))
+            self.assertTrue(all(abs(x - 7) < 1e-9 for x, in self.read_rows("g.txt")))
             self.assert_close(stats["transfer"]["integral_on_input"][0],
                               7 * stats["area"]["input"], 1e-10)
 

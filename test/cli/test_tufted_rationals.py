@@ -9,7 +9,7 @@ import math
 import random
 from fractions import Fraction
 
-from cli_support import Cli_test, main
+from cli_support import Cli_test, Glued_triangles, main
 
 SOUPS = 25
 
@@ -71,12 +71,12 @@ def sorted_around(points, u, v, faces):
     return sorted(ray, key=key)
 
 
-class Tufted:
-    """Halfedge 3f + k is side k of face f; faces 2f and 2f + 1 are the sides of a triangle."""
+class Tufted(Glued_triangles):
+    """Faces 2f and 2f + 1 are the sides of a triangle."""
 
     def __init__(self, points, triangles):
-        self.origin, self.squared, self.area, self.glue = [], [], [], {}
-        at_edge = {}
+        super().__init__()
+        self.area, at_edge = [], {}
         for f, (i, j, k) in enumerate(triangles):
             for corners in ((i, j, k), (j, i, k)):
                 self.origin += corners
@@ -92,10 +92,6 @@ class Tufted:
                 a, b = self.side(f, u, v), self.side(g, v, u)
                 self.glue[a], self.glue[b] = b, a
 
-    @staticmethod
-    def next(h):
-        return h - 2 if h % 3 == 2 else h + 1
-
     def side(self, triangle, u, v):
         return next(h for h in range(6 * triangle, 6 * triangle + 6)
                     if (self.origin[h], self.origin[self.next(h)]) == (u, v))
@@ -110,7 +106,7 @@ class Tufted:
         x, y = self.apex(h)
         return (x * (x - 1) + y * y) / y
 
-    def is_inside(self, h):
+    def is_bad(self, h):
         """Whether the corner across h is inside the circle of the face of h, by the power of the point."""
         (x, y), (a, b) = self.apex(h), self.apex(self.glue[h])
         p, q = 1 - a, -b
@@ -119,33 +115,14 @@ class Tufted:
 
     def flip(self, h):
         o = self.glue[h]
-        h1, o1 = self.next(h), self.next(o)
-        h2, o2 = self.next(h1), self.next(o1)
         (x, y), (a, b) = self.apex(h), self.apex(o)
         p, q, base = 1 - a, -b, self.squared[h]
-        apex, opposite = self.origin[h2], self.origin[o2]
-        old = {s: (self.origin[s], self.squared[s], self.glue[s]) for s in (h1, h2, o1, o2)}
-        moved = {o2: h1, h1: h2, h2: o1, o1: o2}
-        for s, place in moved.items():
-            self.origin[place], self.squared[place], partner = old[s]
-            partner = moved.get(partner, partner)
-            self.glue[place], self.glue[partner] = partner, place
-        self.origin[h], self.origin[o] = apex, opposite
+        self.exchange(h)
         self.squared[h] = self.squared[o] = base * ((x - p) ** 2 + (y - q) ** 2)
         for s in (h, o):  # what the sides of the new faces are in the plane of both
             corners = {h: ((x, y), (p, q), (1, 0)), o: ((p, q), (x, y), (0, 0))}[s]
             (ax, ay), (bx, by), (cx, cy) = corners
             self.area[s // 3] = base * abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
-
-    def flip_to_delaunay(self):
-        waiting = list(self.glue)
-        while waiting:
-            h = waiting.pop()
-            o = self.glue[h]
-            if h // 3 != o // 3 and self.is_inside(h):
-                self.flip(h)
-                waiting += [x for y in (h, o) for x in range(3 * (y // 3), 3 * (y // 3) + 3)]
-        return self
 
     def weights(self):
         """The weight between two rows of the soup; both copies of an edge have half of its cotangents."""

@@ -158,9 +158,7 @@ class Arguments(Cli_test):
 
     def test_the_page_cannot_be_written(self):
         mesh = self.write_off("grid.off", *grid(2))
-        run = self.run_program("delaunay", mesh, "--view", "missing/v.html")
-        self.assertEqual(run.code, 1)
-        self.assertIn("v.html", run.err)
+        self.assert_fails(self.run_program("delaunay", mesh, "--view", "missing/v.html"), "v.html")
 
 
 @unittest.skipUnless(CHROMIUM, "there is no Chromium")
