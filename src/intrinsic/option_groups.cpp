@@ -91,9 +91,10 @@ std::string curve_output_misuse(const Options& o) {
 void add_common_options(CLI::App& command, Options& options) {
   command
       .add_option("IN", options.input,
-                  "mesh (" + extensions_of(Contents::mesh) +
-                      "), points (.xyz, .pwn, or a mesh without faces) or intrinsic triangulation "
-                      "(.idt)")
+                  "mesh (" + extensions_of(Contents::mesh) + "), points (" +
+                      extensions_of(Contents::point_set) +
+                      ", or a mesh without faces) or intrinsic triangulation (" +
+                      extensions_of(Contents::triangulation) + ")")
       ->required();
   command
       .add_option_function<std::string>(

@@ -4,13 +4,11 @@
 #include "file_formats.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,15 +25,15 @@ struct Format {
   std::span<const std::string_view> extensions; // without the dot
 };
 
-constexpr std::array<std::string_view, 5> mesh{"off", "obj", "ply", "stl", "ts"};
 constexpr std::array<std::string_view, 1> triangulation{"idt"};
 constexpr std::array<std::string_view, 1> values{"txt"};
 constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
 
 // in the order of `Contents`
-constexpr std::array<Format, 8> formats{
-    {{"meshes", mesh},
+constexpr std::array<Format, 9> formats{
+    {{"meshes", IT::mesh_extensions},
+     {"lists of points", IT::point_set_extensions},
      {"the intrinsic triangulation", triangulation},
      {"the common subdivision", IT::common_subdivision_extensions},
      {"curves", IT::polyline_extensions},
@@ -57,9 +55,7 @@ std::string listed(const std::vector<std::string>& words) {
 } // namespace
 
 bool is_file_of(Contents contents, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  return std::ranges::count(format(contents).extensions,
-                            IT::internal::plain_extension(extension)) != 0;
+  return IT::has_extension(path, format(contents).extensions);
 }
 
 std::string extensions_of(Contents contents) {

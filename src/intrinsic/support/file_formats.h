@@ -14,6 +14,7 @@ namespace program {
 /// Contents of files that the program reads or writes; one table has their names and extensions.
 enum class Contents {
   mesh,
+  point_set,
   triangulation,
   subdivision,
   curves,

@@ -27,8 +27,11 @@ namespace {
 
 using CGAL::Intrinsic_triangulations::Element_kind;
 using CGAL::Intrinsic_triangulations::File_faces;
+using CGAL::Intrinsic_triangulations::has_extension;
 using CGAL::Intrinsic_triangulations::Invalid_input;
+using CGAL::Intrinsic_triangulations::mesh_extensions;
 using CGAL::Intrinsic_triangulations::Nonplanar_polygons;
+using CGAL::Intrinsic_triangulations::point_set_extensions;
 using CGAL::Intrinsic_triangulations::read_triangle_soup;
 using CGAL::Intrinsic_triangulations::Triangle_soup;
 
@@ -336,6 +339,14 @@ TEST_F(Read_triangle_soup, coordinates_are_the_doubles_nearest_to_the_text) {
             (std::array<double, 3>{123456789.123456789123456789, 1, 9007199254740992.0}));
   const Triangle_soup o = read("t.obj", "v 0.1 0.2 0.3\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(o.points[0], (std::array<double, 3>{0.1, 0.2, 0.3}));
+}
+
+TEST_F(Read_triangle_soup, has_extension_compares_the_last_extension_in_any_letter_case) {
+  for (const std::string name : {"m.off", "a.b/M.Off", "x.ply.OBJ", ".off.ts"})
+    EXPECT_TRUE(has_extension(name, mesh_extensions)) << name;
+  for (const std::string name : {"off", "m.offx", "m.xyz", "m.off/n", "m.off ", ""})
+    EXPECT_FALSE(has_extension(name, mesh_extensions)) << name;
+  EXPECT_TRUE(has_extension("p.XYZ", point_set_extensions));
 }
 
 TEST_F(Read_triangle_soup, files_that_cannot_be_opened_are_named) {

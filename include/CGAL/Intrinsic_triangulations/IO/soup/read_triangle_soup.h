@@ -6,9 +6,30 @@
 
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// The extensions of the meshes that `read_triangle_soup()` reads; without faces they are point
+/// sets.
+inline constexpr std::array<std::string_view, 5> mesh_extensions{"off", "obj", "ply", "stl", "ts"};
+
+/// The extensions of the lists of points that `read_triangle_soup()` reads.
+inline constexpr std::array<std::string_view, 2> point_set_extensions{"xyz", "pwn"};
+
+/*!
+\brief returns whether the name of a file has one of some extensions, in any letter case.
+
+Such are `mesh_extensions`, `point_set_extensions`, `polyline_extensions` and
+`common_subdivision_extensions`.
+\param filename the name; the file need not exist
+\param extensions the extensions, in lower case and without a dot
+\complexity linear in their number
+*/
+bool has_extension(const std::string& filename, std::span<const std::string_view> extensions);
 
 /// Treatment of the faces of a file, see `read_triangle_soup()`.
 enum class File_faces {
@@ -20,8 +41,9 @@ enum class File_faces {
 /*!
 \brief reads a polygon mesh from a file as a soup of triangles.
 
-The format follows from the extension, in any letter case: OFF with all its prefixes (`.off`), OBJ
-(`.obj`), PLY (`.ply`), STL (`.stl`) and GOCAD (`.ts`), the formats of
+The format follows from the extension, in any letter case (`mesh_extensions`,
+`point_set_extensions`): OFF with all its prefixes (`.off`), OBJ (`.obj`), PLY (`.ply`), STL
+(`.stl`) and GOCAD (`.ts`), the formats of
 `CGAL::IO::read_polygon_soup()`; OFF, PLY and STL as text or binary. Vertices and faces keep the
 numbers they have in the file; those of STL are the distinct corners in the order in which they
 first occur. A decimal coordinate becomes the nearest `double`; where a format stores single

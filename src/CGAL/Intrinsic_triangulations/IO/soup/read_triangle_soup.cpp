@@ -9,12 +9,15 @@
 #include <CGAL/IO/GOCAD.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <istream>
 #include <new>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -24,6 +27,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 namespace {
+
+std::string extension_of(const std::string& filename) {
+  return plain_extension(std::filesystem::path(filename).extension().string());
+}
 
 // Scans a triangulated surface of GOCAD by CGAL's reader. That has no bound on the length of lines,
 // so this loop checks them before.
@@ -48,31 +55,35 @@ void scan_GOCAD(std::istream& in, Soup_builder& out) {
              "; get a complete copy if it is truncated, or correct what follows them");
 }
 
+using Scan = void (*)(std::istream&, std::uintmax_t, Soup_builder&);
+
+// in the order of `mesh_extensions`
+constexpr std::array<Scan, mesh_extensions.size()> mesh_scans{
+    scan_OFF, [](std::istream& in, std::uintmax_t, Soup_builder& out) { scan_OBJ(in, out); },
+    scan_PLY, scan_STL,
+    [](std::istream& in, std::uintmax_t, Soup_builder& out) { scan_GOCAD(in, out); }};
+
 void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_builder& out) {
   std::ifstream in(filename, std::ios::binary);
   if (!in) out.fail("the file cannot be opened; check its permissions");
-  const std::string extension =
-      plain_extension(std::filesystem::path(filename).extension().string());
-  if (extension == "off")
-    scan_OFF(in, size, out);
-  else if (extension == "obj")
-    scan_OBJ(in, out);
-  else if (extension == "ply")
-    scan_PLY(in, size, out);
-  else if (extension == "stl")
-    scan_STL(in, size, out);
-  else if (extension == "ts")
-    scan_GOCAD(in, out);
-  else if (extension == "xyz" || extension == "pwn")
-    scan_XYZ(in, out);
-  else
-    out.fail("the extension \"" + shown(extension) +
-             "\" is not supported; convert the mesh to .off, .obj, .ply, .stl or .ts, or points to "
-             ".xyz");
+  if (has_extension(filename, point_set_extensions)) return scan_XYZ(in, out);
+  std::string known;
+  for (std::size_t i = 0; i < mesh_extensions.size(); ++i) {
+    if (has_extension(filename, {&mesh_extensions[i], 1})) return mesh_scans[i](in, size, out);
+    known += (i == 0 ? "." : i + 1 == mesh_extensions.size() ? " or ." : ", .");
+    known += mesh_extensions[i];
+  }
+  out.fail("the extension \"" + shown(extension_of(filename)) +
+           "\" is not supported; convert the mesh to " + known + ", or points to ." +
+           std::string(point_set_extensions.front()));
 }
 
 } // namespace
 } // namespace internal
+
+bool has_extension(const std::string& filename, std::span<const std::string_view> extensions) {
+  return std::ranges::count(extensions, internal::extension_of(filename)) != 0;
+}
 
 Triangle_soup read_triangle_soup(const std::string& filename, Nonplanar_polygons polygons,
                                  File_faces faces) {
