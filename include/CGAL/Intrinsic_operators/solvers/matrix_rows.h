@@ -14,6 +14,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -64,6 +65,14 @@ struct Row_sums {
 // Marks, at their least rows, the components whose rows all may sum to zero.
 std::vector<char> laplacian_components(const Row_sums& sums,
                                        const std::vector<std::uint32_t>& component);
+
+// Marks some rows of a matrix.
+// \throws std::invalid_argument if a row does not exist
+std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> rows);
+
+// The least rows of the components that are marked there.
+std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
+                                      const std::vector<char>& is_marked);
 
 // Whether all rows may sum to zero.
 bool is_laplacian(const Eigen::SparseMatrix<double>& a);

@@ -70,8 +70,7 @@ private:
 // The fixed rows with entries in free columns, without repetition.
 static std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatrix<double>& a,
                                                         std::span<const std::uint32_t> fixed) {
-  std::vector<char> is_fixed(row_number(a.rows()), 0);
-  for (const std::uint32_t r : fixed) is_fixed[r] = 1;
+  const std::vector<char> is_fixed = marked_rows(a.rows(), fixed);
   std::vector<std::uint32_t> beside;
   for (std::uint32_t r = 0; r < is_fixed.size(); ++r) {
     if (is_fixed[r] == 0) continue;
@@ -89,9 +88,8 @@ Biharmonic_interpolation::Biharmonic_interpolation(const Eigen::SparseMatrix<dou
                                                    std::span<const std::uint32_t> rows,
                                                    std::vector<std::uint32_t> beside)
     : mass_(std::move(mass)), beside_(std::move(beside)),
-      is_fixed_(row_number(laplacian.rows()), 0), laplacian_(laplacian),
+      is_fixed_(marked_rows(laplacian.rows(), rows)), laplacian_(laplacian),
       harmonic_(laplacian, rows) {
-  for (const std::uint32_t r : rows) is_fixed_[r] = 1;
   find_measures(rows);
   factor_strengths();
 }
@@ -167,8 +165,7 @@ static Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>
 static bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
                                const Eigen::VectorXd& mass,
                                std::span<const std::uint32_t> handles) {
-  std::vector<char> needs_none(static_cast<std::size_t>(mass.size()), 0);
-  for (const std::uint32_t r : handles) needs_none[r] = 1;
+  const std::vector<char> needs_none = marked_rows(mass.size(), handles);
   for (Eigen::Index r = 0; r < mass.size(); ++r)
     if (mass[r] == 0 && needs_none[static_cast<std::size_t>(r)] == 0 &&
         laplacian.outerIndexPtr()[r + 1] - laplacian.outerIndexPtr()[r] > 1)
@@ -187,18 +184,12 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
     throw std::invalid_argument("there must be a mass per row of the Laplacian");
   if (!mass.allFinite() || !(mass.array() >= 0).all())
     throw std::invalid_argument("masses must be finite and not negative");
-  std::vector<char> is_handle(static_cast<std::size_t>(size_), 0);
-  for (const std::uint32_t r : handles) {
-    if (r >= is_handle.size())
-      throw std::invalid_argument("row " + std::to_string(r) + " is a handle, but there are " +
-                                  std::to_string(size_) + " rows");
-    is_handle[r] = 1;
-  }
   const std::vector<std::uint32_t> component = components_of_matrix(laplacian);
-  std::vector<char> has_handle(is_handle.size(), 0);
-  for (const std::uint32_t r : handles) has_handle[component[r]] = 1;
-  for (std::uint32_t r = 0; r < is_handle.size(); ++r) // isolated ones are components
-    if (component[r] == r && has_handle[r] == 0) rows_.push_back(r);
+  const std::vector<char> is_handle = internal::marked_rows(size_, handles);
+  std::vector<char> has_none(is_handle.size(), 1);
+  for (std::size_t r = 0; r < is_handle.size(); ++r)
+    if (is_handle[r] != 0) has_none[component[r]] = 0;
+  for (const std::uint32_t r : internal::least_rows(component, has_none)) rows_.push_back(r);
   if (energy == Deformation_energy::harmonic)
     solver_.emplace(laplacian, rows_);
   else

@@ -76,7 +76,7 @@ Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
                                         const Disk_border& border) {
-  Eigen::VectorXcd w = Border_spectrum(conformal_energy(laplacian, border), border).first();
+  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, border), border);
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
   for (Eigen::Index r = 0; r < w.size(); ++r)

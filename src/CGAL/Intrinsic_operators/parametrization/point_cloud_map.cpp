@@ -85,7 +85,7 @@ Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>
   const internal::Disk_border border = internal::cloud_border(cloud);
   const internal::Complex_matrix form = internal::area_form(cloud);
   Eigen::VectorXcd w =
-      internal::Border_spectrum(internal::conformal_energy(cloud, form), border).first();
+      internal::first_of_border_spectrum(internal::conformal_energy(cloud, form), border);
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
   double area = 0;

@@ -36,26 +36,6 @@ static Eigen::SparseMatrix<double> symmetrized(const Eigen::SparseMatrix<double>
   return mean;
 }
 
-static std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> fixed) {
-  std::vector<char> is_fixed(static_cast<std::size_t>(size), 0);
-  for (const std::uint32_t r : fixed) {
-    if (r >= is_fixed.size())
-      throw std::invalid_argument("row " + std::to_string(r) + " is fixed, but the matrix has " +
-                                  std::to_string(size) + " rows");
-    is_fixed[r] = 1;
-  }
-  return is_fixed;
-}
-
-// The least rows of the marked components.
-static std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
-                                             const std::vector<char>& is_marked) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t r = 0; r < component.size(); ++r)
-    if (component[r] == r && is_marked[r] != 0) rows.push_back(r);
-  return rows;
-}
-
 // The diagonal that the free part adds to a Laplacian: the sums of its rows, minus the entries of
 // fixed ones. If all sums of a component are zero up to rounding, they become zero.
 struct Free_excess {

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -31,6 +34,25 @@ std::vector<char> laplacian_components(const Row_sums& sums,
   for (std::size_t r = 0; r < component.size(); ++r)
     if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
   return result;
+}
+
+std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> rows) {
+  std::vector<char> result(row_number(size), 0);
+  for (const std::uint32_t r : rows) {
+    if (r >= result.size())
+      throw std::invalid_argument("there is no row " + std::to_string(r) + ": the matrix has " +
+                                  std::to_string(size) + "; give smaller numbers");
+    result[r] = 1;
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> least_rows(const std::vector<std::uint32_t>& component,
+                                      const std::vector<char>& is_marked) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t r = 0; r < component.size(); ++r)
+    if (component[r] == r && is_marked[r] != 0) rows.push_back(r);
+  return rows;
 }
 
 bool is_laplacian(const Eigen::SparseMatrix<double>& a) {

@@ -4,15 +4,14 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +50,9 @@ public:
       free[i] = Complex(x, y) * 0x1p-31 - Complex(1, 1);
     }
     if (!is_free) return z;
-    free = smallest_eigenvectors(free, progress);
+    free = Inverse_lanczos(factor_, masses_, part_).smallest(free, [&progress] {
+      return !progress || progress(Direction_step::improved);
+    });
     if (free.size() == 0) return free;
     return z + free;
   }
@@ -81,82 +82,6 @@ private:
       right_[static_cast<Eigen::Index>(i)] = values[static_cast<Eigen::Index>(i)];
     m = with_fixed_rows(std::move(m), is_fixed);
     return raised_factorization(m);
-  }
-
-  // By the method of Lanczos with the inverse, in all parts at once, independently in each.
-  Eigen::VectorXcd
-  smallest_eigenvectors(Eigen::VectorXcd z,
-                        const std::function<bool(Direction_step)>& progress) const {
-    for (int round = 0; round < 8; ++round) {
-      if (improve(z)) break;
-      if (progress && !progress(Direction_step::improved)) return {};
-    }
-    return z;
-  }
-
-  // Replaces vectors by the best combinations of some powers of the inverse applied to them;
-  // returns whether they are eigenvectors.
-  bool improve(Eigen::VectorXcd& z) const {
-    constexpr int steps = 16;
-    Eigen::MatrixXcd basis(z.size(), steps);
-    Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(z.size(), steps), beside = diagonal;
-    basis.col(0) = z;
-    divide(basis.col(0), norms(z));
-    for (int j = 0; j < steps; ++j) {
-      Eigen::VectorXcd next(z.size());
-      for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = mass(i) * basis(i, j);
-      next = factor_.solve(next);
-      for (int k = j; k >= 0; --k) { // all of them, since rounding makes them not orthogonal
-        const Eigen::VectorXcd c = products(basis.col(k), next);
-        if (k == j) diagonal.col(j) = c.real();
-        for (Eigen::Index i = 0; i < z.size(); ++i) next[i] -= c[part(i)] * basis(i, k);
-      }
-      Eigen::VectorXd norm = norms(next);
-      for (Eigen::Index i = 0; i < z.size(); ++i) // rounding errors are no direction
-        if (norm[i] <= 1e-13 * diagonal(i, 0)) norm[i] = 0;
-      beside.col(j) = norm;
-      if (j + 1 == steps) break;
-      basis.col(j + 1) = next;
-      divide(basis.col(j + 1), norm);
-    }
-    return combine(basis, diagonal, beside, z);
-  }
-
-  // The greatest eigenvectors of tridiagonal matrices, a row of entries for each part, as sums of
-  // vectors of the basis.
-  bool combine(const Eigen::MatrixXcd& basis, const Eigen::MatrixXd& diagonal,
-               const Eigen::MatrixXd& beside, Eigen::VectorXcd& z) const {
-    const Eigen::Index last = diagonal.cols() - 1;
-    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(z.size(), last + 1);
-    bool is_done = true;
-    for (Eigen::Index p = 0; p < z.size(); ++p) {
-      if (!(diagonal(p, 0) > 0)) continue; // represents no part, or a part without constraints
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-      solver.computeFromTridiagonal(diagonal.row(p), beside.row(p).head(last));
-      weights.row(p) = solver.eigenvectors().col(last);
-      const double residual = beside(p, last) * std::abs(weights(p, last));
-      is_done = is_done && residual <= 1e-7 * solver.eigenvalues()[last];
-    }
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      z[i] = basis.row(i).transpose().cwiseProduct(weights.row(part(i)).transpose()).sum();
-    return is_done;
-  }
-
-  // inner products in each part, at its representative vertex
-  Eigen::VectorXcd products(const Eigen::VectorXcd& x, const Eigen::VectorXcd& y) const {
-    Eigen::VectorXcd result = Eigen::VectorXcd::Zero(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) result[part(i)] += mass(i) * std::conj(x[i]) * y[i];
-    return result;
-  }
-  Eigen::VectorXd norms(const Eigen::VectorXcd& x) const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) result[part(i)] += mass(i) * std::norm(x[i]);
-    return result.cwiseSqrt();
-  }
-  // in each part by its norm, or by nothing
-  void divide(Eigen::Ref<Eigen::VectorXcd> x, const Eigen::VectorXd& norm) const {
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      x[i] = norm[part(i)] > 0 ? Complex(x[i] / norm[part(i)]) : 0;
   }
 
   const Connection_graph& graph_;
