@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "../../benchmark/synthetic_meshes.h"
@@ -42,17 +43,22 @@ using IT::Status;
 using IT::Surface_point;
 using Exact = IT::Exact_euclidean_traits;
 using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
+using Doubles =
+    IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>;
+using planar_bezier::distance;
 
-meshes::Point position(const Triangulation& t, const meshes::Mesh& m, const Surface_point& p) {
-  meshes::Point x{0, 0, 0};
-  std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = t.input().next(h))
-    for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * m.points[t.input().source(h)][c];
-  return x;
+template <class T>
+typename T::vertex_descriptor random_vertex(const T& t, std::mt19937& random) {
+  return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
 }
 
-double distance(const meshes::Point& a, const meshes::Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+/// A point inside a face of the input; its weights are exact.
+template <class T>
+Surface_point random_point(const T& t, std::mt19937& random) {
+  const auto f = static_cast<std::uint32_t>(random() % t.input().number_of_faces());
+  const double a = static_cast<double>(1 + random() % 30) / 64,
+               b = static_cast<double>(1 + random() % 30) / 64;
+  return {t.input().halfedge_of_face(f), {a, b, 1 - a - b}};
 }
 
 /// Everything that flips change.
@@ -60,8 +66,6 @@ struct State {
   std::vector<std::uint32_t> next, target, face;
   std::vector<double> lengths, areas;
   std::vector<std::int64_t> normal;
-  std::vector<std::uint32_t> roundabouts, crossed; // halfedges of the input
-  bool operator==(const State&) const = default;
 };
 
 template <class T>
@@ -71,18 +75,12 @@ State state(const T& t) {
     s.next.push_back(t.numbers().halfedge(next(h, t.mesh())));
     s.target.push_back(t.index(target(h, t.mesh())));
     s.face.push_back(t.index(face(h, t.mesh())));
-    if constexpr (requires { t.correspondence().roundabout(0U); })
-      s.roundabouts.push_back(t.correspondence().roundabout(t.numbers().halfedge(h)));
   }
   for (const auto e : edges(t.mesh())) {
     s.lengths.push_back(t.metric().approximate_squared_length(t.index(e)));
     if constexpr (requires { t.correspondence().normal_coordinate(0U); })
       s.normal.push_back(
           static_cast<std::int64_t>(t.correspondence().normal_coordinate(t.index(e))));
-    if constexpr (requires { t.correspondence().entered_on(0U); })
-      if (t.correspondence().knows_crossings())
-        for (const std::uint32_t x : t.correspondence().entered_on(t.index(e)))
-          s.crossed.push_back(x);
   }
   for (const auto f : faces(t.mesh()))
     s.areas.push_back(t.metric().approximate_quadruple_area(t.index(f)));
@@ -97,11 +95,10 @@ void expect_same(const std::vector<double>& a, const std::vector<double>& b, boo
 
 template <class T>
 class GeodesicFinder : public ::testing::Test {};
-using Triangulations = ::testing::Types<
-    Triangulation,
-    IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>,
-    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Explicit_crossings>,
-    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>>;
+using Triangulations =
+    ::testing::Types<Triangulation, Doubles,
+                     IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Explicit_crossings>,
+                     IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>>;
 TYPED_TEST_SUITE(GeodesicFinder, Triangulations);
 
 // Flips are undone, before and after flips to Delaunay, whose history exact traits keep.
@@ -117,11 +114,7 @@ TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
     for (const unsigned round : {0U, 1U}) {
       random.seed(3);
       for (unsigned i = 0; i < 40; ++i) {
-        const auto vertex = [&] {
-          return t.numbers().vertex_at(
-              static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
-        };
-        const auto from = vertex(), to = vertex();
+        const auto from = random_vertex(t, random), to = random_vertex(t, random);
         const Geodesic_path path = find(from, to);
         ASSERT_EQ(path.status, Status::done);
         EXPECT_LE(path.length, path.initial_length * (1 + 1e-12));
@@ -147,25 +140,21 @@ TYPED_TEST(GeodesicFinder, LeavesTheTriangulationAsItWas) {
 TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
   const meshes::Mesh mesh = meshes::rough_grid(12, 4);
   TypeParam t = numbered_as<TypeParam>(mesh);
-  const Triangulation input = numbered_as<Triangulation>(mesh);
+  const auto place = [&](const Surface_point& p) { return point_in_space(t, p, mesh.points); };
   IT::Geodesic_finder<TypeParam> find(t);
   std::mt19937 random(8);
   for (unsigned i = 0; i < 60; ++i) {
-    const auto vertex = [&] {
-      return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
-    };
-    const Geodesic_path path = find(vertex(), vertex());
+    const Geodesic_path path = find(random_vertex(t, random), random_vertex(t, random));
     ASSERT_EQ(path.status, Status::done);
     if (path.points.empty()) continue;
     ASSERT_EQ(path.faces.size() + 1, path.points.size());
     double sum = 0;
     for (std::size_t k = 0; k < path.faces.size(); ++k) {
-      sum += distance(position(input, mesh, path.points[k]),
-                      position(input, mesh, path.points[k + 1]));
+      sum += distance(place(path.points[k]), place(path.points[k + 1]));
       for (const Surface_point& p : {path.points[k], path.points[k + 1]}) {
-        const Surface_point seen = IT::internal::seen_in_face(input.input(), p, path.faces[k]);
-        EXPECT_EQ(input.input().face(seen.halfedge), path.faces[k]);
-        EXPECT_LT(distance(position(input, mesh, seen), position(input, mesh, p)), 1e-12);
+        const Surface_point seen = IT::internal::seen_in_face(t.input(), p, path.faces[k]);
+        EXPECT_EQ(t.input().face(seen.halfedge), path.faces[k]);
+        EXPECT_LT(distance(place(seen), place(p)), 1e-12);
         for (const double w : seen.weights) EXPECT_GE(w, -1e-12);
       }
     }
@@ -182,16 +171,11 @@ TEST(GeodesicFinderOfPoints, GeodesicsInAPlaneAreSegments) {
   std::mt19937 random(2);
   unsigned convex = 0;
   for (unsigned i = 0; i < 60; ++i) {
-    const auto point = [&] {
-      const auto f = static_cast<std::uint32_t>(random() % t.input().number_of_faces());
-      const double a = static_cast<double>(1 + random() % 30) / 64,
-                   b = static_cast<double>(1 + random() % 30) / 64;
-      return Surface_point{t.input().halfedge_of_face(f), {a, b, 1 - a - b}};
-    };
-    const Surface_point from = point(), to = point();
+    const Surface_point from = random_point(t, random), to = random_point(t, random);
     const Geodesic_path path = find({from, to});
     ASSERT_EQ(path.status, Status::done);
-    const double straight = distance(position(t, mesh, from), position(t, mesh, to));
+    const double straight =
+        distance(IT::point_in_space(t, from, mesh.points), IT::point_in_space(t, to, mesh.points));
     // round corners of the border, else along the segment
     EXPECT_GE(path.length, straight * (1 - 1e-9));
     if (path.length < straight * (1 + 1e-9)) ++convex;
@@ -216,10 +200,6 @@ TEST(GeodesicFinderOfPoints, PointsThatAreNotConnectedAreReported) {
 
 // ---- Shortest paths
 
-template <class T>
-class ShortestPaths : public ::testing::Test {};
-TYPED_TEST_SUITE(ShortestPaths, Triangulations);
-
 /// Flips without need: faces become long, and wind about the surface.
 template <class T>
 void flip_at_random(T& t, std::mt19937& random) {
@@ -233,7 +213,7 @@ void flip_at_random(T& t, std::mt19937& random) {
 // the vertex.
 constexpr double rounding = 1e-11;
 
-TYPED_TEST(ShortestPaths, AreAsLongAsBruteForceTells) {
+TYPED_TEST(GeodesicFinder, ShortestPathsAreAsLongAsBruteForceTells) {
   for (unsigned seed = 0; seed < 6; ++seed)
     for (const meshes::Mesh& mesh :
          {meshes::potato(0, seed), meshes::rough_grid(3, seed, 2), meshes::box(1, 2, 1),
@@ -256,7 +236,7 @@ TYPED_TEST(ShortestPaths, AreAsLongAsBruteForceTells) {
 }
 
 // Between points in faces, and as edges of the triangulation.
-TYPED_TEST(ShortestPaths, AreAsLongAsTheExactDistance) {
+TYPED_TEST(GeodesicFinder, ShortestPathsAreAsLongAsTheExactDistance) {
   std::size_t shorter = 0;
   for (unsigned seed = 0; seed < 6; ++seed)
     for (const meshes::Mesh& mesh : {meshes::potato(2, seed), meshes::rough_grid(9, seed, 3),
@@ -267,13 +247,7 @@ TYPED_TEST(ShortestPaths, AreAsLongAsTheExactDistance) {
       if (seed % 2 == 0) flip_at_random(t, random);
       IT::Geodesic_finder<TypeParam> find(t);
       for (unsigned i = 0; i < 6; ++i) {
-        const auto point = [&] {
-          const auto f = static_cast<std::uint32_t>(random() % t.input().number_of_faces());
-          const double a = static_cast<double>(1 + random() % 30) / 64,
-                       b = static_cast<double>(1 + random() % 30) / 64;
-          return Surface_point{t.input().halfedge_of_face(f), {a, b, 1 - a - b}};
-        };
-        const Surface_point from = point(), to = point();
+        const Surface_point from = random_point(t, random), to = random_point(t, random);
         TypeParam other = t;
         const auto v = insert_point(other, from).vertex, w = insert_point(other, to).vertex;
         const double d = IT::Polyhedral_distance(other, v).distance(w);
@@ -326,10 +300,7 @@ void expect_unfolded_paths(const meshes::Mesh& mesh, unsigned paths, unsigned se
     if (is_delaunay) flip_to_delaunay(t);
     IT::Geodesic_finder<Triangulation> find(t);
     for (unsigned i = 0; i < paths; ++i) {
-      const auto vertex = [&] {
-        return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
-      };
-      const auto from = vertex(), to = vertex();
+      const auto from = random_vertex(t, random), to = random_vertex(t, random);
       const Geodesic_path path = find(from, to);
       if (path.status == Status::stalled) continue; // in another component
       ASSERT_EQ(path.status, Status::done);
@@ -361,8 +332,6 @@ TEST(GeodesicFinderUnfolded, LengthsAndAnglesAreThoseIn200Digits) {
 
 // Doubles do not know how wrong they are, intervals do.
 TEST(GeodesicFinderUnfolded, EnclosuresWithoutBoundsOfErrorsAreUnbounded) {
-  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
-                                              IT::Integer_coordinates>;
   const meshes::Mesh mesh = meshes::rough_grid(5, 1);
   Doubles t = numbered_as<Doubles>(mesh);
   const Geodesic_path path =
@@ -394,12 +363,9 @@ TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
   IT::flip_to_delaunay(t);
   IT::Geodesic_finder<Triangulation> find(t);
   std::mt19937 random(1);
-  const auto vertex = [&] {
-    return t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
-  };
   std::size_t done = 0, stalled = 0;
   for (int i = 0; i < 30; ++i) {
-    const auto from = vertex(), to = vertex();
+    const auto from = random_vertex(t, random), to = random_vertex(t, random);
     if (from == to) continue;
     const Status s = find(from, to).status;
     (s == Status::done ? done : stalled) += 1;
@@ -411,8 +377,6 @@ TEST(GeodesicFinder, EndsOnFacesWithoutArea) {
 
 // The fans of thin faces that flips make along a path must not spoil lengths.
 TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
-  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
-                                              IT::Integer_coordinates>;
   IT::synthetic::Triangle_soup soup = IT::synthetic::torus(200, 100, 0.35, 12);
   const meshes::Mesh m{std::move(soup.points), std::move(soup.triangles)};
   Doubles doubles(m.input());
@@ -438,8 +402,6 @@ TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
 
 // Many vertices are on lines: shortening went round there until its cap.
 TEST(Geodesic_finder, finds_segments_in_doubles_where_vertices_are_collinear) {
-  using Doubles = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>,
-                                              IT::Integer_coordinates>;
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);

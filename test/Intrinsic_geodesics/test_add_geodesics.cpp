@@ -10,13 +10,12 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -36,24 +35,16 @@ using Triangulations = ::testing::Types<
     IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
 TYPED_TEST_SUITE(AddGeodesics, Triangulations);
 
-template <class T>
-std::vector<typename T::vertex_descriptor> vertices_in_order(const T& t) {
-  std::vector<typename T::vertex_descriptor> result(num_vertices(t.mesh()));
-  for (const auto v : vertices(t.mesh())) result[t.input_vertex(v)] = v;
-  return result;
-}
-
 // A random curve through points of a square, and how long it is: all geodesics there are unique,
 // loops that do not stay contract.
 template <class T, class Random>
 double random_curve(const T& t, const meshes::Mesh& m, Random& random,
                     IT::Curve_through_vertices<T>& curve) {
   curve = {{}, random() % 3 == 0, random() % 4 != 0};
-  std::vector<std::uint32_t> n(m.points.size());
-  std::iota(n.begin(), n.end(), 0U);
-  std::shuffle(n.begin(), n.end(), random);
+  std::vector<std::uint32_t> n =
+      meshes::permutation(m.points.size(), static_cast<unsigned>(random()));
   n.resize(curve.is_loop ? 3 + random() % 3 : 2 + random() % 4);
-  for (const std::uint32_t i : n) curve.vertices.push_back(vertices_in_order(t)[i]);
+  for (const std::uint32_t i : n) curve.vertices.push_back(IT::vertex_of_row(t, i));
   const auto distance = [&](std::size_t i, std::size_t j) {
     return planar_bezier::distance(m.points[n[i]], m.points[n[j]]);
   };
@@ -98,10 +89,10 @@ TYPED_TEST(AddGeodesics, TellsWhereVerticesAreNotConnected) {
   for (std::size_t f = 0, all = m.triangles.size(); f < all; ++f)
     m.triangles.push_back({m.triangles[f][0] + n, m.triangles[f][1] + n, m.triangles[f][2] + n});
   TypeParam t(m.input());
-  const auto at = vertices_in_order(t);
+  const auto at = [&](std::uint32_t i) { return IT::vertex_of_row(t, i); };
   IT::Curve_network<TypeParam> network(t);
   const auto added = IT::add_geodesics<TypeParam>(
-      network, {{{at[0], at[1]}, false, false}, {{at[1], at[n]}, false, false}});
+      network, {{{at(0), at(1)}, false, false}, {{at(1), at(n)}, false, false}});
   EXPECT_EQ(added.status, IT::Status::stalled);
   EXPECT_EQ(added.failed, 1U);
   EXPECT_EQ(network.number_of_curves(), 0U);

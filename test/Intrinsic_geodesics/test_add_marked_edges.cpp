@@ -134,9 +134,7 @@ TEST(AddMarkedEdges, DeltaComplexesWhereAllEdgesAreMarked) {
 
 TEST(AddMarkedEdges, FansOfAVertexThatIsNotManifoldAreKeptApart) {
   const gallery::Surface s = gallery::two_tetrahedra_sharing_a_vertex();
-  IT::Intrinsic_input input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-  input.may_renumber = false;
-  Triangulation t(std::move(input));
+  Triangulation t({IT::Gluing_map(s.gluing), gallery::squared_lengths(s)});
   const auto shared = *std::find_if(vertices(t.mesh()).begin(), vertices(t.mesh()).end(),
                                     [&](auto v) { return marks_at(t, all_marked(t), v) == 6; });
   IT::Marked_edges<Triangulation> map(t);

@@ -13,14 +13,16 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
+#include "delaunay.h"
 #include "gallery.h"
 #include "meshes.h"
-#include "numbered_as_mesh.h"
 #include "paths.h"
+#include "planar_bezier.h"
 #include "validity.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +44,7 @@ using IT::Move_status;
 using IT::Status;
 using IT::Surface_point;
 using Exact = IT::Exact_euclidean_traits;
+using planar_bezier::distance;
 
 template <class T>
 class InsertPolyline : public ::testing::Test {};
@@ -51,13 +54,6 @@ using Triangulations = ::testing::Types<
     IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Signposts>,
     IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
 TYPED_TEST_SUITE(InsertPolyline, Triangulations);
-
-template <class T>
-T delaunay(const meshes::Mesh& m) {
-  T t = numbered_as<T>(m);
-  flip_to_delaunay(t);
-  return t;
-}
 
 /// A polyline that goes on from face to face at random, with bends inside and points on edges; now
 /// and then to a vertex.
@@ -84,18 +80,6 @@ std::vector<Surface_point> random_polyline(const IT::Input& input, std::size_t n
   return points;
 }
 
-meshes::Point in_space(const IT::Input& input, const meshes::Mesh& m, const Surface_point& p) {
-  meshes::Point x{0, 0, 0};
-  std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
-    for (std::size_t c = 0; c < 3; ++c) x[c] += p.weights[k] * m.points[input.source(h)][c];
-  return x;
-}
-
-double distance(const meshes::Point& a, const meshes::Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Where a vertex is on the input.
 template <class T>
 Surface_point place(const T& t, typename T::vertex_descriptor v) {
@@ -109,12 +93,12 @@ TYPED_TEST(InsertPolyline, IsAPathOfItsLengthThroughItsPoints) {
   std::mt19937 random(3);
   for (unsigned i = 0; i < 40; ++i) {
     const meshes::Mesh m = i % 2 == 0 ? meshes::potato(2, i) : meshes::rough_grid(6, i, 2);
-    auto t = delaunay<TypeParam>(m);
-    const IT::Input& input = t.correspondence().input();
-    const auto points = random_polyline(input, 2 + i, random);
+    auto t = delaunay<TypeParam>(m.input());
+    const auto points = random_polyline(t.input(), 2 + i, random);
+    const auto in_space = [&](const Surface_point& p) { return point_in_space(t, p, m.points); };
     double length = 0;
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      length += distance(in_space(input, m, points[k]), in_space(input, m, points[k + 1]));
+      length += distance(in_space(points[k]), in_space(points[k + 1]));
     const auto path = insert_polyline(t, points);
     ASSERT_EQ(path.status, Move_status::done) << "polyline " << i;
     ASSERT_EQ(path.vertices.size(), points.size());
@@ -123,9 +107,7 @@ TYPED_TEST(InsertPolyline, IsAPathOfItsLengthThroughItsPoints) {
     EXPECT_EQ(source(path.halfedges.front(), t.mesh()), path.vertices.front());
     EXPECT_EQ(target(path.halfedges.back(), t.mesh()), path.vertices.back());
     for (std::size_t k = 0; k < points.size(); ++k)
-      EXPECT_LT(
-          distance(in_space(input, m, place(t, path.vertices[k])), in_space(input, m, points[k])),
-          1e-9)
+      EXPECT_LT(distance(in_space(place(t, path.vertices[k])), in_space(points[k])), 1e-9)
           << "point " << k << " of polyline " << i;
   }
 }
@@ -135,7 +117,7 @@ TEST(InsertPolylineAndShorten, GivesAGeodesicThatIsCertified) {
   std::mt19937 random(4);
   unsigned shortened = 0;
   for (unsigned i = 0; i < 60; ++i) {
-    auto t = delaunay<T>(meshes::potato(2, i));
+    auto t = delaunay<T>(meshes::potato(2, i).input());
     const auto path =
         insert_polyline(t, random_polyline(t.correspondence().input(), 3 + i % 12, random));
     ASSERT_EQ(path.status, Move_status::done);
@@ -156,7 +138,7 @@ TEST(InsertPolylineAndShorten, GivesAGeodesicThatIsCertified) {
 }
 
 TYPED_TEST(InsertPolyline, ThatPassesItsPointsAgainHasTheirVerticesAgain) {
-  auto t = delaunay<TypeParam>(meshes::rough_grid(6, 1, 2));
+  auto t = delaunay<TypeParam>(meshes::rough_grid(6, 1, 2).input());
   const std::uint32_t h = t.correspondence().input().halfedge_of_face(30);
   const Surface_point a{h, {0.5, 0.25, 0.25}}, b{h, {0.25, 0.5, 0.25}}, c{h, {0.25, 0.25, 0.5}};
   const auto path = insert_polyline(t, {a, b, c, a, b});
@@ -169,7 +151,7 @@ TYPED_TEST(InsertPolyline, ThatPassesItsPointsAgainHasTheirVerticesAgain) {
 }
 
 TYPED_TEST(InsertPolyline, WithPointsInDifferentFacesIsRefused) {
-  auto t = delaunay<TypeParam>(meshes::rough_grid(6, 1));
+  auto t = delaunay<TypeParam>(meshes::rough_grid(6, 1).input());
   const IT::Input& input = t.correspondence().input();
   const auto vertices = num_vertices(t.mesh());
   const Surface_point a{input.halfedge_of_face(3), {0.5, 0.25, 0.25}},
@@ -182,7 +164,7 @@ TYPED_TEST(InsertPolyline, WithPointsInDifferentFacesIsRefused) {
 
 // Along input edges, the border among them, which the Delaunay triangulation may have flipped.
 TYPED_TEST(InsertPolyline, RunsAlongTheBorder) {
-  auto t = delaunay<TypeParam>(meshes::rough_grid(5, 2, 2));
+  auto t = delaunay<TypeParam>(meshes::rough_grid(5, 2, 2).input());
   const IT::Input& input = t.correspondence().input();
   std::uint32_t h = 0;
   while (!input.is_border(h ^ 1U) || input.is_border(h)) ++h;
@@ -211,20 +193,10 @@ T built(const gallery::Surface& s) {
 template <class T, class Random>
 IT::Geodesic random_geodesic(const T& t, double longest, Random& random) {
   const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
-  const auto f = t.numbers().face_at(static_cast<std::uint32_t>(random() % num_faces(t.mesh())));
-  Surface_point start{t.numbers().halfedge(halfedge(f, t.mesh())), {1, 0, 0}};
-  double a = uniform(), b = uniform();
-  if (a + b > 1) a = 1 - a, b = 1 - b;
-  switch (random() % 3) {
-  case 0:
-    start.weights = {a, b, 1 - a - b};
-    break;
-  case 1:
-    start.weights = {0, a, 1 - a};
-    break;
-  default:
-    break;
-  }
+  Surface_point start = paths::random_point(t, random); // in a face, on an edge or at a vertex
+  const auto kind = random() % 3;
+  if (kind == 1) start.weights = {0, start.weights[0], 1 - start.weights[0]};
+  if (kind == 2) start.weights = {1, 0, 0};
   const double angle = 2 * std::numbers::pi * uniform();
   return trace_geodesic(t, start, {std::cos(angle), std::sin(angle)}, longest * uniform());
 }

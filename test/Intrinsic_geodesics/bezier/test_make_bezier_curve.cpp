@@ -40,16 +40,9 @@ using planar_bezier::vertex_at;
 constexpr double midpoint_error = 2e-11;
 
 template <class T>
-typename T::vertex_descriptor vertex_of_input(const T& t, std::uint32_t i) {
-  for (const auto v : vertices(t.mesh()))
-    if (t.input_vertex(v) == i) return v;
-  throw i;
-}
-
-template <class T>
 IT::Bezier_curve<T> curve_of(T& t, const std::vector<std::uint32_t>& control, unsigned rounds) {
   std::vector<typename T::vertex_descriptor> v;
-  for (const std::uint32_t i : control) v.push_back(vertex_of_input(t, i));
+  for (const std::uint32_t i : control) v.push_back(IT::vertex_of_row(t, i));
   return IT::make_bezier_curve(t, v, IT::parameters::maximum_rounds(rounds));
 }
 
@@ -80,6 +73,30 @@ void expect_certified(Exact& t, const Curve& c) {
   for (const auto& j : IT::is_geodesic(network).joints) EXPECT_TRUE(j.is_fixed || j.is_straight());
 }
 
+/// Compares every control point on the curve with a curve by its parameter.
+template <class Place>
+void expect_curve(const Exact& t, const meshes::Mesh& m, const Curve& c, const Place& place,
+                  double error) {
+  const std::vector<Point> at = places(t, m, c);
+  ASSERT_EQ(at.size(), c.control_points.size());
+  ASSERT_EQ(at.size(), c.degree * (std::size_t{1} << c.rounds) + 1);
+  for (std::size_t k = 0; k < at.size(); k += c.degree)
+    EXPECT_LT(distance(at[k], place(static_cast<double>(k) / static_cast<double>(at.size() - 1))),
+              error)
+        << "point " << k;
+}
+
+/// So many different vertices, and their points.
+std::vector<std::uint32_t> random_control(const meshes::Mesh& m, std::size_t n,
+                                          std::mt19937& random, std::vector<Point>& points) {
+  std::vector<std::uint32_t> control(m.points.size());
+  std::iota(control.begin(), control.end(), 0U);
+  std::shuffle(control.begin(), control.end(), random);
+  control.resize(n);
+  for (const std::uint32_t i : control) points.push_back(m.points[i]);
+  return control;
+}
+
 const std::vector<std::array<double, 2>> cubic{{0, 0}, {2, 7}, {9, 8}, {10, 1}};
 
 std::vector<std::uint32_t> numbers(const meshes::Mesh& m,
@@ -102,13 +119,9 @@ TEST(Make_bezier_curve, is_the_planar_curve_in_a_plane) {
     Exact t(m.input());
     const Curve c = curve_of(t, numbers(m, control), 4);
     expect_certified(t, c);
-    const std::vector<Point> at = places(t, m, c);
-    ASSERT_EQ(at.size(), c.control_points.size());
-    EXPECT_EQ(at.size(), (control.size() - 1) * (std::size_t{1} << c.rounds) + 1);
-    for (std::size_t k = 0; k < at.size(); k += c.degree) {
-      const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
-      EXPECT_LT(distance(at[k], planar(points, x)), midpoint_error);
-    }
+    EXPECT_EQ(c.degree, control.size() - 1);
+    expect_curve(
+        t, m, c, [&](double x) { return planar(points, x); }, midpoint_error);
   }
 }
 
@@ -120,25 +133,15 @@ TEST(Make_bezier_curve, is_the_planar_curve_on_every_triangulation_of_a_square) 
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const meshes::Mesh m = planar_bezier::random_square(10 + seed, random);
-    std::vector<std::uint32_t> control(m.points.size());
-    std::iota(control.begin(), control.end(), 0U);
-    std::shuffle(control.begin(), control.end(), random);
-    control.resize(3 + seed % 4);
     std::vector<Point> points;
-    for (const std::uint32_t i : control) points.push_back(m.points[i]);
     Exact t(m.input());
-    const Curve c = curve_of(t, control, seed % 5);
+    const Curve c = curve_of(t, random_control(m, 3 + seed % 4, random, points), seed % 5);
     expect_certified(t, c);
     crossings += c.crossings.size();
-    const std::vector<Point> at = places(t, m, c);
-    ASSERT_EQ(at.size(), c.control_points.size());
-    ASSERT_EQ(at.size(), c.degree * (std::size_t{1} << c.rounds) + 1);
-    for (std::size_t k = 0; k < at.size(); k += c.degree) {
-      const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
-      // a vertex beside an edge is 2^-40 of the height of a face off it, up to 15 times one after
-      // the other
-      EXPECT_LT(distance(at[k], planar(points, x)), 1e-10) << "point " << k;
-    }
+    // a vertex beside an edge is 2^-40 of the height of a face off it, up to 15 times one after the
+    // other
+    expect_curve(
+        t, m, c, [&](double x) { return planar(points, x); }, 1e-10);
   }
   EXPECT_GT(crossings, 0U);
 }
@@ -166,12 +169,8 @@ TEST(Make_bezier_curve, is_the_planar_curve_in_doubles_where_vertices_are_collin
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const meshes::Mesh square = planar_bezier::random_square(10 + seed, random);
-    std::vector<std::uint32_t> control(square.points.size());
-    std::iota(control.begin(), control.end(), 0U);
-    std::shuffle(control.begin(), control.end(), random);
-    control.resize(3 + seed % 4);
     std::vector<Point> points;
-    for (const std::uint32_t i : control) points.push_back(square.points[i]);
+    const std::vector<std::uint32_t> control = random_control(square, 3 + seed % 4, random, points);
     const meshes::Mesh m = meshes::subdivided(square);
     Rounded t(m.input());
     const auto c = curve_of(t, control, seed % 6);
@@ -211,12 +210,8 @@ TEST(Make_bezier_curve, is_near_the_curve_of_great_circles_on_half_a_sphere) {
     Exact t(m.input());
     const Curve c = curve_of(t, control, 3);
     expect_certified(t, c);
-    const std::vector<Point> at = places(t, m, c);
-    ASSERT_EQ(at.size(), c.control_points.size());
-    for (std::size_t k = 0; k < at.size(); k += c.degree) {
-      const double x = static_cast<double>(k) / static_cast<double>(at.size() - 1);
-      EXPECT_LT(distance(at[k], spherical(points, x)), 0.06) << "point " << k;
-    }
+    expect_curve(
+        t, m, c, [&](double x) { return spherical(points, x); }, 0.06);
   }
 }
 
@@ -253,8 +248,8 @@ TEST(Make_bezier_curve, is_certified_on_surfaces_and_shorter_in_every_round) {
       expect_certified(t, c);
       EXPECT_LT(c.length, before);
       before = c.length;
-      EXPECT_EQ(c.control_points.front(), vertex_of_input(t, 0));
-      EXPECT_EQ(c.control_points.back(), vertex_of_input(t, n - 1));
+      EXPECT_EQ(c.control_points.front(), IT::vertex_of_row(t, 0));
+      EXPECT_EQ(c.control_points.back(), IT::vertex_of_row(t, n - 1));
     }
   }
 }
@@ -314,7 +309,7 @@ TEST(Make_bezier_curve, stops_at_a_tolerance_and_takes_coinciding_control_points
   const meshes::Mesh m = meshes::grid(10, 10);
   Exact t(m.input());
   std::vector<Exact::vertex_descriptor> v;
-  for (const std::uint32_t i : numbers(m, cubic)) v.push_back(vertex_of_input(t, i));
+  for (const std::uint32_t i : numbers(m, cubic)) v.push_back(IT::vertex_of_row(t, i));
   const Curve c = IT::make_bezier_curve(t, v, IT::parameters::tolerance(0.1).maximum_rounds(20U));
   EXPECT_EQ(c.status, IT::Status::done);
   EXPECT_LT(c.rounds, 6U);
