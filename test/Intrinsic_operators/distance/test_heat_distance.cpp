@@ -4,11 +4,14 @@
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 
 #include "delaunay.h"
+#include "meshes.h"
 #include "operator_test_meshes.h"
+#include "soups.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
@@ -33,17 +36,10 @@ using Vector = Eigen::VectorXd;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>
-typename T::vertex_descriptor vertex_of_row(const T& t, std::uint32_t row) {
-  for (const auto v : vertices(t.mesh()))
-    if (t.input_vertex(v) == row) return v;
-  throw std::out_of_range("row");
-}
-
-template <class T>
 std::vector<typename T::vertex_descriptor>
 vertices_of_rows(const T& t, const std::vector<std::uint32_t>& rows) {
   std::vector<typename T::vertex_descriptor> result;
-  for (const std::uint32_t r : rows) result.push_back(vertex_of_row(t, r));
+  for (const std::uint32_t r : rows) result.push_back(IT::vertex_of_row(t, r));
   return result;
 }
 
@@ -53,7 +49,7 @@ double error_on_square(std::uint32_t n, IT::Heat_border border) {
   Exact t = delaunay<Exact>(s.input());
   const std::uint32_t middle = (n + 1) * (n / 2) + n / 2;
   IT::Heat_distance heat(t, IT::parameters::border_condition(border));
-  const Vector d = heat.distances(vertex_of_row(t, middle));
+  const Vector d = heat.distances(IT::vertex_of_row(t, middle));
   double worst = 0;
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
     worst = std::max(worst, std::abs(d[v] - (s.point(v) - s.point(middle)).norm()) / n);
@@ -104,7 +100,7 @@ TEST(Heat_distance, does_not_depend_on_the_correspondence) {
     using C = decltype(correspondence);
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, C> t(s.input());
     IT::flip_to_delaunay(t);
-    return IT::Heat_distance(t).distances(vertex_of_row(t, 5));
+    return IT::Heat_distance(t).distances(IT::vertex_of_row(t, 5));
   };
   const Vector d = on(IT::No_correspondence());
   EXPECT_LE((on(IT::Integer_coordinates()) - d).cwiseAbs().maxCoeff(), 1e-9);
@@ -135,16 +131,12 @@ TEST(Heat_distance, of_inserted_vertices_is_not_below_the_chord_either) {
   IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>
       t(s.input());
   IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_edge_length(0.4));
-  const Vector d = IT::Heat_distance(t).distances(vertex_of_row(t, 0));
+  const Vector d = IT::Heat_distance(t).distances(IT::vertex_of_row(t, 0));
   ASSERT_GT(d.size(), 49);
   for (const auto v : vertices(t.mesh())) {
     if (!t.is_inserted(v)) continue;
-    const IT::Surface_point& p = t.correspondence().location(t.index(v));
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; k < 3; ++k, h = t.input().next(h))
-      x += p.weights[k] * s.point(t.input().names().row(t.input().source(h)));
-    EXPECT_GE(d[t.input_vertex(v)], (x - s.point(0)).norm() * (1 - 1e-12));
+    const auto x = IT::point_in_space(t, t.correspondence().location(t.index(v)), s.points);
+    EXPECT_GE(d[t.input_vertex(v)], (Eigen::Vector3d(x.data()) - s.point(0)).norm() * (1 - 1e-12));
   }
 }
 
@@ -168,13 +160,13 @@ TEST(Heat_distance, is_infinite_where_there_is_no_source) {
   two.points.push_back({9, 9, 9}); // isolated
   const Exact t(two.input());
   IT::Heat_distance heat(t);
-  const Vector d = heat.distances(vertex_of_row(t, 1));
+  const Vector d = heat.distances(IT::vertex_of_row(t, 1));
   for (int v = 0; v < 9; ++v) EXPECT_EQ(std::isfinite(d[v]), v < 4);
   EXPECT_EQ(d[1], 0);
   const Vector both = heat.distances(vertices_of_rows(t, {1, 6}));
   for (int v = 0; v < 8; ++v) EXPECT_TRUE(std::isfinite(both[v]));
   EXPECT_NEAR(both[4], both[5], 1e-12) << "by symmetry";
-  const Vector alone = heat.distances(vertex_of_row(t, 8));
+  const Vector alone = heat.distances(IT::vertex_of_row(t, 8));
   EXPECT_EQ(alone[8], 0);
   EXPECT_EQ(alone[0], infinity);
   const Vector none = heat.distances(vertices_of_rows(t, {}));
@@ -235,7 +227,7 @@ TEST(Heat_distance, with_both_conditions_is_right_from_the_border_of_a_long_fold
   const Shape s = strip(2400, folded, [](double x) { return x / 1000; });
   const Exact t(s.input());
   IT::Heat_distance heat(t); // average
-  const Vector d = heat.distances(vertex_of_row(t, 0));
+  const Vector d = heat.distances(IT::vertex_of_row(t, 0));
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
     ASSERT_NEAR(d[v], v / 3, 0.02 * (v / 3) + 2) << v;
 }
@@ -277,11 +269,8 @@ TEST(Heat_distance, from_points_in_faces_and_polylines_is_that_in_the_plane) {
 
 TEST(Heat_distance, of_a_tufted_cover_is_that_of_the_surface) {
   const Shape s = rough_grid(9, 0.2, 0.4, 6);
-  IT::Triangle_soup soup;
-  soup.points = s.points;
-  soup.triangles = s.triangles;
-  soup.input_faces = s.triangles.size();
-  Exact cover(IT::make_domain(soup, IT::Domain_kind::tufted_cover).input);
+  const Exact cover(
+      IT::make_domain(soups::soup({s.points, s.triangles}), IT::Domain_kind::tufted_cover).input);
   const Exact t(s.input());
   const auto insulated = IT::parameters::border_condition(IT::Heat_border::insulated);
   IT::Heat_distance heat(t, insulated);
@@ -298,7 +287,7 @@ TEST(Heat_distance, is_in_the_units_of_the_input) {
   Shape s = rough_torus(8, 0.2, 1);
   const auto distances = [](const Shape& shape) {
     const Exact t(shape.input());
-    return IT::Heat_distance(t).distances(vertex_of_row(t, 3));
+    return IT::Heat_distance(t).distances(IT::vertex_of_row(t, 3));
   };
   const Vector d = distances(s);
   for (auto& p : s.points)
@@ -327,7 +316,7 @@ double mean_error_on_sheared_square(unsigned seed, bool is_delaunay) {
   Double t(IT::Intrinsic_input(std::move(map), squared));
   if (is_delaunay) IT::flip_to_delaunay(t);
   const auto from = static_cast<std::uint32_t>(std::mt19937(seed)() % (n * n));
-  const Vector d = IT::Heat_distance(t).distances(vertex_of_row(t, from));
+  const Vector d = IT::Heat_distance(t).distances(IT::vertex_of_row(t, from));
   double sum = 0;
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
     if (const double exact = (s.point(v) - s.point(from)).norm(); exact > 0)
@@ -365,10 +354,8 @@ TEST(Heat_distance, tells_a_visitor_of_its_steps_and_stops_when_told) {
 
 TEST(Heat_distance, refuses_what_makes_no_sense) {
   const Exact t(grid(2).input());
-  EXPECT_THROW(IT::Heat_distance(t, IT::parameters::time_factor(0)), std::invalid_argument);
-  EXPECT_THROW(IT::Heat_distance(t, IT::parameters::time_factor(infinity)), std::invalid_argument);
-  EXPECT_THROW(IT::Heat_distance(t, IT::parameters::time_factor(1e300)), std::invalid_argument);
-  EXPECT_THROW(IT::Heat_distance(t, IT::parameters::time_factor(1e-300)), std::invalid_argument);
+  for (const double factor : {0., infinity, 1e300, 1e-300})
+    EXPECT_THROW(IT::Heat_distance(t, IT::parameters::time_factor(factor)), std::invalid_argument);
   IT::Heat_distance heat(t);
   for (const auto h : halfedges(t.mesh()))
     if (face(h, t.mesh()) == boost::graph_traits<Exact::Mesh>::null_face()) {
@@ -393,7 +380,7 @@ TEST(Heat_distance, tends_to_a_limit_for_long_times) {
     const double areas = IT::total_area(t) / IT::Heat_distance(t).time();
     const auto after = [&](double time) {
       return IT::Heat_distance(t, IT::parameters::time_factor(time * areas))
-          .distances(vertex_of_row(t, seed));
+          .distances(IT::vertex_of_row(t, seed));
     };
     const Vector limit = after(1e6);
     std::mt19937 random(seed);
@@ -403,32 +390,14 @@ TEST(Heat_distance, tends_to_a_limit_for_long_times) {
   }
 }
 
-TEST(Heat_distance, on_a_sphere_and_a_cylinder_is_near_the_closed_form) {
-  // latitudes and longitudes
-  Shape sphere;
-  constexpr std::uint32_t n = 40;
-  const double pi = std::numbers::pi;
-  sphere.points.push_back({0, 0, 1});
-  for (std::uint32_t i = 1; i < n / 2; ++i)
-    for (std::uint32_t j = 0; j < n; ++j) {
-      const double a = 2 * pi * i / n, b = 2 * pi * j / n;
-      sphere.points.push_back({std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)});
-    }
-  sphere.points.push_back({0, 0, -1});
-  const auto at = [](std::uint32_t i, std::uint32_t j) { return 1 + (i - 1) * n + j % n; };
-  const auto last = static_cast<std::uint32_t>(sphere.points.size() - 1);
-  for (std::uint32_t j = 0; j < n; ++j) {
-    sphere.triangles.push_back({0, at(1, j), at(1, j + 1)});
-    for (std::uint32_t i = 1; i + 1 < n / 2; ++i) {
-      sphere.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      sphere.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-    sphere.triangles.push_back({at(n / 2 - 1, j), last, at(n / 2 - 1, j + 1)});
+TEST(Heat_distance, on_a_sphere_is_near_the_angle) {
+  const meshes::Mesh sphere = meshes::sphere(4);
+  const Exact t = delaunay<Exact>(sphere.input());
+  const Vector d = IT::Heat_distance(t).distances(IT::vertex_of_row(t, 0));
+  for (std::uint32_t v = 0; v < sphere.points.size(); ++v) {
+    const Eigen::Vector3d p(sphere.points[0].data()), q(sphere.points[v].data());
+    EXPECT_NEAR(d[v], std::acos(std::clamp(p.dot(q), -1.0, 1.0)), 0.06);
   }
-  Exact t = delaunay<Exact>(sphere.input());
-  const Vector d = IT::Heat_distance(t).distances(vertex_of_row(t, 0));
-  for (std::uint32_t v = 0; v < sphere.points.size(); ++v)
-    EXPECT_NEAR(d[v], std::acos(std::clamp(sphere.points[v][2], -1.0, 1.0)), 0.06);
 }
 
 } // namespace

@@ -3,12 +3,14 @@
 
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
+#include "soups.h"
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -161,15 +163,10 @@ TEST(Signed_heat_distance, flows_for_a_time_of_the_distance_of_its_nodes) {
 
 TEST(Signed_heat_distance, from_a_straight_polyline_through_faces_is_that_from_its_line) {
   const Shape s = rough_grid(16, 0.2, 0, 11);
-  Exact t(s.input());
-  IT::flip_to_delaunay(t);
+  const Exact t = delaunay<Exact>(s.input());
   const std::uint32_t from = 5, to = 17 * 16 + 9; // on opposite sides
-  auto a = *vertices(t.mesh()).begin(), b = a;
-  for (const auto v : vertices(t.mesh())) {
-    if (t.input_vertex(v) == from) a = v;
-    if (t.input_vertex(v) == to) b = v;
-  }
-  const IT::Shortest_path path = IT::Polyhedral_distance(t, a).shortest_path(b);
+  const IT::Shortest_path path = IT::Polyhedral_distance(t, IT::vertex_of_row(t, from))
+                                     .shortest_path(IT::vertex_of_row(t, to));
   ASSERT_GT(path.points.size(), 10U);
   const Eigen::VectorXd d = IT::Signed_heat_distance(t).distances(IT::Polyline_source{path.points});
   const Eigen::Vector3d along = (s.point(to) - s.point(from)).normalized();
@@ -195,11 +192,8 @@ TEST(Signed_heat_distance, is_infinite_where_there_is_no_curve_and_refuses_what_
   for (const double factor : {-1., 1e-300, 1e300})
     EXPECT_THROW(IT::Signed_heat_distance(t, IT::parameters::time_factor(factor)),
                  std::invalid_argument);
-  IT::Triangle_soup soup;
-  soup.points = s.points;
-  soup.triangles = s.triangles;
-  soup.input_faces = s.triangles.size();
-  const Exact cover(IT::make_domain(soup, IT::Domain_kind::tufted_cover).input);
+  const Exact cover(
+      IT::make_domain(soups::soup({s.points, s.triangles}), IT::Domain_kind::tufted_cover).input);
   EXPECT_THROW(IT::Signed_heat_distance{cover}, IT::Invalid_input);
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 #include "soups.h"
 #include "uneven_laplacians.h"
@@ -9,7 +10,6 @@
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_operators/editing/interpolate_harmonically.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include <gtest/gtest.h>
@@ -30,12 +30,6 @@ using Rows = std::vector<std::uint32_t>;
 using Energy = IT::Deformation_energy;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Exact delaunay(IT::Intrinsic_input input) {
-  Exact t(std::move(input));
-  IT::flip_to_delaunay(t);
-  return t;
-}
-
 Eigen::MatrixXd points_of(const Shape& s) {
   Eigen::MatrixXd x(static_cast<Eigen::Index>(s.points.size()), 3);
   for (std::uint32_t v = 0; v < s.points.size(); ++v) x.row(v) = s.point(v);
@@ -44,7 +38,7 @@ Eigen::MatrixXd points_of(const Shape& s) {
 
 // What has no energy is found: a translation by either, the bending of a strip by neither.
 TEST(Surface_deformation, handles_that_move_alike_move_everything) {
-  const Exact t = delaunay(rough_grid(6, 0.3, 1, 2).input());
+  const Exact t = delaunay<Exact>(rough_grid(6, 0.3, 1, 2).input());
   const Eigen::RowVector3d shift(1, -2, 0.5);
   for (const Energy energy : {Energy::harmonic, Energy::biharmonic}) {
     const IT::Surface_deformation deformation(t, Rows{3, 17, 40, 17}, energy);
@@ -137,8 +131,7 @@ TEST(Surface_deformation, of_many_handles_is_that_of_few) {
     const Eigen::MatrixXd many =
         IT::Surface_deformation(both, mass.replicate(2, 1), handles, Energy::biharmonic)
             .displacements(values.replicate(2, 1));
-    EXPECT_LE((few.replicate(2, 1) - many).cwiseAbs().maxCoeff(),
-              1e-9 * few.cwiseAbs().maxCoeff())
+    EXPECT_LE((few.replicate(2, 1) - many).cwiseAbs().maxCoeff(), 1e-9 * few.cwiseAbs().maxCoeff())
         << greatest;
   }
 }
@@ -211,7 +204,7 @@ TEST(Heat_flow, stays_in_range_and_keeps_the_mean) {
   Shape s = rough_torus(8, 0.4, 3);
   const double far = 100;
   s.points.push_back({far, far, far}); // isolated
-  const Exact t = delaunay(s.input());
+  const Exact t = delaunay<Exact>(s.input());
   const Eigen::MatrixXd x = points_of(s), y = IT::Heat_flow(t, 0.3).step(x);
   const Eigen::RowVectorXd mass = IT::lumped_mass_matrix(t).diagonal();
   EXPECT_LE((mass * (x - y)).norm(), 1e-11 * (mass * x.cwiseAbs()).norm());
@@ -238,7 +231,7 @@ TEST(Interpolate_harmonically, stays_in_range_on_covers_of_anything) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     auto domain =
         IT::make_domain(soups::soup(soups::random(30, 60, seed)), IT::Domain_kind::tufted_cover);
-    const Exact t = delaunay(std::move(domain.input));
+    const Exact t = delaunay<Exact>(std::move(domain.input));
     const Matrix l = IT::cotangent_laplacian(t);
     Rows rows = IT::rows_with_constant_kernel(l); // a vertex in each component, and others
     for (const std::uint32_t r : {3U, 11U, 20U}) rows.push_back(r);

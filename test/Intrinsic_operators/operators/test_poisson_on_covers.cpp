@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
@@ -36,15 +37,7 @@ using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_tr
 
 meshes::Point point_of(const Exact& t, Exact::vertex_descriptor v, const Mesh& m) {
   if (!t.is_inserted(v)) return m.points[t.input_vertex(v)];
-  const IT::Surface_point& p = t.places()->location(t.index(v));
-  const IT::Input& input = t.input();
-  const std::uint32_t h = p.halfedge, n = input.next(h);
-  const std::array<std::uint32_t, 3> corners{input.source(h), input.target(h), input.target(n)};
-  meshes::Point result{};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t c = 0; c < 3; ++c)
-      result[c] += p.weights[k] * m.points[input.names().row(corners[k])][c];
-  return result;
+  return IT::point_in_space(t, t.places()->location(t.index(v)), m.points);
 }
 
 struct Errors {

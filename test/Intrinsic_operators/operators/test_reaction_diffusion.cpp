@@ -3,9 +3,8 @@
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
-
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -32,8 +31,7 @@ TEST(Reaction_diffusion, of_two_poles_on_a_regular_tetrahedron) {
 }
 
 TEST(Reaction_diffusion, reproduces_constants) {
-  Exact t(rough_torus(12, 0.8, 6).input());
-  IT::flip_to_delaunay(t);
+  const Exact t = delaunay<Exact>(rough_torus(12, 0.8, 6).input());
   const Matrix m = IT::galerkin_mass_matrix(t);
   const Vector ones = Vector::Ones(m.rows());
   const Vector u =
@@ -42,8 +40,7 @@ TEST(Reaction_diffusion, reproduces_constants) {
 }
 
 TEST(Reaction_diffusion, satisfies_its_system_and_has_mean_zero_without_reaction) {
-  Exact t(rough_torus(12, 0.8, 7).input());
-  IT::flip_to_delaunay(t);
+  const Exact t = delaunay<Exact>(rough_torus(12, 0.8, 7).input());
   const Matrix m = IT::galerkin_mass_matrix(t), l = IT::cotangent_laplacian(t);
   Vector load = random_vector(m.rows(), 1);
   load.array() -= load.mean();

@@ -3,11 +3,11 @@
 
 #include <CGAL/Intrinsic_operators/operators/residual_indicators.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <gtest/gtest.h>
@@ -106,8 +106,7 @@ TEST(Residual_indicators, integrate_residuals_that_are_linear_on_faces) {
 
 TEST(Residual_indicators, of_a_linear_function_on_a_flat_patch_are_fluxes_through_the_border) {
   const Shape s = rough_grid(12, 0.12, 0, 1); // nothing folds over
-  Double t(s.input());
-  IT::flip_to_delaunay(t);
+  const Double t = delaunay<Double>(s.input());
   Vector u(static_cast<int>(s.points.size()));
   for (std::uint32_t v = 0; v < s.points.size(); ++v)
     u[v] = 3 * s.points[v][0] - 2 * s.points[v][1];
@@ -245,10 +244,8 @@ TEST(Residual_indicators, bound_the_energy_error_whatever_the_coefficients) {
 
 TEST(Residual_indicators, agree_across_arithmetics) {
   const Shape s = rough_torus(12, 0.8, 6);
-  Exact exact(s.input());
-  Double rounded(s.input());
-  IT::flip_to_delaunay(exact);
-  IT::flip_to_delaunay(rounded);
+  const Exact exact = delaunay<Exact>(s.input());
+  const Double rounded = delaunay<Double>(s.input());
   const Vector u = random_vector(144, 1), f = random_vector(144, 2);
   const IT::Reaction_diffusion e{0.1, 1};
   auto x = IT::residual_indicators(exact, e, u, f, Error_norm::L2);

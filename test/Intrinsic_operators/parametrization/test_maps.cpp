@@ -10,6 +10,7 @@
 #include "delaunay.h"
 #include "meshes.h"
 #include "operator_test_meshes.h"
+#include "soups.h"
 
 #include <CGAL/Intrinsic_operators/operators/hodge_stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
@@ -482,31 +483,19 @@ TEST(Disk_border, is_refused_of_what_is_no_disk) {
   expect_no_disk(input(gallery::annulus(5)), "more than one border", border);
   expect_no_disk(tetrahedron().input(), "no border", border);
   expect_no_disk(input(gallery::self_folded_cone()), "1 vertices", border);
-  Shape two = grid(1);
-  for (std::size_t i = 0; i < 4; ++i)
-    two.points.push_back({two.points[i][0] + 5, two.points[i][1], 0});
-  for (std::size_t i = 0; i < 2; ++i)
-    two.triangles.push_back(
-        {two.triangles[i][0] + 4, two.triangles[i][1] + 4, two.triangles[i][2] + 4});
-  expect_no_disk(two.input(), "not connected", border);
-  IT::Triangle_soup soup;
-  soup.points = grid(2).points;
-  soup.triangles = grid(2).triangles;
-  soup.input_faces = soup.triangles.size();
+  expect_no_disk(beside(grid(1), grid(1), 5).input(), "not connected", border);
+  const auto soup = soups::soup({grid(2).points, grid(2).triangles});
   expect_no_disk(IT::make_domain(soup, IT::Domain_kind::tufted_cover).input, "cover", border);
 }
 
 TEST(Harmonic_map, is_the_same_on_every_mesh_type_and_leaves_isolated_vertices_at_the_origin) {
   Shape s = rough_grid(6, 0.3, 0.5, 1);
   const Map expected = IT::harmonic_map(Exact(s.input()));
+  const Map conformal = IT::least_squares_conformal_map(Exact(s.input()));
   const auto on = [&](const auto& mesh) {
     const IT::Intrinsic_triangulation<std::decay_t<decltype(mesh)>> t(mesh);
     EXPECT_LE((IT::harmonic_map(t) - expected).cwiseAbs().maxCoeff(), 1e-12);
-    EXPECT_LE(
-        (IT::least_squares_conformal_map(t) - IT::least_squares_conformal_map(Exact(s.input())))
-            .cwiseAbs()
-            .maxCoeff(),
-        1e-9);
+    EXPECT_LE((IT::least_squares_conformal_map(t) - conformal).cwiseAbs().maxCoeff(), 1e-9);
   };
   on(mesh_of<Surface_mesh>(s));
   on(mesh_of<Polyhedron>(s));

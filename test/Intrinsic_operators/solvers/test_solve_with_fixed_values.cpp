@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -209,24 +208,35 @@ TEST(Solve_with_fixed_values, refuses_what_makes_no_sense) {
   EXPECT_FALSE(refused(l, zero, Rows{0}, one));
 }
 
-/// Springs in a row, whose ends are fixed at 0 and 1: each is stretched by 1 / stiffness.
-TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_ten) {
-  const int n = 60;
+/// The Laplacian of springs in a row.
+Matrix chain(const std::vector<double>& weights) {
+  const auto n = static_cast<int>(weights.size()) + 1;
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> stretched{0};
   for (int i = 0; i + 1 < n; ++i) {
-    const double w = std::pow(10., (i * 37) % 41 - 20);
+    const double w = weights[static_cast<std::size_t>(i)];
     entries.insert(entries.end(), {{i, i, w}, {i + 1, i + 1, w}, {i, i + 1, -w}, {i + 1, i, -w}});
-    stretched.push_back(stretched.back() + 1 / w);
   }
   Matrix l(n, n);
   l.setFromTriplets(entries.begin(), entries.end());
-  const Rows ends{0, static_cast<std::uint32_t>(n - 1)};
-  const Eigen::MatrixXd x = IT::solve_with_fixed_values(l, Eigen::MatrixXd::Zero(n, 1), ends,
-                                                        Eigen::MatrixXd(Eigen::Vector2d(0, 1)));
-  for (int i = 1; i + 1 < n; ++i)
-    EXPECT_NEAR(x(i, 0) / (stretched[static_cast<std::size_t>(i)] / stretched.back()), 1, 1e-12)
-        << i;
+  return l;
+}
+
+/// Values of a chain whose ends have the values 0 and 1.
+Vector between_ends(const Matrix& a) {
+  const Rows ends{0, static_cast<std::uint32_t>(a.rows() - 1)};
+  return IT::solve_with_fixed_values(a, Vector::Zero(a.rows()), ends, Eigen::Vector2d(0, 1));
+}
+
+/// Each spring is stretched by 1 / stiffness.
+TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_ten) {
+  std::vector<double> weights, stretched{0};
+  for (int i = 0; i < 59; ++i) {
+    weights.push_back(std::pow(10., (i * 37) % 41 - 20));
+    stretched.push_back(stretched.back() + 1 / weights.back());
+  }
+  const Vector x = between_ends(chain(weights));
+  for (int i = 1; i < 59; ++i)
+    EXPECT_NEAR(x[i] / (stretched[static_cast<std::size_t>(i)] / stretched.back()), 1, 1e-12) << i;
 }
 
 // A chain of equal springs, each mass except the first tied to zero by a weak one: all numbers are
@@ -234,36 +244,20 @@ TEST(Solve_with_fixed_values, is_exact_where_weights_differ_by_many_powers_of_te
 TEST(Solve_with_fixed_values, weak_diagonals_beside_strong_weights_count) {
   const int n = 301;
   const double strong = 0x1p49, weak = 10, tie = 100;
-  std::vector<Eigen::Triplet<double>> entries{{0, 0, tie}, {1, 1, tie}, {0, 1, -tie}, {1, 0, -tie}};
-  for (int i = 1; i + 1 < n; ++i)
-    entries.insert(entries.end(), {{i, i, strong},
-                                   {i + 1, i + 1, strong},
-                                   {i, i + 1, -strong},
-                                   {i + 1, i, -strong},
-                                   {i + 1, i + 1, weak}});
-  Matrix a(n, n);
-  a.setFromTriplets(entries.begin(), entries.end());
-  const Rows first{0};
-  const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, Eigen::MatrixXd::Zero(n, 1), first,
-                                                        Eigen::MatrixXd::Ones(1, 1));
+  std::vector<double> weights(n - 1, strong);
+  weights[0] = tie;
+  Matrix a = chain(weights);
+  for (int i = 2; i < n; ++i) a.coeffRef(i, i) += weak;
+  const Vector x =
+      IT::solve_with_fixed_values(a, Vector::Zero(n), Rows{0}, Vector(Vector::Ones(1)));
   // the chain is stiff: tie (1 - x) = weak (n - 2) x
-  EXPECT_NEAR(x(n - 1, 0), tie / (tie + weak * (n - 2)), 1e-9);
+  EXPECT_NEAR(x[n - 1], tie / (tie + weak * (n - 2)), 1e-9);
 }
 
 TEST(Solve_with_fixed_values, values_reach_rows_by_weights_that_rounding_loses_beside_others) {
-  Matrix a(4, 4);
-  std::vector<Eigen::Triplet<double>> entries;
-  const std::array<double, 3> weights{1e-20, 1, 1e-20};
-  for (int i = 0; i < 3; ++i)
-    for (const auto& [r, c, s] : {std::array{i, i, 1}, std::array{i + 1, i + 1, 1},
-                                  std::array{i, i + 1, -1}, std::array{i + 1, i, -1}})
-      entries.emplace_back(r, c, s * weights[static_cast<std::size_t>(i)]);
-  a.setFromTriplets(entries.begin(), entries.end());
-  const Rows ends{0, 3};
-  const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, Eigen::MatrixXd::Zero(4, 1), ends,
-                                                        Eigen::MatrixXd(Eigen::Vector2d(0, 1)));
-  EXPECT_NEAR(x(1, 0), 0.5, 1e-12);
-  EXPECT_NEAR(x(2, 0), 0.5, 1e-12);
+  const Vector x = between_ends(chain({1e-20, 1, 1e-20}));
+  EXPECT_NEAR(x[1], 0.5, 1e-12);
+  EXPECT_NEAR(x[2], 0.5, 1e-12);
 }
 
 TEST(Solve_with_fixed_values, definite_matrices_need_not_be_laplacians) {

@@ -74,21 +74,31 @@ using Vector_heat_choices = testing::Types<
                                 IT::Integer_coordinates>>;
 TYPED_TEST_SUITE(Vector_heat_on, Vector_heat_choices);
 
-TYPED_TEST(Vector_heat_on, transports_in_the_plane_exactly) {
+TYPED_TEST(Vector_heat_on, transports_from_vertices_and_points_in_the_plane_exactly) {
   const meshes::Mesh shape = meshes::scaled(meshes::random_planar(60, 1000, 2), 0.01);
   TypeParam t(meshes::surface_mesh<Surface_mesh>(shape));
   IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
   const IT::Vector_heat_method<TypeParam> heat(t);
-  for (const auto v : vertices(t.mesh())) {
-    if (t.index(v) % 7 != 0 || is_on_border(t, v)) continue;
-    const Complex expected = in_plane(t, v, {1, 2}, shape.points);
-    const IT::Tangent_field field = heat.transport(v, {1, 2});
+  const auto expect_parallel = [&](const IT::Tangent_field& field, const Complex& expected) {
     ASSERT_EQ(field.size(), t.number_of_vertices());
     for (const auto w : vertices(t.mesh()))
       if (!is_on_border(t, w)) {
         EXPECT_LE(std::abs(in_plane(t, w, field[t.input_vertex(w)], shape.points) - expected),
                   1e-6);
       }
+  };
+  for (const auto v : vertices(t.mesh()))
+    if (t.index(v) % 7 == 0 && !is_on_border(t, v))
+      expect_parallel(heat.transport(v, {1, 2}), in_plane(t, v, {1, 2}, shape.points));
+  for (const auto f : faces(t.mesh())) {
+    if (t.index(f) % 20 != 0) continue;
+    const IT::Surface_point p =
+        IT::surface_point(t, IT::Face_location<typename TypeParam::Mesh>(f, {0.2, 0.3, 0.5}));
+    const IT::Geodesic g = IT::exponential_map(t, p, 1e-3);
+    const auto a = IT::point_in_space(t, *IT::locate_on_input(t, p), shape.points);
+    const auto b = IT::point_in_space(t, *IT::locate_on_input(t, g.points.back()), shape.points);
+    const Complex x = Complex(b[0] - a[0], b[1] - a[1]) * 1e3;
+    expect_parallel(heat.transport(IT::Tangent_vector{p, {1, 2}}), x * Complex(1, 2));
   }
 }
 
@@ -108,29 +118,6 @@ TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
                                       Step::vectors_factored}));
   EXPECT_EQ(heat.factor(), IT::Status::done);
   EXPECT_EQ(heat.transport(v, {1, 2}), other.transport(v, {1, 2}));
-}
-
-TYPED_TEST(Vector_heat_on, transports_from_a_point_in_the_plane_exactly) {
-  const meshes::Mesh shape = meshes::scaled(meshes::random_planar(60, 1000, 2), 0.01);
-  TypeParam t = delaunay<TypeParam>(meshes::surface_mesh<Surface_mesh>(shape));
-  const IT::Vector_heat_method<TypeParam> heat(t);
-  std::size_t i = 0;
-  for (const auto f : faces(t.mesh())) {
-    if (i++ % 20 != 0) continue;
-    const IT::Surface_point p =
-        IT::surface_point(t, IT::Face_location<typename TypeParam::Mesh>(f, {0.2, 0.3, 0.5}));
-    const IT::Geodesic g = IT::exponential_map(t, p, 1e-3);
-    const auto a = IT::point_in_space(t, *IT::locate_on_input(t, p), shape.points);
-    const auto b = IT::point_in_space(t, *IT::locate_on_input(t, g.points.back()), shape.points);
-    const Complex x = Complex(b[0] - a[0], b[1] - a[1]) * 1e3;
-    const IT::Tangent_field field = heat.transport(IT::Tangent_vector{p, {1, 2}});
-    for (const auto w : vertices(t.mesh()))
-      if (!is_on_border(t, w)) {
-        EXPECT_LE(
-            std::abs(in_plane(t, w, field[t.input_vertex(w)], shape.points) - x * Complex(1, 2)),
-            1e-6);
-      }
-  }
 }
 
 TEST(Vector_heat_method, does_not_depend_on_the_order_of_sources_nor_change_single_lengths) {
