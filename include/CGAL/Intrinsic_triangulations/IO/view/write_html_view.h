@@ -54,6 +54,40 @@ struct Html_view {
   std::span<const Polyline> marks{};
   /// The name of the marked points.
   std::string_view marks_name = "points";
+  /// Most bytes of the page, a million of which are for its scripts. What needs more is thinned
+  /// out, see `Html_view_report`.
+  std::size_t maximum_size = 30'000'000;
+};
+
+/*!
+\brief tells what a page shows of all that there is.
+
+Pages have a limit, `Html_view::maximum_size`. Beyond it, vertices in one cell of a grid become one
+of them, with its numbers and values, and triangles between others stay. Curves first lose points
+that are close to the point before, then some curves are left out. A page has 64 fields and 20,000
+marked points at most.
+*/
+struct Html_view_report {
+  std::size_t pieces = 0;       ///< triangles of the common subdivision
+  std::size_t shown_pieces = 0; ///< those on the page
+  /// Side of the cells in which vertices are one, in units of the points; 0: all are there.
+  double cell = 0;
+  std::size_t curves = 0;       ///< curves and initial curves with lines
+  std::size_t shown_curves = 0; ///< those on the page
+  /// How far a point that was left out of a curve may be from one on the page; 0: none was.
+  double curve_tolerance = 0;
+  std::size_t fields = 0;       ///< fields that were given
+  std::size_t shown_fields = 0; ///< those on the page
+  std::size_t marks = 0;        ///< marked points
+  std::size_t shown_marks = 0;  ///< those on the page
+
+  /// returns whether nothing was left out.
+  bool is_complete() const {
+    return shown_pieces == pieces && shown_curves == curves && curve_tolerance == 0 &&
+           shown_fields == fields && shown_marks == marks;
+  }
+  /// says what was left out, in a line for users; the page has it too.
+  std::string description() const;
 };
 
 /// The scripts that pages contain.
@@ -80,18 +114,21 @@ light. A field replaces the colours; a texture darkens every other square of a c
 shown in the plane beside the surface. On a cover, the fronts of the user's faces are shown, or
 their backs. Curves and marked points lie on top. The pointer shows the numbers of the faces
 under it. In the page, users choose the field, its range and map of colours, the number of isolines,
-and a plane that cuts the surface.
+which way is up, and a plane that cuts the surface. At first the surface stands on its largest flat
+base. If it has none, y is up, or z if the surface is least high along y.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`
 \param view title, fields, curves
+\return what the page shows; all unless that needs more than `Html_view::maximum_size`
 \throws Invalid_input if `points`, a field or the texture do not have one value for each vertex, or
   if three.js is not given and not found
 \throws std::runtime_error if the stream fails
-\complexity linear
+\complexity linear; O(n log n) if vertices become one
 */
-void write_html_view(std::ostream& out, const Common_subdivision& s,
-                     std::span<const std::array<double, 3>> points, const Html_view& view);
+Html_view_report write_html_view(std::ostream& out, const Common_subdivision& s,
+                                 std::span<const std::array<double, 3>> points,
+                                 const Html_view& view);
 
 } // namespace CGAL::Intrinsic_triangulations
 

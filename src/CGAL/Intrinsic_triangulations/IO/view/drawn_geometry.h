@@ -45,8 +45,14 @@ public:
     for (std::size_t c = 0; c < 3; ++c) result[c] = static_cast<float>(centred(p, c) / radius_);
     return result;
   }
-  // half of the sides of the bounding box
-  const Point& extent() const { return extent_; }
+  // the sides of the bounding box after scaling
+  Point scaled_extent() const {
+    Point result;
+    for (std::size_t c = 0; c < 3; ++c) result[c] = extent_[c] / unit_ / radius_;
+    return result;
+  }
+  // the length that is scaled to 1; infinite if it is none
+  double radius() const { return 2 * unit_ * radius_; }
 
 private:
   double centred(const Point& p, std::size_t c) const {

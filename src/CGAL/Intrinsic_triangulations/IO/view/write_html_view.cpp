@@ -6,6 +6,9 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_curves.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/upright.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
@@ -22,9 +25,11 @@
 #include <limits>
 #include <ostream>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -47,21 +52,79 @@ class Html_view_writer {
 public:
   Html_view_writer(std::ostream& out, const Common_subdivision& s, std::span<const Point> points,
                    const Html_view& view)
-      : out_(out), s_(s), points_(points), view_(view), scaling_(points) {}
+      : out_(out), s_(s), view_(view), scaling_(points) {
+    for (const Point& p : points) scaled_.push_back(scaling_(p));
+    if (view_.fields.size() > most_fields) view_.fields = view_.fields.first(most_fields);
+    choose();
+    report(view.fields.size());
+  }
 
   // the page, its places filled
-  void write() {
+  Html_view_report write() {
     for (std::string_view rest = html_view_page; !rest.empty();) {
       out_.text(next_part(rest));
       const std::string_view place = next_part(rest);
       if (place == "title") escaped(view_.title);
-      if (place == "description") escaped(view_.description);
+      if (place == "description") {
+        escaped(view_.description);
+        if (!report_.is_complete()) out_.text("\n\n", report_.description());
+      }
       if (place == "scripts") write_scripts();
     }
     if (!out_.flush()) throw std::runtime_error("the page cannot be written");
+    return report_;
   }
 
 private:
+  static constexpr std::size_t most_fields = 64, most_marks = 20000;
+
+  // What the page shows: all if there is room for it. Else curves leave most of it to the surface.
+  void choose() {
+    constexpr std::size_t least = 100000; // however little is allowed
+    const std::size_t text = html_view_page.size() + view_.three.size() +
+                             view_.trackball_controls.size() + 2 * view_.description.size() + 10000;
+    const std::size_t room =
+        std::max(view_.maximum_size > text ? (view_.maximum_size - text) / 4 * 3 : 0, least);
+    const std::size_t per_vertex = 4 * view_.fields.size() + (view_.texture.empty() ? 0 : 8);
+    surface_ = whole_surface(s_, scaled_);
+    curves_ = thinned_curves(view_.curves, scaling_, 0, 1);
+    initial_curves_ = thinned_curves(view_.initial_curves, scaling_, 0, 1);
+    mark_step_ = (number_of_marks() + most_marks - 1) / most_marks;
+    const std::size_t marks = 16 * std::min(number_of_marks(), most_marks);
+    const std::size_t lines = curves_.bytes() + initial_curves_.bytes() + marks;
+    if (surface_.bytes(per_vertex) + lines <= room) return;
+    surface_ = surface_within(std::move(surface_), scaled_, per_vertex,
+                              std::max(lines < room ? room - lines : 0, room / 5 * 3));
+    const std::size_t taken = surface_.bytes(per_vertex) + marks;
+    const std::size_t left = room - std::min(room, taken);
+    initial_curves_ = curves_within(view_.initial_curves, scaling_,
+                                    std::max(left / 4, left - std::min(left, curves_.bytes())));
+    curves_ = curves_within(view_.curves, scaling_, left - std::min(left, initial_curves_.bytes()));
+  }
+
+  std::size_t number_of_marks() const {
+    std::size_t n = 0;
+    for (const Polyline& mark : view_.marks) n += mark.points.size();
+    return n;
+  }
+
+  void report(std::size_t fields) {
+    for (std::size_t f = 0; f < s_.number_of_faces(); ++f)
+      report_.pieces += std::max<std::size_t>(s_.face(f).size(), 2) - 2;
+    for (const auto& curves : {view_.curves, view_.initial_curves})
+      for (const Polyline& curve : curves)
+        if (curve.number_of_segments() > 0) ++report_.curves;
+    report_.shown_pieces = surface_.triangles.size();
+    report_.shown_curves = curves_.sizes.size() + initial_curves_.sizes.size();
+    report_.curve_tolerance =
+        std::max(curves_.tolerance, initial_curves_.tolerance) * scaling_.radius();
+    report_.cell = surface_.cell * scaling_.radius();
+    report_.fields = fields;
+    report_.shown_fields = view_.fields.size();
+    report_.marks = number_of_marks();
+    report_.shown_marks = mark_step_ == 0 ? 0 : (report_.marks + mark_step_ - 1) / mark_step_;
+  }
+
   // takes what comes before the next @, and that, off the front
   static std::string_view next_part(std::string_view& rest) {
     const std::string_view part = rest.substr(0, rest.find('@'));
@@ -129,51 +192,42 @@ private:
     write_points();
     write_triangles();
     write_vertices();
-    write_edges("input-edges", &Common_subdivision::Side::input_edge, s_.input_face);
-    write_edges("intrinsic-edges", &Common_subdivision::Side::intrinsic_edge, s_.intrinsic_face);
+    write_edges("input-edges", surface_.input);
+    write_edges("intrinsic-edges", surface_.intrinsic);
     write_settings();
     for (std::size_t i = 0; i < view_.fields.size(); ++i)
       write_field("field-" + std::to_string(i), view_.fields[i]);
     write_texture();
-    write_curves("curves", view_.curves);
-    write_curves("initial-curves", view_.initial_curves);
+    write_curves("curves", curves_);
+    write_curves("initial-curves", initial_curves_);
     write_marks();
   }
 
-  // A fan for each convex polygon.
   void write_triangles() {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::size_t> polygon;
-    for (std::size_t f = 0; f < s_.number_of_faces(); ++f)
-      for (std::size_t k = 2; k < s_.face(f).size(); ++k) {
-        triangles.push_back({s_.face(f)[0], s_.face(f)[k - 1], s_.face(f)[k]});
-        polygon.push_back(f);
-      }
-    tuples("triangles", triangles);
-    write_colors(polygon);
+    const std::vector<std::uint32_t>& polygon = surface_.polygon;
+    tuples("triangles", surface_.triangles);
+    write_colors();
     data("sheets", [&](Output_buffer& out) {
       if (!s_.sheet.empty())
-        for (const std::size_t f : polygon) out.base64(s_.sheet[f]);
+        for (const std::uint32_t f : polygon) out.base64(s_.sheet[f]);
     });
     data("sources", [&](Output_buffer& out) {
-      for (const std::size_t f : polygon)
+      for (const std::uint32_t f : polygon)
         for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]})
           out.base64(source);
     });
   }
 
-  // The colour of each triangle, of a polygon each.
-  void write_colors(const std::vector<std::size_t>& polygon) {
+  // The colour of each triangle.
+  void write_colors() {
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
     data("colors", [&](Output_buffer& out) {
-      for (const std::size_t f : polygon)
+      for (const std::uint32_t f : surface_.polygon)
         for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.base64(c);
     });
   }
 
-  void write_edges(const std::string& id, std::uint32_t Common_subdivision::Side::*edge_of,
-                   const std::vector<std::uint32_t>& face_of) {
-    const Drawn_edges edges = drawn_edges(s_, scaled_, edge_of, face_of);
+  void write_edges(const std::string& id, const Drawn_edges& edges) {
     numbers(id, edges.ends);
     numbers(id + "-room", edges.room);
     numbers(id + "-sheets", edges.sheets);
@@ -182,20 +236,22 @@ private:
   // The data of a vertex: its kind, its intrinsic element, and its input element.
   void write_vertices() {
     data("kinds", [&](Output_buffer& out) {
-      for (std::size_t v = 0; v < s_.number_of_vertices(); ++v)
+      for (const std::uint32_t v : surface_.vertices)
         out.base64(static_cast<std::uint8_t>(s_.kind(v)));
     });
     data("labels", [&](Output_buffer& out) {
-      for (const Common_subdivision::Vertex& v : s_.vertices) {
-        out.base64(v.intrinsic);
-        out.base64(v.kind == Subdivision_vertex_kind::input ? v.on_input.vertices[0]
-                                                            : v.input_face);
-      }
-      for (const Common_subdivision::Crossing& x : s_.crossings) {
-        out.base64(x.on_intrinsic.edge);
-        out.base64(x.on_input.edge);
-      }
+      for (const std::uint32_t i : surface_.vertices)
+        for (const std::uint32_t label : labels_of(i)) out.base64(label);
     });
+  }
+  std::array<std::uint32_t, 2> labels_of(std::uint32_t i) const {
+    if (i >= s_.vertices.size()) {
+      const Common_subdivision::Crossing& x = s_.crossings[i - s_.vertices.size()];
+      return {x.on_intrinsic.edge, x.on_input.edge};
+    }
+    const Common_subdivision::Vertex& v = s_.vertices[i];
+    const bool is_input = v.kind == Subdivision_vertex_kind::input;
+    return {v.intrinsic, is_input ? v.on_input.vertices[0] : v.input_face};
   }
 
   void write_settings() {
@@ -227,10 +283,12 @@ private:
     escaped(field.name);
     out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
     close_data([&](Output_buffer& out) {
-      for (const double x : field.values)
+      for (const std::uint32_t v : surface_.vertices) {
+        const double x = field.values[v];
         out.base64(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
                    : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
                                      : 0.f);
+      }
     });
   }
 
@@ -248,66 +306,68 @@ private:
       }
     const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
     data("texture", [&](Output_buffer& out) {
-      for (const std::array<double, 2>& p : view_.texture)
-        for (std::size_t c = 0; c < 2; ++c)
+      for (const std::uint32_t v : surface_.vertices)
+        for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c) {
+          const std::array<double, 2>& p = view_.texture[v];
           out.base64(!is_place(p) ? std::numeric_limits<float>::quiet_NaN()
                      : size > 0   ? static_cast<float>((p[c] - least[c]) / size)
                                   : 0.f);
+        }
     });
   }
 
-  // Both ends of each line, and its label.
-  void write_curves(const std::string& id, std::span<const Polyline> curves) {
-    std::vector<std::array<float, 3>> ends;
-    std::vector<std::int32_t> labels;
-    for (const Polyline& curve : curves)
-      for (std::size_t i = 0; i < curve.number_of_segments(); ++i) {
-        for (const std::size_t k : {i, (i + 1) % curve.points.size()})
-          ends.push_back(scaling_(curve.points[k]));
-        labels.push_back(curve.label);
-      }
-    tuples(id, ends);
-    numbers(id + "-labels", labels);
+  void write_curves(const std::string& id, const Page_curves& curves) {
+    tuples(id, curves.points);
+    numbers(id + "-sizes", curves.sizes);
+    numbers(id + "-labels", curves.labels);
   }
 
   void write_marks() {
     std::vector<std::array<float, 3>> places;
     std::vector<std::int32_t> labels;
-    for (const Polyline& mark : view_.marks) {
-      for (const Point& p : mark.points) places.push_back(scaling_(p));
-      labels.insert(labels.end(), mark.points.size(), mark.label);
-    }
+    std::size_t i = 0;
+    for (const Polyline& mark : view_.marks)
+      for (const Point& p : mark.points)
+        if (i++ % mark_step_ == 0) {
+          places.push_back(scaling_(p));
+          labels.push_back(mark.label);
+        }
     tuples("marks", places);
     numbers("marks-labels", labels);
   }
 
   void write_points() {
-    for (const Point& p : points_) scaled_.push_back(scaling_(p));
-    tuples("points", scaled_);
-    write_axes(scaling_.extent());
+    data("points", [&](Output_buffer& out) {
+      for (const std::uint32_t v : surface_.vertices)
+        for (const float x : scaled_[v]) out.base64(x);
+    });
+    write_axes();
   }
 
-  // Look mostly along the shortest side of the bounding box; y is up unless that is along y.
-  void write_axes(const Point& extent) {
-    const auto shortest =
-        static_cast<std::size_t>(std::min_element(extent.begin(), extent.end()) - extent.begin());
-    const bool is_flat = extent[shortest] <= 1e-6 * std::max({extent[0], extent[1], extent[2]});
-    Point eye{0.45, 0.4, 0.55};
-    eye[shortest] = is_flat ? 2 : 0.8;
-    if (is_flat) eye[(shortest + 1) % 3] = eye[(shortest + 2) % 3] = 0;
-    const double length = std::hypot(eye[0], eye[1], eye[2]);
-    std::array<float, 6> axes{}; // to the eye, up
-    for (std::size_t c = 0; c < 3; ++c) axes[c] = static_cast<float>(eye[c] / length);
-    axes[shortest == 1 ? 5 : 4] = 1;
+  // Up, the sides of the bounding box, and the height along up.
+  void write_axes() {
+    std::vector<std::array<float, 3>> shown;
+    for (const std::uint32_t v : surface_.vertices) shown.push_back(scaled_[v]);
+    const Point extent = scaling_.scaled_extent();
+    const Standing standing = Standing_finder(shown, surface_.triangles).find(extent);
+    std::array<float, 7> axes{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      axes[c] = static_cast<float>(standing.up[c]);
+      axes[3 + c] = static_cast<float>(extent[c]);
+    }
+    axes[6] = static_cast<float>(standing.height);
     numbers("view-axes", axes);
   }
 
   Output_buffer out_;
   const Common_subdivision& s_;
-  std::span<const Point> points_;
-  const Html_view& view_;
+  Html_view view_;
   Unit_ball_scaling scaling_;
   std::vector<std::array<float, 3>> scaled_;
+  Page_surface surface_;
+  Page_curves curves_, initial_curves_;
+  std::size_t mark_step_ = 1; // one of so many is shown
+  Html_view_report report_;
 };
 
 } // namespace
@@ -322,8 +382,28 @@ Three_js find_three_js(const std::filesystem::path& directory) {
   return {text("build", "three.min.js"), text("examples/js/controls", "TrackballControls.js")};
 }
 
-void write_html_view(std::ostream& out, const Common_subdivision& s,
-                     std::span<const std::array<double, 3>> points, const Html_view& view) {
+std::string Html_view_report::description() const {
+  std::ostringstream text;
+  text.precision(2);
+  std::string separator = "thinned out: ";
+  const auto add = [&]() -> std::ostream& {
+    text << separator;
+    separator = "; ";
+    return text;
+  };
+  if (shown_pieces < pieces)
+    add() << shown_pieces << " of " << pieces << " pieces of the surface, vertices nearer than "
+          << cell << " are one";
+  if (shown_curves < curves) add() << shown_curves << " of " << curves << " curves";
+  if (curve_tolerance > 0) add() << "points of curves, up to " << curve_tolerance << " from others";
+  if (shown_fields < fields) add() << shown_fields << " of " << fields << " fields";
+  if (shown_marks < marks) add() << shown_marks << " of " << marks << " marked points";
+  return text.str();
+}
+
+Html_view_report write_html_view(std::ostream& out, const Common_subdivision& s,
+                                 std::span<const std::array<double, 3>> points,
+                                 const Html_view& view) {
   internal::check_output({s, points, view.fields});
   for (const Subdivision_field& field : view.fields)
     if (!field.is_function())
@@ -345,7 +425,7 @@ void write_html_view(std::ostream& out, const Common_subdivision& s,
     throw Invalid_input(Element_kind::none, 0,
                         "the page needs three.js and its TrackballControls.js; install Debian's "
                         "package libjs-three, or give their texts, see find_three_js()");
-  internal::Html_view_writer(out, s, points, complete).write();
+  return internal::Html_view_writer(out, s, points, complete).write();
 }
 
 } // namespace CGAL::Intrinsic_triangulations
