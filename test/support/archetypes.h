@@ -15,6 +15,7 @@
 #include <CGAL/enum.h>
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -68,6 +69,12 @@ struct Traits {
   using Metric = archetypes::Metric;
 };
 
+template <class Move>
+concept Documented_move =
+    std::same_as<Move, IT::Flip> || std::same_as<Move, IT::Insertion_in_face> ||
+    std::same_as<Move, IT::Insertion_on_border> || std::same_as<Move, IT::Removal_from_face> ||
+    std::same_as<Move, IT::Removal_from_border>;
+
 /// Counts all moves.
 struct Correspondence {
   Correspondence() = default;
@@ -78,44 +85,12 @@ struct Correspondence {
 
   template <class Triangulation>
   void start(const Triangulation&) {}
-  template <class Triangulation>
-  bool before(const Triangulation&, const IT::Flip&) {
+  template <class Triangulation, Documented_move Move>
+  bool before(const Triangulation&, const Move&) {
     return announce();
   }
-  template <class Triangulation>
-  void after(const Triangulation&, const IT::Flip&) {
-    ++done;
-  }
-  template <class Triangulation>
-  bool before(const Triangulation&, const IT::Insertion_in_face&) {
-    return announce();
-  }
-  template <class Triangulation>
-  void after(const Triangulation&, const IT::Insertion_in_face&) {
-    ++done;
-  }
-  template <class Triangulation>
-  bool before(const Triangulation&, const IT::Insertion_on_border&) {
-    return announce();
-  }
-  template <class Triangulation>
-  void after(const Triangulation&, const IT::Insertion_on_border&) {
-    ++done;
-  }
-  template <class Triangulation>
-  bool before(const Triangulation&, const IT::Removal_from_face&) {
-    return announce();
-  }
-  template <class Triangulation>
-  void after(const Triangulation&, const IT::Removal_from_face&) {
-    ++done;
-  }
-  template <class Triangulation>
-  bool before(const Triangulation&, const IT::Removal_from_border&) {
-    return announce();
-  }
-  template <class Triangulation>
-  void after(const Triangulation&, const IT::Removal_from_border&) {
+  template <class Triangulation, Documented_move Move>
+  void after(const Triangulation&, const Move&) {
     ++done;
   }
   int announced = 0, done = 0;

@@ -22,6 +22,10 @@ namespace meshes {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Point = std::array<double, 3>;
+
+inline double distance(const Point& p, const Point& q) {
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
 using Triangle = std::array<std::uint32_t, 3>;
 
 struct Mesh {

@@ -49,6 +49,13 @@ double total_area(const T& t) {
   return sum(areas);
 }
 
+/// Expects values alike up to a relative tolerance.
+inline void expect_near(const std::vector<double>& a, const std::vector<double>& b,
+                        double tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance * b[i]) << i;
+}
+
 /// Sum of the corner angles at each vertex, by its number in the input.
 template <class T>
 std::vector<double> cone_angles(const T& t) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+
+#include "refusals.h"
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
@@ -210,12 +212,7 @@ TEST(Point_cloud, does_not_depend_on_units_where_squares_overflow_or_vanish) {
 
 TEST(Point_cloud, refuses_what_is_no_surface) {
   const auto refusal = [](const Points& points, std::size_t neighbours) {
-    try {
-      IT::make_point_cloud(points, neighbours);
-      return std::string();
-    } catch (const IT::Invalid_input& e) {
-      return std::string(e.what());
-    }
+    return refusals::refusal([&] { IT::make_point_cloud(points, neighbours); });
   };
   EXPECT_NE(refusal({}, 30).find("0 points"), std::string::npos);
   EXPECT_NE(refusal({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {5, 5, 5}}, 30).find("triangle"),

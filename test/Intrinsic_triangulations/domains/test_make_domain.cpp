@@ -3,6 +3,7 @@
 
 #include "gallery.h"
 #include "meshes.h"
+#include "refusals.h"
 #include "soups.h"
 #include "validity.h"
 
@@ -36,15 +37,7 @@ IT::Domain domain(const Mesh& m, Domain_kind kind = Domain_kind::automatic) {
 }
 
 // the message, if there is one
-template <class Make>
-std::string refusal(const Make& make) {
-  try {
-    make();
-    return {};
-  } catch (const IT::Invalid_input& e) {
-    return e.what();
-  }
-}
+using refusals::refusal;
 
 std::size_t border_edges(const IT::Gluing_map& mesh) {
   std::size_t count = 0;

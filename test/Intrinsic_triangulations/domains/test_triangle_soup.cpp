@@ -3,6 +3,8 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include "refusals.h"
+
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
@@ -24,12 +26,7 @@ const Points square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 template <class Faces>
 std::string refusal(const Points& points, const Faces& faces) {
-  try {
-    IT::triangle_soup(points, faces);
-    return {};
-  } catch (const IT::Invalid_input& e) {
-    return e.what();
-  }
+  return refusals::refusal([&] { IT::triangle_soup(points, faces); });
 }
 
 TEST(Triangle_soup, takes_any_ranges) {

@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Polyhedron_3_adaptor.h>
 
+#include "refusals.h"
+
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 
@@ -138,13 +140,9 @@ TEST(Triangulate_face_graph, meshes_of_triangles_are_taken_as_they_are) {
 }
 
 TEST(Triangulate_face_graph, polygon_is_named_where_connectivity_alone_is_asked_for) {
-  try {
-    IT::gluing_map_from_face_graph(cube<CGAL::Surface_mesh<Point>>());
-    FAIL() << "a cube of quadrilaterals was taken for triangles";
-  } catch (const IT::Invalid_input& error) {
-    EXPECT_EQ(error.kind(), IT::Element_kind::face);
-    EXPECT_EQ(error.index(), 0U);
-  }
+  refusals::expect_invalid(
+      [] { IT::gluing_map_from_face_graph(cube<CGAL::Surface_mesh<Point>>()); },
+      IT::Element_kind::face, 0);
 }
 
 } // namespace

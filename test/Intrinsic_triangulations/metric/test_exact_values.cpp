@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 
 #include "meshes.h"
+#include "properties.h"
 
 #include <CGAL/Gmpq.h>
 
@@ -42,21 +43,14 @@ meshes::Mesh stretched(double factor) {
   return m;
 }
 
-template <class T>
-double area(const T& t) {
-  double sum = 0;
-  for (const auto f : faces(t.mesh())) sum += t.area(f);
-  return sum;
-}
-
 TEST(Exact_values, areas_sum_to_that_of_the_input_on_stretched_spheres) {
   for (const double factor : {1e3, 1e9, 1e15}) {
     Exact t(stretched(factor).input());
-    const double before = area(t);
+    const double before = properties::total_area(t);
     const auto r = IT::flip_to_delaunay(t);
     EXPECT_GT(r.flips, 100U);
     // each of 512 faces to 1e-12, and so their sum
-    EXPECT_NEAR(area(t) / before, 1, 1e-12);
+    EXPECT_NEAR(properties::total_area(t) / before, 1, 1e-12);
     EXPECT_EQ(t.metric().statistics().probable_zero, 0U);
   }
 }
@@ -66,9 +60,9 @@ TEST(Exact_values, areas_sum_to_that_of_the_input_where_one_vertex_is_far_away) 
   for (double& x : m.points[9]) x *= 1e100;
   for (const bool again : {false, true}) {
     Counted t(m.input());
-    const double before = area(t);
+    const double before = properties::total_area(t);
     if (again) IT::flip_to_delaunay(t);
-    EXPECT_NEAR(area(t) / before, 1, 1e-12);
+    EXPECT_NEAR(properties::total_area(t) / before, 1, 1e-12);
     const IT::Quality q = IT::measure_quality(t);
     EXPECT_GE(q.minimum_angle, 0);
   }

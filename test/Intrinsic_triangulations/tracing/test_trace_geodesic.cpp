@@ -87,9 +87,7 @@ struct Placed {
   }
 };
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using meshes::distance;
 
 /// Length of the polyline from a start through crossings to an end.
 double polyline_length(const Placed& s, const Surface_point& start,

@@ -6,6 +6,7 @@
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "properties.h"
 #include "subdivision_oracle.h"
 #include "validity.h"
 
@@ -33,13 +34,6 @@ using subdivision_oracle::input;
 using subdivision_oracle::Mover;
 using subdivision_oracle::Rounded;
 using subdivision_oracle::state;
-
-template <class T>
-double area(const T& t) {
-  double sum = 0;
-  for (const auto f : faces(t.mesh())) sum += t.area(f);
-  return sum;
-}
 
 /// Elements that are there; `num_vertices()` and the like may count those that were removed.
 template <class Range>
@@ -107,7 +101,7 @@ TEST(Vertex_moves, Split_edges_of_both_kinds_from_both_sides) {
       EXPECT_GE(rest, 1) << e;
       ASSERT_EQ(defect(t), "") << e;
     }
-    EXPECT_NEAR(area(t), 4, 1e-12);
+    EXPECT_NEAR(properties::total_area(t), 4, 1e-12);
   }
 }
 
@@ -116,7 +110,7 @@ TEST(Vertex_moves, Keep_area_and_valid_connectivity_on_the_gallery) {
     IT::Intrinsic_input in(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
     in.may_renumber = false;
     Exact t(std::move(in));
-    const double whole = area(t);
+    const double whole = properties::total_area(t);
     const std::size_t v = num_vertices(t.mesh()), e = num_edges(t.mesh()), f = num_faces(t.mesh());
     Mover<Exact> mover(t, 1);
     for (int i = 0; i < 60; ++i) {
@@ -124,7 +118,7 @@ TEST(Vertex_moves, Keep_area_and_valid_connectivity_on_the_gallery) {
       ASSERT_FALSE(IT::delta_complex_defect(t.mesh())) << s << ' ' << i;
       ASSERT_EQ(count(vertices(t.mesh())), v + mover.inserted.size()) << s;
     }
-    EXPECT_NEAR(area(t), whole, 1e-10 * whole) << s;
+    EXPECT_NEAR(properties::total_area(t), whole, 1e-10 * whole) << s;
     for (int pass = 0; pass < 10 && !mover.inserted.empty(); ++pass) {
       IT::flip_to_delaunay(t);
       std::erase_if(mover.inserted, [&](IT::Gluing_map::Vertex w) {

@@ -176,9 +176,7 @@ Point place(const std::vector<Point>& points, const std::array<std::uint32_t, 3>
   return p;
 }
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using meshes::distance;
 
 /// A Euclidean surface whose triangulation is observed, and where its vertices are in space.
 template <class T>

@@ -39,9 +39,7 @@ static_assert(IT::IntrinsicCorrespondence<Signposts, Rounded>);
 
 constexpr auto none = IT::Gluing::none;
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using meshes::distance;
 
 /// A triangulation with the positions of the vertices of its input.
 template <class T>

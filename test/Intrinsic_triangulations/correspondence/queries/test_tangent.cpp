@@ -147,9 +147,7 @@ Point position(const T& t, const meshes::Mesh& m, const Surface_point& p) {
   return x;
 }
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using meshes::distance;
 
 template <class Correspondence>
 class Tangent : public testing::Test {};

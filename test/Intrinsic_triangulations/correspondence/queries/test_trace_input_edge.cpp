@@ -50,9 +50,7 @@ TYPED_TEST_SUITE(Input_edges, Choices);
 
 using Point = std::array<double, 3>;
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+using meshes::distance;
 
 /// With signposts that are rounded, edges lose their way where many vertices lie on a line.
 template <class T>

@@ -4,6 +4,8 @@
 #include "gallery.h"
 #include "meshes.h"
 #include "properties.h"
+#include "refusals.h"
+#include "surface_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -28,6 +30,7 @@ using IT::Element_kind;
 using IT::Gluing_map;
 using IT::Tensor_norm;
 using IT::Triangle_inequality;
+using refusals::expect_invalid;
 
 namespace {
 
@@ -39,36 +42,18 @@ using Planar = IT::Plane_vector<double>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-
 std::vector<double> squared_lengths(const meshes::Mesh& m) {
   const Gluing_map map = m.map();
   std::vector<double> l;
   for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
-    const Vector &p = m.points[map.source({2 * e}).index], &q = m.points[map.target({2 * e}).index];
-    l.push_back(std::pow(length({q[0] - p[0], q[1] - p[1], q[2] - p[2]}), 2));
+    l.push_back(std::pow(meshes::distance(m.points[map.source({2 * e}).index],
+                                          m.points[map.target({2 * e}).index]),
+                         2));
   }
   return l;
 }
 
-void expect_near(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance * b[i]) << i;
-}
-
-template <class Make>
-void expect_invalid(const Make& make, Element_kind kind, std::size_t index,
-                    const std::vector<std::string>& texts) {
-  try {
-    make();
-    ADD_FAILURE() << texts[0];
-  } catch (const IT::Invalid_input& e) {
-    EXPECT_EQ(e.kind(), kind);
-    EXPECT_EQ(e.index(), index);
-    for (const std::string& text : texts)
-      EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
-  }
-}
+using properties::expect_near;
 
 const auto euclidean = [](auto, const auto& v) {
   double sum = 0;
@@ -101,7 +86,7 @@ TEST(Scale_conformally, by_a_constant_scales_areas_and_leaves_the_delaunay_trian
 TEST(Scale_conformally, by_the_factors_of_an_inversion_gives_the_lengths_of_the_inverted_points) {
   for (const meshes::Mesh& shape : {meshes::sphere(2), meshes::potato(2, 4), meshes::grid(5, 4)}) {
     const meshes::Mesh m = meshes::translated(shape, {2.5, 4.5, -1.25});
-    const auto u = [&m](Gluing_map::Vertex v) { return -2 * std::log(length(m.points[v.index])); };
+    const auto u = [&m](Gluing_map::Vertex v) { return -2 * std::log(meshes::distance(m.points[v.index], {})); };
     meshes::Mesh inverted = m;
     for (Vector& p : inverted.points) {
       const double square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
@@ -126,11 +111,7 @@ TEST(Scale_conformally, works_where_squared_lengths_alone_would_leave_the_range_
 }
 
 TEST(Scale_conformally, takes_property_maps) {
-  Surface_mesh mesh;
-  const meshes::Mesh m = meshes::grid(3, 3);
-  for (const auto& p : m.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  using V = Surface_mesh::Vertex_index;
-  for (const auto& [a, b, c] : m.triangles) mesh.add_face(V(a), V(b), V(c));
+  auto mesh = meshes::surface_mesh<Surface_mesh>(meshes::grid(3, 3));
   auto u = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:u", 0.5).first;
   const IT::Scaled_metric s = IT::scale_conformally(mesh, u);
   std::size_t e = 0;

@@ -3,6 +3,7 @@
 
 #include "mesh_types.h"
 #include "meshes.h"
+#include "properties.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
@@ -28,25 +29,7 @@ using Planar = IT::Plane_vector<double>;
 
 double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
 
-void expect_near(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance * b[i]) << i;
-}
-
-template <class Mesh>
-Mesh mesh_of(const meshes::Mesh& m) {
-  Mesh mesh;
-  IT::copy_gluing_map(m.map(), mesh);
-  std::size_t i = 0;
-  for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
-    const Vector& p = m.points[i++];
-    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
-      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
-    else
-      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
-  }
-  return mesh;
-}
+using properties::expect_near;
 
 template <class Mesh>
 class Scale_metric_of : public ::testing::Test {};
@@ -66,7 +49,7 @@ TYPED_TEST(Scale_metric_of, this_type_of_mesh_is_the_same_as_of_a_gluing_with_po
       m.input(), [&](auto, const Planar& v) { return g(v); }, repair);
   const auto space = IT::scale_by_norm_in_space(m.input(), spatial, repair);
   if constexpr (!std::is_same_v<TypeParam, Gluing_map>) {
-    const TypeParam mesh = mesh_of<TypeParam>(m);
+    const TypeParam mesh = meshes::mesh_of<TypeParam>(m);
     using Vertex = typename boost::graph_traits<TypeParam>::vertex_descriptor;
     using Face = typename boost::graph_traits<TypeParam>::face_descriptor;
     using Adaptor = IT::Mesh_adaptor<TypeParam>;

@@ -31,21 +31,6 @@ std::vector<meshes::Mesh> shapes() {
           meshes::potato(2, 2), meshes::folded_lattice(4, 4, 1)};
 }
 
-template <class Mesh>
-Mesh mesh_of(const meshes::Mesh& m) {
-  Mesh mesh;
-  IT::copy_gluing_map(m.map(), mesh);
-  std::size_t i = 0;
-  for (const typename boost::graph_traits<Mesh>::vertex_descriptor v : vertices(mesh)) {
-    const auto& p = m.points[i++];
-    if constexpr (requires { mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2])); })
-      mesh.set_point(v, OpenMesh::Vec3d(p[0], p[1], p[2]));
-    else
-      put(get(CGAL::vertex_point, mesh), v, Kernel::Point_3(p[0], p[1], p[2]));
-  }
-  return mesh;
-}
-
 TYPED_TEST(Delaunay_on, this_type_of_mesh_is_the_same_as_on_a_gluing_map) {
   for (const meshes::Mesh& m : shapes()) {
     IT::Intrinsic_triangulation<> expected(m.input());
@@ -79,7 +64,7 @@ TYPED_TEST(Delaunay_on, this_type_of_mesh_flips_four_times_to_the_identity) {
 TYPED_TEST(Delaunay_on, this_type_of_mesh_as_input_is_the_same) {
   if constexpr (!std::is_same_v<TypeParam, IT::Gluing_map>)
     for (const meshes::Mesh& m : shapes()) {
-      const TypeParam mesh = mesh_of<TypeParam>(m);
+      const TypeParam mesh = meshes::mesh_of<TypeParam>(m);
       IT::Intrinsic_triangulation<> expected(m.input()), t(mesh);
       IT::flip_to_delaunay(expected);
       IT::flip_to_delaunay(t);

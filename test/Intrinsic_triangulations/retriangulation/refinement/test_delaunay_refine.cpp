@@ -6,6 +6,7 @@
 #include "constrained_edges.h"
 #include "gallery.h"
 #include "meshes.h"
+#include "properties.h"
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
@@ -48,13 +49,6 @@ using subdivision_oracle::input;
 using subdivision_oracle::Rounded;
 
 constexpr double degree = std::numbers::pi / 180;
-
-template <class T>
-double area(const T& t) {
-  double sum = 0;
-  for (const auto f : faces(t.mesh())) sum += t.area(f);
-  return sum;
-}
 
 /// Lengths of the sides of a face.
 template <class T, class Face>
@@ -135,14 +129,14 @@ TYPED_TEST(Delaunay_refine, Reaches_the_angle_except_where_it_says_so_and_keeps_
     for (const meshes::Mesh& m : surfaces()) {
       SCOPED_TRACE(testing::Message() << "surface " << n++ << ", " << angle << " degrees");
       TypeParam t(input(m));
-      const double before = area(t);
+      const double before = properties::total_area(t);
       const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle));
       EXPECT_EQ(result.status, Status::done);
       EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
       EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
       EXPECT_EQ(count(result, Unsatisfied_reason::stopped), 0U);
       expect_delaunay(t);
-      EXPECT_NEAR(area(t), before, 1e-12 * before);
+      EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
       std::size_t inserted = 0;
       for (const auto w : vertices(t.mesh())) inserted += t.is_inserted(w) ? 1 : 0;
       EXPECT_EQ(inserted, result.counts.inserted_vertices());
@@ -189,13 +183,13 @@ TYPED_TEST(Delaunay_refine, Ends_in_corners_of_the_border_that_are_too_sharp) {
         {0, 0, 0}, {3, 0, 0}, {2 * std::cos(corner * degree), 2 * std::sin(corner * degree), 0}};
     m.triangles = {{0, 1, 2}};
     TypeParam t(input(m));
-    const double before = area(t);
+    const double before = properties::total_area(t);
     const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
     EXPECT_EQ(result.status, Status::done);
     EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
     EXPECT_EQ(result.unsatisfied.empty(), corner >= 25);
     EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
-    EXPECT_NEAR(area(t), before, 1e-12 * before);
+    EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
     // few faces are excused: those in the corner and across shells
     EXPECT_LE(result.unsatisfied.size(), 40U);
   }
@@ -317,7 +311,7 @@ TYPED_TEST(Delaunay_refine, Keeps_constrained_edges_as_unions_of_edges) {
     Edge_map is_constrained;
     Constraints<TypeParam> constrained{&t, &is_constrained};
     constrain(t, 41, constrained);
-    const double length = total_length(t, constrained), before = area(t);
+    const double length = total_length(t, constrained), before = properties::total_area(t);
     const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(25)
                                                    .conforming(conforming)
                                                    .edge_is_constrained_map(constrained));
@@ -325,7 +319,7 @@ TYPED_TEST(Delaunay_refine, Keeps_constrained_edges_as_unions_of_edges) {
     EXPECT_EQ(result.unsatisfied.size(), count(result, Unsatisfied_reason::small_angle));
     EXPECT_GE(least_angle_elsewhere(t, result), 25 - rounding);
     EXPECT_NEAR(total_length(t, constrained), length, 1e-12 * length);
-    EXPECT_NEAR(area(t), before, 1e-12 * before);
+    EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
     EXPECT_EQ(defect(t), "");
     typename TypeParam::Session session(t);
     for (const auto e : edges(t.mesh())) {
@@ -535,12 +529,12 @@ TEST(Delaunay_refine_gallery, Every_surface_reaches_the_bound) {
               ? IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s))
               : IT::Intrinsic_input(IT::Gluing_map(s.gluing), s.points);
       IT::Intrinsic_triangulation<> t(std::move(i));
-      const double before = area(t);
+      const double before = properties::total_area(t);
       const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle));
       EXPECT_EQ(result.status, Status::done);
       EXPECT_EQ(count(result, Unsatisfied_reason::refused), 0U);
       EXPECT_GE(least_angle_elsewhere(t, result), angle - rounding);
-      EXPECT_NEAR(area(t), before, 1e-12 * before);
+      EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
     }
   }
 }
