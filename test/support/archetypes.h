@@ -70,10 +70,9 @@ struct Traits {
 };
 
 template <class Move>
-concept Documented_move =
-    std::same_as<Move, IT::Flip> || std::same_as<Move, IT::Insertion_in_face> ||
-    std::same_as<Move, IT::Insertion_on_border> || std::same_as<Move, IT::Removal_from_face> ||
-    std::same_as<Move, IT::Removal_from_border>;
+concept Documented_move = std::same_as<Move, IT::Flip> ||
+    std::same_as<Move, IT::Insertion_in_face> || std::same_as<Move, IT::Insertion_on_border> ||
+    std::same_as<Move, IT::Removal_from_face> || std::same_as<Move, IT::Removal_from_border>;
 
 /// Counts all moves.
 struct Correspondence {

@@ -204,7 +204,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_without_ties(const Tr
   std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
   for (const auto e : edges(t.mesh())) {
     const auto h = halfedge(e, t.mesh());
-    const bool is_border = face(h, t.mesh()) == null || face(opposite(h, t.mesh()), t.mesh()) == null;
+    const bool is_border =
+        face(h, t.mesh()) == null || face(opposite(h, t.mesh()), t.mesh()) == null;
     if (!is_border && session.delaunay_sign(h) == CGAL::ZERO) continue;
     result.push_back(std::minmax(
         {t.numbers().vertex(source(h, t.mesh())), t.numbers().vertex(target(h, t.mesh()))}));

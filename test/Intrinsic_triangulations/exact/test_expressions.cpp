@@ -284,8 +284,7 @@ public:
       EXPECT_EQ((f.ij - l[k]).sign(), 0);
       const Number p = f.ij + f.ki - f.jk;
       EXPECT_EQ((Number(4) * f.ij * f.ki - p * p - f.area_f * f.area_f).sign(), 0);
-      const Number share =
-          f.area_f - Number(w[(k + 2) % 3]) * a; // near the requested weight
+      const Number share = f.area_f - Number(w[(k + 2) % 3]) * a; // near the requested weight
       EXPECT_EQ((Number(0x1p-34) * a - share).sign(), 1);
       EXPECT_EQ((Number(0x1p-34) * a + share).sign(), 1);
       rest = rest - f.area_f;
@@ -462,22 +461,17 @@ TEST(Expressions, tell_a_right_angle_of_two_coplanar_corners_whatever_the_digits
   }
 }
 
-TEST(Expressions, of_degree_1_to_6_have_the_right_sign_in_diamonds_before_and_after_flips) {
-  const Counts n = check_after_moves(15, 3, false, [](auto& k, auto& random, Counts& c) {
+TEST(Expressions, of_degree_1_to_6_have_the_right_sign_in_diamonds_after_flips_and_insertions) {
+  const auto check = [](auto& k, auto& random, Counts& c) {
     Programs programs(7, static_cast<unsigned>(random()));
     check_diamonds(k, programs, random, c);
-  });
-  EXPECT_GT(n.zeros, 100);
-  EXPECT_GT(n.others, 100);
-}
-
-TEST(Expressions, of_degree_1_to_6_have_the_right_sign_in_diamonds_among_inserted_vertices) {
-  const Counts n = check_after_moves(10, 4, true, [](auto& k, auto& random, Counts& c) {
-    Programs programs(7, static_cast<unsigned>(random()));
-    check_diamonds(k, programs, random, c);
-  });
-  EXPECT_GT(n.zeros, 100);
-  EXPECT_GT(n.others, 100);
+  };
+  for (const bool may_insert : {false, true}) {
+    SCOPED_TRACE(may_insert ? "with insertions" : "flips only");
+    const Counts n = check_after_moves(may_insert ? 10 : 15, may_insert ? 4 : 3, may_insert, check);
+    EXPECT_GT(n.zeros, 100);
+    EXPECT_GT(n.others, 100);
+  }
 }
 
 TEST(Expressions, of_degree_1_to_6_have_the_right_sign_over_several_faces) {

@@ -101,7 +101,8 @@ TEST(Euclidean_traits, flips_in_doubles_are_possible_in_truth) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
-    meshes::Mesh m = seed % 2 == 0 ? meshes::sheared_grid(6, 6, seed % 5) : meshes::grid(6, 6, 3, 7);
+    meshes::Mesh m =
+        seed % 2 == 0 ? meshes::sheared_grid(6, 6, seed % 5) : meshes::grid(6, 6, 3, 7);
     for (meshes::Point& p : m.points) // a plane in space, whose lengths are rounded
       p = {0.1 * p[0] + 0.3 * p[1], 0.7 * p[0] - 0.2 * p[1], 1. / 3 * p[0] + 0.6 * p[1]};
     Triangulation<double> t(m.input());

@@ -110,8 +110,8 @@ std::array<Gmpq, 2> point(const T& t, std::uint32_t v) {
   const IT::Surface_point& place = places.location(v);
   const auto weights = IT::representable_weights(place.weights).value_or(place.weights);
   const std::uint32_t h = place.halfedge, next = places.input().next(h);
-  const std::array<std::uint32_t, 3> corners{
-      places.input().source(h), places.input().source(next), places.input().target(next)};
+  const std::array<std::uint32_t, 3> corners{places.input().source(h), places.input().source(next),
+                                             places.input().target(next)};
   std::array<Gmpq, 2> sum{0, 0};
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < 2; ++i) sum[i] += Gmpq(weights[k]) * Gmpq(points[corners[k]][i]);
@@ -186,8 +186,8 @@ TEST(Exact_values, enclosures_hold_rational_values_after_thousands_of_flips) {
 
 TEST(Exact_values, enclosures_hold_rational_values_after_thousands_of_flips_and_insertions) {
   check_random_moves<Counted>(20);
-  check_random_moves<IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
-                                                 IT::Signposts>>(20);
+  check_random_moves<
+      IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Signposts>>(20);
 }
 
 } // namespace

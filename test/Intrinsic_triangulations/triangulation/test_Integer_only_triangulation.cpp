@@ -5,10 +5,10 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 
-#include "properties.h"
 #include "gallery.h"
 #include "mesh_types.h"
 #include "meshes.h"
+#include "properties.h"
 #include "refusals.h"
 #include "subdivision_oracle.h"
 
@@ -212,8 +212,8 @@ TEST(Integer_only_triangulation, names_a_face_with_a_side_without_length) {
   m.points[4] = m.points[5];
   IT::Intrinsic_input input = m.input();
   input.mollification = IT::Mollification::none;
-  refusals::expect_invalid([&] { IT::Integer_only_triangulation<>{input}; },
-                           IT::Element_kind::face, {}, {"mollification"});
+  refusals::expect_invalid([&] { IT::Integer_only_triangulation<>{input}; }, IT::Element_kind::face,
+                           {}, {"mollification"});
   input.mollification = IT::Mollification::automatic;
   IT::Integer_only_triangulation<> t(input);
   EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);

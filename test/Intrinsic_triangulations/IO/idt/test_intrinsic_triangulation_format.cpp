@@ -112,40 +112,28 @@ TEST(Intrinsic_triangulation_format, small_complexes_come_back_with_every_number
   }
 }
 
-TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_not_been_stored) {
-  for (const bool integer : {false, true}) {
-    Exact t(terrain(6, integer));
-    define_by_places(t);
-    ASSERT_GT(flip_at_random(t, 900, 3), 200U);
-    Exact back = from_text<Exact>(text(t));
-    ASSERT_NE(back.input().surface(), nullptr);
-    EXPECT_TRUE(back.input().surface()->is_defined_by_metric());
-    EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
-    EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
-    expect_same_but_for_widths(back, t); // predicates sharpen by what they remember
-    IT::flip_to_delaunay(t);
-    IT::flip_to_delaunay(back);
-    expect_same_but_for_widths(back, t);
-    EXPECT_EQ(IT::check_delaunay(back).non_delaunay_edges, 0U);
-    EXPECT_EQ(IT::check_delaunay(back).cocircular_edges, IT::check_delaunay(t).cocircular_edges);
-  }
-}
-
 // What was only flipped is decided by the history of flips, and by coordinates when it is read.
-TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_by_other_means_of_deciding) {
-  for (const bool integer : {false, true}) {
-    Exact t(terrain(6, integer));
-    ASSERT_GT(flip_at_random(t, 900, 3), 200U);
-    Exact back = from_text<Exact>(text(t));
-    EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
-    EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
-    expect_same_but_for_widths(back, t);
-    IT::flip_to_delaunay(t);
-    IT::flip_to_delaunay(back);
-    expect_same_but_for_widths(back, t);
-    EXPECT_EQ(IT::check_delaunay(back).non_delaunay_edges, 0U);
-    EXPECT_EQ(IT::check_delaunay(back).cocircular_edges, IT::check_delaunay(t).cocircular_edges);
-  }
+TEST(Intrinsic_triangulation_format, exact_triangulation_goes_on_as_if_it_had_not_been_stored) {
+  for (const bool integer : {false, true})
+    for (const bool by_places : {true, false}) {
+      SCOPED_TRACE(std::string(integer ? "integer" : "double") + (by_places ? ", by places" : ""));
+      Exact t(terrain(6, integer));
+      if (by_places) define_by_places(t);
+      ASSERT_GT(flip_at_random(t, 900, 3), 200U);
+      Exact back = from_text<Exact>(text(t));
+      if (by_places) {
+        ASSERT_NE(back.input().surface(), nullptr);
+        EXPECT_TRUE(back.input().surface()->is_defined_by_metric());
+      }
+      EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
+      EXPECT_EQ(flip_at_random(back, 300, 4), flip_at_random(t, 300, 4));
+      expect_same_but_for_widths(back, t); // predicates sharpen by what they remember
+      IT::flip_to_delaunay(t);
+      IT::flip_to_delaunay(back);
+      expect_same_but_for_widths(back, t);
+      EXPECT_EQ(IT::check_delaunay(back).non_delaunay_edges, 0U);
+      EXPECT_EQ(IT::check_delaunay(back).cocircular_edges, IT::check_delaunay(t).cocircular_edges);
+    }
 }
 
 TEST(Intrinsic_triangulation_format, inexact_triangulation_goes_on_as_if_it_had_not_been_stored) {

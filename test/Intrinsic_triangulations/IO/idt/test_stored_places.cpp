@@ -612,26 +612,22 @@ TEST(Damaged_values, are_refused_where_places_contradict_them) {
   const std::string s = file_with_all_places<Exact>();
   Exact t = from_text<Exact>(s);
   // narrow intervals about wrong values
+  const auto expect_refused = [&s](const auto& x, double approximate, double wrong,
+                                   const std::string& what) {
+    std::ostringstream line, other;
+    line << std::hexfloat << x.inf() << " " << x.sup() << " " << approximate;
+    other << std::hexfloat << wrong << " " << wrong << " " << wrong;
+    EXPECT_NE(message_of(replaced(s, line.str(), other.str())).find(what), std::string::npos);
+  };
   for (const auto e : edges(t.mesh())) {
-    std::string file = s;
-    std::ostringstream line, wrong;
     const auto x = t.metric().squared_length(e.index);
-    const double y = 1.0001 * x.sup();
-    line << std::hexfloat << x.inf() << " " << x.sup() << " "
-         << t.metric().approximate_squared_length(e.index);
-    wrong << std::hexfloat << y << " " << y << " " << y;
-    EXPECT_NE(message_of(replaced(s, line.str(), wrong.str())).find("squared length of edge"),
-              std::string::npos);
+    expect_refused(x, t.metric().approximate_squared_length(e.index), 1.0001 * x.sup(),
+                   "squared length of edge");
   }
   for (const auto f : faces(t.mesh())) {
-    std::ostringstream line, wrong;
     const auto x = t.metric().quadruple_area(f.index);
-    const double y = 0.9999 * x.inf();
-    line << std::hexfloat << x.inf() << " " << x.sup() << " "
-         << t.metric().approximate_quadruple_area(f.index);
-    wrong << std::hexfloat << y << " " << y << " " << y;
-    EXPECT_NE(message_of(replaced(s, line.str(), wrong.str())).find("area of face"),
-              std::string::npos);
+    expect_refused(x, t.metric().approximate_quadruple_area(f.index), 0.9999 * x.inf(),
+                   "area of face");
   }
   // a coordinate of the input
   for (std::size_t v = 1; v <= 9; ++v) refusal(s, "input_vertices", v, 2 + v % 2, "0x1.8p+3", true);

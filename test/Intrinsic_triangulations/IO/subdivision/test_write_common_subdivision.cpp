@@ -230,7 +230,8 @@ std::vector<double> vtp_array(const std::string& file, const std::string& sectio
   }
   const std::size_t tag = part.rfind('<', at), content = part.find(">\n", at) + 2;
   const std::string type = attribute(part.substr(tag, content - tag), "type");
-  const std::string bytes = base64::decoded(part.substr(content, part.find('\n', content) - content));
+  const std::string bytes =
+      base64::decoded(part.substr(content, part.find('\n', content) - content));
   std::istringstream in(bytes);
   EXPECT_EQ(read_binary<std::uint64_t>(in), static_cast<double>(bytes.size() - 8));
   std::vector<double> result;

@@ -214,16 +214,20 @@ std::size_t flip_at_random(T& t, std::size_t attempts, unsigned seed) {
   return done;
 }
 
+template <class T>
+void expect_edges_of_the_input(const Placed<T>& s, const std::string& name) {
+  const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
+  EXPECT_EQ(crossings_of(traces), 0U) << name;
+  EXPECT_TRUE(traces.is_certain()) << name;
+  for (std::uint32_t e = 0; e < traces.along.size(); ++e) EXPECT_EQ(traces.along[e], 2 * e) << name;
+}
+
 } // namespace
 
 TEST(Signposts, Run_along_the_input_before_the_first_move) {
   for (const auto& [name, mesh] : all_meshes()) {
     const Placed<Rounded> s(mesh);
-    const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
-    EXPECT_EQ(crossings_of(traces), 0U) << name;
-    EXPECT_TRUE(traces.is_certain()) << name;
-    for (std::uint32_t e = 0; e < traces.along.size(); ++e)
-      EXPECT_EQ(traces.along[e], 2 * e) << name;
+    expect_edges_of_the_input(s, name);
   }
 }
 
@@ -235,8 +239,8 @@ TEST(Signposts, Trace_the_edges_of_Delaunay_triangulations) {
   }
 }
 
-TEST(Signposts,
-     Trace_edges_after_random_flips) { // exact: a diamond with a straight angle is not flipped
+// Exact: a diamond with a straight angle is not flipped.
+TEST(Signposts, Trace_edges_after_random_flips) {
   for (const auto& [name, mesh] : all_meshes()) {
     Placed<Exact> s(mesh);
     EXPECT_GT(flip_at_random(s.t, num_edges(s.t.mesh()), 7), 0U);
@@ -259,11 +263,7 @@ TEST(Signposts, Return_to_the_input_after_flips_back) {
         ASSERT_EQ(s.t.flip_edge(IT::Gluing_map::Halfedge{flipped.back()}), IT::Move_status::done);
       flipped.pop_back();
     }
-    const Edge_traces traces = IT::trace_edges(s.t, s.signposts());
-    EXPECT_EQ(crossings_of(traces), 0U) << name;
-    EXPECT_TRUE(traces.is_certain()) << name;
-    for (std::uint32_t e = 0; e < traces.along.size(); ++e)
-      EXPECT_EQ(traces.along[e], 2 * e) << name;
+    expect_edges_of_the_input(s, name);
   }
 }
 

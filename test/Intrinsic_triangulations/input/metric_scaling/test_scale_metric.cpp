@@ -46,9 +46,9 @@ std::vector<double> squared_lengths(const meshes::Mesh& m) {
   const Gluing_map map = m.map();
   std::vector<double> l;
   for (std::uint32_t e = 0; e < map.number_of_edges(); ++e) {
-    l.push_back(std::pow(meshes::distance(m.points[map.source({2 * e}).index],
-                                          m.points[map.target({2 * e}).index]),
-                         2));
+    l.push_back(std::pow(
+        meshes::distance(m.points[map.source({2 * e}).index], m.points[map.target({2 * e}).index]),
+        2));
   }
   return l;
 }
@@ -86,7 +86,9 @@ TEST(Scale_conformally, by_a_constant_scales_areas_and_leaves_the_delaunay_trian
 TEST(Scale_conformally, by_the_factors_of_an_inversion_gives_the_lengths_of_the_inverted_points) {
   for (const meshes::Mesh& shape : {meshes::sphere(2), meshes::potato(2, 4), meshes::grid(5, 4)}) {
     const meshes::Mesh m = meshes::translated(shape, {2.5, 4.5, -1.25});
-    const auto u = [&m](Gluing_map::Vertex v) { return -2 * std::log(meshes::distance(m.points[v.index], {})); };
+    const auto u = [&m](Gluing_map::Vertex v) {
+      return -2 * std::log(meshes::distance(m.points[v.index], {}));
+    };
     meshes::Mesh inverted = m;
     for (Vector& p : inverted.points) {
       const double square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
