@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
 #include <array>
@@ -66,6 +67,14 @@ Surface abstract(const std::string& name, Gluing g, const Counts& expected,
 
 /// Squared lengths per edge of `Gluing_map(s.gluing)`.
 std::vector<double> squared_lengths(const Surface& s);
+
+/// A surface by its lengths, with its numbers.
+inline CGAL::Intrinsic_triangulations::Intrinsic_input input(const Surface& s) {
+  using namespace CGAL::Intrinsic_triangulations;
+  Intrinsic_input result(Gluing_map(s.gluing), squared_lengths(s), Mollification::none);
+  result.may_renumber = false;
+  return result;
+}
 
 // ---- closed and orientable
 

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <numeric>
 #include <random>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,9 +25,6 @@ namespace meshes {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Point = std::array<double, 3>;
 
-inline double distance(const Point& p, const Point& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
 using Triangle = std::array<std::uint32_t, 3>;
 
 struct Mesh {
@@ -40,6 +39,48 @@ struct Mesh {
     return {map(), points, m};
   }
 };
+
+// ---- points of space
+
+inline Point minus(const Point& p, const Point& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
+inline double dot(const Point& p, const Point& q) {
+  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+}
+inline Point cross(const Point& p, const Point& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+inline double norm(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+inline double distance(const Point& p, const Point& q) { return norm(minus(p, q)); }
+
+/// Where a point of a surface is, such as an input, whose vertices are at these points.
+template <class Surface, class Surface_point>
+Point position(const Surface& s, const std::vector<Point>& points, const Surface_point& p) {
+  Point x{};
+  auto h = p.halfedge;
+  for (const double w : p.weights) {
+    for (std::size_t k = 0; k < 3; ++k) x[k] += w * points[s.source(h)][k];
+    h = s.next(h);
+  }
+  return x;
+}
+
+/// A normal of a polygon, as long as its area.
+inline Point area_vector(const std::vector<Point>& points, std::span<const std::uint32_t> polygon) {
+  Point sum{};
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const Point n = cross(minus(points[polygon[k - 1]], points[polygon[0]]),
+                          minus(points[polygon[k]], points[polygon[0]]));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += n[c] / 2;
+  }
+  return sum;
+}
+inline double area(const Mesh& m) {
+  double sum = 0;
+  for (const Triangle& t : m.triangles) sum += norm(area_vector(m.points, t));
+  return sum;
+}
 
 // ---- changes of meshes
 

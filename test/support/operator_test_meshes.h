@@ -169,10 +169,7 @@ inline IT::Intrinsic_input torus(std::uint32_t n, double shear) {
   return {std::move(map), std::move(squared)};
 }
 
-/// A surface of the gallery by its edge lengths.
-inline IT::Intrinsic_input input(const gallery::Surface& s) {
-  return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
-}
+using gallery::input;
 
 /// A torus in space of n x n cells, with vertices moved out or in at random by up to `height`.
 inline Shape rough_torus(std::uint32_t n, double height, unsigned seed) {

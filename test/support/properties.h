@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
@@ -54,6 +55,28 @@ inline void expect_near(const std::vector<double>& a, const std::vector<double>&
                         double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance * b[i]) << i;
+}
+
+/// Lengths of the sides of a face.
+template <class T>
+std::array<double, 3> sides(const T& t, typename T::face_descriptor f) {
+  Halfedge<T> h = halfedge(f, t.mesh());
+  std::array<double, 3> l{};
+  for (double& x : l) {
+    x = t.length(edge(h, t.mesh()));
+    h = next(h, t.mesh());
+  }
+  return l;
+}
+
+/// Least angle of a face in degrees, from its sides alone: by the law of cosines, as nothing in the
+/// library does.
+template <class T>
+double least_angle(const T& t, typename T::face_descriptor f) {
+  std::array<double, 3> l = sides(t, f);
+  std::sort(l.begin(), l.end());
+  const double c = (l[1] * l[1] + l[2] * l[2] - l[0] * l[0]) / (2 * l[1] * l[2]);
+  return std::acos(std::min(1.0, c)) * 180 / std::numbers::pi;
 }
 
 /// Sum of the corner angles at each vertex, by its number in the input.

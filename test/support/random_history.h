@@ -20,6 +20,9 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include "gallery.h"
+#include "meshes.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -141,6 +144,17 @@ private:
   bool is_counted_ = true; // whether the coordinates have stayed in bounds
   IT::Exact_ladder ladder_;
 };
+
+inline Walk walk_on(const meshes::Mesh& m, double delta = 0) {
+  Map map = m.map();
+  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
+  input.set_delta(delta);
+  return {std::move(map), std::move(input)};
+}
+inline Walk walk_on(const gallery::Surface& s) {
+  Map map(s.gluing);
+  return {map, IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0)};
+}
 
 /// Expects that two diamonds have the same values, exactly.
 template <class FT>

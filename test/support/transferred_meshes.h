@@ -114,9 +114,7 @@ inline std::vector<Case> all_cases() {
     result.emplace_back(std::string(name) + " refined", mesh.input(), 0, 20);
   }
   for (const gallery::Surface& s : gallery::oriented())
-    if (!s.gluing.origin.empty())
-      result.emplace_back(
-          s.name, IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)), 5);
+    if (!s.gluing.origin.empty()) result.emplace_back(s.name, gallery::input(s), 5);
   return result;
 }
 

@@ -93,14 +93,6 @@ TYPED_TEST(Flips, four_flips_are_the_identity_and_two_swap_the_halfedges) {
   EXPECT_GT(flipped, 200U);
 }
 
-TEST(Gluing_map, halfedges_2e_and_2e_plus_1_are_the_sides_of_edge_e) {
-  const IT::Gluing_map m(gallery::disc_fan(5).gluing);
-  for (std::uint32_t h = 0; h < m.number_of_halfedges(); ++h) {
-    EXPECT_EQ(IT::Gluing_map::opposite({h}).index, h ^ 1U);
-    EXPECT_EQ(edge(IT::Gluing_map::Halfedge{h}, m).index, h / 2);
-  }
-}
-
 TEST(Gluing_map, edges_are_numbered_as_the_faces_meet_them) {
   const IT::Gluing_map m(gallery::flat_torus(4, 3).gluing);
   std::uint32_t edges = 0;
@@ -158,21 +150,6 @@ TEST(Gluing_map, previous_inverts_next_after_copying_a_mesh_with_a_nonmanifold_b
   EXPECT_TRUE(IT::is_valid_delta_complex(m));
   for (std::uint32_t h = 0; h < m.number_of_halfedges(); ++h)
     EXPECT_EQ(m.previous(m.next({h})).index, h);
-}
-
-TEST(Gluing_map, vertex_on_the_border_refers_to_a_border_halfedge) {
-  for (const gallery::Surface& s : gallery::oriented()) {
-    const IT::Gluing_map m(s.gluing);
-    for (std::uint32_t h = 0; h < m.number_of_halfedges(); ++h)
-      if (m.face({h}).index == IT::Gluing::none) {
-        EXPECT_EQ(m.face(m.halfedge(m.target({h}))).index, IT::Gluing::none) << s.name;
-      }
-  }
-}
-
-TEST(Gluing_map, isolated_vertex_has_no_halfedge) {
-  const IT::Gluing_map m(gallery::two_fans_and_an_isolated_vertex().gluing);
-  EXPECT_EQ(m.halfedge(IT::Gluing_map::Vertex{4}).index, IT::Gluing::none);
 }
 
 TEST(Gluing_map, reversed_gluings_are_kept_with_both_sides_in_one_direction) {

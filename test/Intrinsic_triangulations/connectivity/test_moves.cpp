@@ -435,28 +435,6 @@ TYPED_TEST(Moves, insertions_and_flips_are_undone_backwards) {
     }
 }
 
-TYPED_TEST(Moves, inserting_and_removing_in_turn_takes_no_more_numbers) {
-  for (const gallery::Surface& s : {gallery::one_vertex_torus(), gallery::disc_fan(5)}) {
-    Random random(5);
-    Complex<TypeParam> c(s);
-    for (int k = 0; k < 200; ++k) {
-      auto h = random_halfedge(c, random);
-      if (c.is_border(h)) {
-        h = opposite(h, c.mesh);
-        c.insert_in_border_edge(h);
-        c.remove_from_border(h);
-      } else {
-        c.insert_in_face(h);
-        c.remove_from_face(h);
-      }
-    }
-    EXPECT_EQ(c.numbers.vertex_capacity(c.mesh), s.expected.vertices + 1);
-    EXPECT_EQ(c.numbers.edge_capacity(c.mesh), s.expected.edges + 3);
-    EXPECT_EQ(c.numbers.face_capacity(c.mesh), s.expected.faces + 2);
-    EXPECT_EQ(IT::euler_characteristic(c.mesh), s.euler_characteristic());
-  }
-}
-
 TYPED_TEST(Moves, copies_keep_the_numbers_and_go_on_like_the_original) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);

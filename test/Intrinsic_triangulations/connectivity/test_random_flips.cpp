@@ -30,8 +30,7 @@ IT::Intrinsic_input random_input(std::mt19937& random) {
   switch (random() % 7) {
   case 0: {
     const auto surfaces = gallery::oriented();
-    const gallery::Surface& s = surfaces[random() % surfaces.size()];
-    return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
+    return gallery::input(surfaces[random() % surfaces.size()]);
   }
   case 1:
     return meshes::integer_height_field(3, 2 + seed % 3, seed).input();

@@ -38,15 +38,6 @@ void expect_same_gluing(const IT::Gluing& a, const IT::Gluing& b) {
   EXPECT_EQ(a.glue, b.glue);
 }
 
-IT::Signed_incidence good() {
-  return IT::incidence(IT::Gluing_map(gallery::two_triangles_sharing_two_edges().gluing));
-}
-
-void expect_error(const IT::Signed_incidence& s, IT::Element_kind kind, std::size_t index,
-                  const std::string& part) {
-  refusals::expect_invalid([&] { IT::gluing_from_incidence(s); }, kind, index, {part});
-}
-
 } // namespace
 
 TEST(Signed_incidence, boundary_of_the_boundary_is_zero) {
@@ -147,56 +138,42 @@ TEST(Signed_incidence, every_mesh_type_gives_the_same_matrices) {
   check(OpenMesh_triangles());
 }
 
-TEST(Signed_incidence_errors, edge_without_two_ends_is_named) {
-  IT::Signed_incidence s = good();
-  s.vertex_edge.erase(s.vertex_edge.begin() + 4);
-  expect_error(s, IT::Element_kind::edge, 2, "edge 2 has fewer than two ends");
-  s = good();
-  s.vertex_edge[2].sign = +1;
-  expect_error(s, IT::Element_kind::edge, 1, "edge 1 ends at two vertices");
-  s = good();
-  s.vertex_edge[3].sign = -1;
-  expect_error(s, IT::Element_kind::edge, 1, "edge 1 starts from two vertices");
-  s = good();
-  s.vertex_edge[3].column = 3;
-  expect_error(s, IT::Element_kind::edge, 1, "vertex 3, which does not exist");
-  s = good();
-  s.vertex_edge[0].sign = 0;
-  expect_error(s, IT::Element_kind::edge, 0, "has the entry 0 at vertex");
-  s = good();
-  s.vertex_edge[0].row = 4;
-  expect_error(s, IT::Element_kind::edge, 4, "edge 4 is out of range");
-}
-
-TEST(Signed_incidence_errors, face_without_three_sides_is_named) {
-  IT::Signed_incidence s = good();
-  s.edge_face.pop_back();
-  expect_error(s, IT::Element_kind::face, 1, "face 1 has 2 sides");
-  s = good();
-  s.edge_face.push_back(s.edge_face.front());
-  expect_error(s, IT::Element_kind::face, 0, "face 0 has 4 sides");
-  s = good();
-  s.edge_face[1].sign = 2;
-  expect_error(s, IT::Element_kind::face, 0, "has the entry 2 at edge");
-}
-
-TEST(Signed_incidence_errors, sides_that_do_not_chain_up_are_named) {
-  IT::Signed_incidence s = good();
-  s.edge_face[1].sign = -s.edge_face[1].sign;
-  expect_error(s, IT::Element_kind::face, 0, "face 0 has sides 0, 1, 2 that do not run around");
-}
-
-TEST(Signed_incidence_errors, edge_with_three_faces_or_none_is_named) {
-  IT::Signed_incidence s = good();
-  s.number_of_faces = 3;
-  for (std::size_t k = 0; k < 3; ++k) {
-    s.edge_face.push_back(s.edge_face[k]);
-    s.edge_face.back().row = 2;
-  }
-  expect_error(s, IT::Element_kind::edge, 0, "edge 0 has more than two faces (0, 1, 2");
-  s = good();
-  s.number_of_edges = 5;
-  s.vertex_edge.push_back({4, 0, -1});
-  s.vertex_edge.push_back({4, 1, +1});
-  expect_error(s, IT::Element_kind::edge, 4, "edge 4 has no face");
+TEST(Signed_incidence, edges_and_faces_that_make_no_complex_are_named) {
+  const auto expect_error = [](IT::Element_kind kind, std::size_t index, const std::string& part,
+                               const auto& spoil) {
+    auto s = IT::incidence(IT::Gluing_map(gallery::two_triangles_sharing_two_edges().gluing));
+    spoil(s);
+    refusals::expect_invalid([&] { IT::gluing_from_incidence(s); }, kind, index, {part});
+  };
+  using Incidence = IT::Signed_incidence;
+  constexpr auto edge = IT::Element_kind::edge, face = IT::Element_kind::face;
+  expect_error(edge, 2, "edge 2 has fewer than two ends",
+               [](Incidence& s) { s.vertex_edge.erase(s.vertex_edge.begin() + 4); });
+  expect_error(edge, 1, "edge 1 ends at two vertices",
+               [](Incidence& s) { s.vertex_edge[2].sign = +1; });
+  expect_error(edge, 1, "edge 1 starts from two vertices",
+               [](Incidence& s) { s.vertex_edge[3].sign = -1; });
+  expect_error(edge, 1, "vertex 3, which does not exist",
+               [](Incidence& s) { s.vertex_edge[3].column = 3; });
+  expect_error(edge, 0, "has the entry 0 at vertex",
+               [](Incidence& s) { s.vertex_edge[0].sign = 0; });
+  expect_error(edge, 4, "edge 4 is out of range", [](Incidence& s) { s.vertex_edge[0].row = 4; });
+  expect_error(face, 1, "face 1 has 2 sides", [](Incidence& s) { s.edge_face.pop_back(); });
+  expect_error(face, 0, "face 0 has 4 sides",
+               [](Incidence& s) { s.edge_face.push_back(s.edge_face.front()); });
+  expect_error(face, 0, "has the entry 2 at edge", [](Incidence& s) { s.edge_face[1].sign = 2; });
+  expect_error(face, 0, "face 0 has sides 0, 1, 2 that do not run around",
+               [](Incidence& s) { s.edge_face[1].sign = -s.edge_face[1].sign; });
+  expect_error(edge, 0, "edge 0 has more than two faces (0, 1, 2", [](Incidence& s) {
+    s.number_of_faces = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      s.edge_face.push_back(s.edge_face[k]);
+      s.edge_face.back().row = 2;
+    }
+  });
+  expect_error(edge, 4, "edge 4 has no face", [](Incidence& s) {
+    s.number_of_edges = 5;
+    s.vertex_edge.push_back({4, 0, -1});
+    s.vertex_edge.push_back({4, 1, +1});
+  });
 }

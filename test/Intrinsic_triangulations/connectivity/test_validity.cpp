@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
@@ -35,110 +36,62 @@ struct Handles {
 
 std::string defect_of(const auto& mesh) { return IT::delta_complex_defect(mesh).value_or("none"); }
 
-void expect_starts_with(const std::string& text, const std::string& start) {
-  EXPECT_EQ(text.substr(0, start.size()), start) << text;
-}
-
 } // namespace
 
 template <class Mesh>
-class Validity : public ::testing::Test {
-protected:
-  // a copy of a surface whose elements are numbered as in `Gluing_map(s.gluing)`
-  void build(const gallery::Surface& s) { IT::copy_gluing_map(IT::Gluing_map(s.gluing), mesh); }
-  Mesh mesh;
-};
+class Validity : public ::testing::Test {};
 TYPED_TEST_SUITE(Validity, All_meshes);
 
-TYPED_TEST(Validity, empty_mesh_is_valid) { EXPECT_TRUE(IT::is_valid_delta_complex(this->mesh)); }
+TYPED_TEST(Validity, empty_mesh_is_valid) { EXPECT_TRUE(IT::is_valid_delta_complex(TypeParam())); }
 
-TYPED_TEST(Validity, oriented_gallery_is_valid_on_every_mesh_type) {
-  for (const gallery::Surface& s : gallery::oriented()) {
-    TypeParam copy;
-    IT::copy_gluing_map(IT::Gluing_map(s.gluing), copy);
-    EXPECT_EQ(defect_of(copy), "none") << s.name;
-  }
-}
-
-TYPED_TEST(Validity, halfedge_that_leads_out_of_its_face_is_named) {
-  this->build(gallery::tetrahedron());
-  const Handles<TypeParam> at(this->mesh);
-  set_next(at.side[0], at.side[1], this->mesh);
-  expect_starts_with(defect_of(this->mesh), "halfedge 0 of edge 0 is followed by");
-}
-
-TYPED_TEST(Validity, face_turned_back_on_itself_is_named) {
-  this->build(gallery::tetrahedron());
-  const Handles<TypeParam> at(this->mesh);
-  const auto n = next(at.side[0], this->mesh);
-  set_next(n, at.side[0], this->mesh);
-  expect_starts_with(defect_of(this->mesh), "halfedge 0 of edge 0 does not lie in a triangle");
-}
-
-TYPED_TEST(Validity, wrong_target_is_named) {
-  this->build(gallery::tetrahedron());
-  const Handles<TypeParam> at(this->mesh);
-  const auto v = target(at.side[2], this->mesh);
-  set_target(at.side[2], at.vertex[v == at.vertex[0] ? 1 : 0], this->mesh);
-  const std::string d = defect_of(this->mesh);
-  EXPECT_NE(d.find("different end vertices"), std::string::npos) << d;
-}
-
-TYPED_TEST(Validity, halfedge_in_another_face_is_named) {
-  this->build(gallery::tetrahedron());
-  const Handles<TypeParam> at(this->mesh);
-  set_face(at.side[0], face(at.side[1], this->mesh), this->mesh);
-  const std::string d = defect_of(this->mesh);
-  EXPECT_NE(d.find("another face"), std::string::npos) << d;
-}
-
-TYPED_TEST(Validity, edge_without_a_face_is_named) {
-  this->build(gallery::triangle());
-  const Handles<TypeParam> at(this->mesh);
-  for (const auto h : at.side) set_face(h, boost::graph_traits<TypeParam>::null_face(), this->mesh);
-  EXPECT_EQ(defect_of(this->mesh), "edge 0 has no face");
-}
-
-TYPED_TEST(Validity, face_and_vertex_with_a_halfedge_of_another_are_named) {
-  this->build(gallery::tetrahedron());
-  const Handles<TypeParam> at(this->mesh);
-  const auto of_face = halfedge(at.face[1], this->mesh);
-  set_halfedge(at.face[1], halfedge(at.face[0], this->mesh), this->mesh);
-  EXPECT_EQ(defect_of(this->mesh), "face 1 has a halfedge that lies in another face");
-  set_halfedge(at.face[1], of_face, this->mesh);
-  EXPECT_EQ(defect_of(this->mesh), "none");
-  set_halfedge(at.vertex[2], halfedge(at.vertex[3], this->mesh), this->mesh);
-  EXPECT_EQ(defect_of(this->mesh), "vertex 2 has a halfedge that points to another vertex");
-}
-
-TYPED_TEST(Validity, face_that_has_the_sides_of_two_is_named) {
-  this->build(gallery::two_tetrahedra_sharing_a_vertex());
-  const Handles<TypeParam> at(this->mesh);
-  auto h = halfedge(at.face[7], this->mesh);
-  for (int k = 0; k < 3; ++k, h = next(h, this->mesh)) set_face(h, at.face[0], this->mesh);
-  EXPECT_EQ(defect_of(this->mesh), "face 0 has 6 sides");
-}
-
-TYPED_TEST(Validity, border_that_runs_into_a_face_is_named) {
-  this->build(gallery::disc_fan(5));
-  const Handles<TypeParam> at(this->mesh);
-  for (const auto h : at.side)
-    if (face(h, this->mesh) == boost::graph_traits<TypeParam>::null_face()) {
-      set_next(h, next(opposite(next(h, this->mesh), this->mesh), this->mesh), this->mesh);
-      break;
-    }
-  EXPECT_NE(defect_of(this->mesh), "none");
-}
-
-TYPED_TEST(Validity, border_that_jumps_is_named) {
-  this->build(gallery::annulus(4));
-  const Handles<TypeParam> at(this->mesh);
-  for (const auto h : at.side)
-    if (face(h, this->mesh) == boost::graph_traits<TypeParam>::null_face()) {
-      set_next(h, next(next(h, this->mesh), this->mesh), this->mesh);
-      break;
-    }
-  EXPECT_NE(defect_of(this->mesh).find("starts from another vertex"), std::string::npos);
+TYPED_TEST(Validity, what_is_wrong_is_named) {
+  const auto null = boost::graph_traits<TypeParam>::null_face();
+  // Spoils a copy of a surface, whose elements are numbered as in `Gluing_map(s.gluing)`.
+  const auto expect_defect = [](const gallery::Surface& s, const std::string& part,
+                                const auto& spoil) {
+    TypeParam mesh;
+    IT::copy_gluing_map(IT::Gluing_map(s.gluing), mesh);
+    spoil(mesh, Handles<TypeParam>(mesh));
+    const std::string d = defect_of(mesh);
+    EXPECT_NE(d.find(part), std::string::npos) << d;
+  };
+  using Mesh = TypeParam;
+  using At = Handles<Mesh>;
+  expect_defect(gallery::tetrahedron(), "halfedge 0 of edge 0 is followed by",
+                [](Mesh& m, const At& at) { set_next(at.side[0], at.side[1], m); });
+  expect_defect(gallery::tetrahedron(), "halfedge 0 of edge 0 does not lie in a triangle",
+                [](Mesh& m, const At& at) { set_next(next(at.side[0], m), at.side[0], m); });
+  expect_defect(gallery::tetrahedron(), "different end vertices", [](Mesh& m, const At& at) {
+    set_target(at.side[2], at.vertex[target(at.side[2], m) == at.vertex[0] ? 1 : 0], m);
+  });
+  expect_defect(gallery::tetrahedron(), "another face",
+                [](Mesh& m, const At& at) { set_face(at.side[0], face(at.side[1], m), m); });
+  expect_defect(gallery::triangle(), "edge 0 has no face", [&](Mesh& m, const At& at) {
+    for (const auto h : at.side) set_face(h, null, m);
+  });
+  expect_defect(
+      gallery::tetrahedron(), "face 1 has a halfedge that lies in another face",
+      [](Mesh& m, const At& at) { set_halfedge(at.face[1], halfedge(at.face[0], m), m); });
+  expect_defect(
+      gallery::tetrahedron(), "vertex 2 has a halfedge that points to another vertex",
+      [](Mesh& m, const At& at) { set_halfedge(at.vertex[2], halfedge(at.vertex[3], m), m); });
+  expect_defect(gallery::two_tetrahedra_sharing_a_vertex(), "face 0 has 6 sides",
+                [](Mesh& m, const At& at) {
+                  auto h = halfedge(at.face[7], m);
+                  for (int k = 0; k < 3; ++k, h = next(h, m)) set_face(h, at.face[0], m);
+                });
+  const auto first_on_border = [&](Mesh& m, const At& at) {
+    return *std::find_if(at.side.begin(), at.side.end(),
+                         [&](auto h) { return face(h, m) == null; });
+  };
+  expect_defect(gallery::disc_fan(5), "halfedge", [&](Mesh& m, const At& at) { // into a face
+    const auto h = first_on_border(m, at);
+    set_next(h, next(opposite(next(h, m), m), m), m);
+  });
+  expect_defect(gallery::annulus(4), "starts from another vertex", [&](Mesh& m, const At& at) {
+    const auto h = first_on_border(m, at);
+    set_next(h, next(next(h, m), m), m);
+  });
 }
 
 TYPED_TEST(Validity, shuffled_references_give_an_answer_and_never_hang) {

@@ -88,19 +88,7 @@ bool is_isolated(const Triangulation& t, typename Triangulation::vertex_descript
   return halfedge(v, t.mesh()).index == IT::Gluing::none;
 }
 
-double area(const Mesh& m) {
-  double sum = 0;
-  for (const auto& [i, j, k] : m.triangles) {
-    const auto &p = m.points[i], &q = m.points[j], &r = m.points[k];
-    meshes::Point n{};
-    for (unsigned c = 0; c < 3; ++c) {
-      const unsigned d = (c + 1) % 3, e = (c + 2) % 3;
-      n[c] = (q[d] - p[d]) * (r[e] - p[e]) - (q[e] - p[e]) * (r[d] - p[d]);
-    }
-    sum += std::hypot(n[0], n[1], n[2]) / 2;
-  }
-  return sum;
-}
+using meshes::area;
 
 template <class Triangulation>
 void expect_subdivision(const Mesh& m, const std::string& name) {
@@ -142,22 +130,7 @@ TEST(Cover, has_a_common_subdivision_over_both_sides_of_every_face) {
   }
 }
 
-meshes::Point area_vector(const std::vector<meshes::Point>& points,
-                          std::span<const std::uint32_t> polygon) {
-  meshes::Point n{};
-  const meshes::Point& p = points[polygon[0]];
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    for (unsigned c = 0; c < 3; ++c) {
-      const unsigned d = (c + 1) % 3, e = (c + 2) % 3;
-      const meshes::Point &q = points[polygon[k - 1]], &r = points[polygon[k]];
-      n[c] += (q[d] - p[d]) * (r[e] - p[e]) - (q[e] - p[e]) * (r[d] - p[d]);
-    }
-  return n;
-}
-
-double dot(const meshes::Point& a, const meshes::Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using meshes::area_vector, meshes::dot;
 
 // On its front a piece goes around as the user's face does, on its back the other way.
 template <class Triangulation>

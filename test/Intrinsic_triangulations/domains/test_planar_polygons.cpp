@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "properties.h"
+
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
@@ -254,12 +256,7 @@ TEST(Planar_polygons, of_both_sheets_of_a_cover_are_the_same) {
       IT::make_domain(IT::triangle_soup(m.points, m.faces, planar), IT::Domain_kind::tufted_cover);
   const Exact cover(std::move(d.input));
   const Exact surface(input_of(m, planar));
-  const auto area = [](const Exact& t) {
-    double sum = 0;
-    for (const auto f : faces(t.mesh())) sum += t.area(f);
-    return sum;
-  };
-  EXPECT_NEAR(area(cover), 2 * area(surface), 1e-12);
+  EXPECT_NEAR(properties::total_area(cover), 2 * properties::total_area(surface), 1e-12);
   for (std::uint32_t f = 0; f < cover.input().number_of_faces(); ++f)
     EXPECT_TRUE(cover.input().metric().has_excess(f));
 }
@@ -377,10 +374,7 @@ TEST(Planar_polygons, metrics_are_scaled_from_them) {
       IT::scale_conformally(input_of(m, planar), [](IT::Gluing_map::Vertex) { return 0.0; });
   const Exact t(input_of(m, planar));
   const Exact scaled{IT::Intrinsic_input(s.input)};
-  double a = 0, b = 0;
-  for (const auto f : faces(t.mesh())) a += t.area(f);
-  for (const auto f : faces(scaled.mesh())) b += scaled.area(f);
-  EXPECT_NEAR(a, b, 1e-12);
+  EXPECT_NEAR(properties::total_area(t), properties::total_area(scaled), 1e-12);
 }
 
 TEST(Planar_polygons, polygons_that_cannot_become_planar_are_kept) {

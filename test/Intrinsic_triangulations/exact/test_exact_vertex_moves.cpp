@@ -224,9 +224,7 @@ TEST(Exact_vertex_moves, values_are_those_of_the_plane_after_random_moves) {
 
 std::vector<IT::Intrinsic_input> curved_inputs() {
   std::vector<IT::Intrinsic_input> all;
-  for (const gallery::Surface& s : gallery::oriented())
-    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
-                     IT::Mollification::none);
+  for (const gallery::Surface& s : gallery::oriented()) all.push_back(gallery::input(s));
   for (const meshes::Mesh& m :
        {meshes::box(1, 2, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
     all.push_back(m.input());
@@ -343,7 +341,8 @@ TEST(Exact_vertex_moves, diamonds_between_centres_of_squares_are_ties_for_certai
     t.metric().statistics() = {};
     for (const Halfedge h : sides) EXPECT_EQ(t.delaunay_sign(h), CGAL::ZERO);
     const IT::Predicate_statistics& s = t.metric().statistics();
-    EXPECT_GT(s.certified_zero, sides.size() / 2); // the intervals of the others are zero themselves
+    EXPECT_GT(s.certified_zero,
+              sides.size() / 2); // the intervals of the others are zero themselves
     EXPECT_EQ(s.certified_zero, s.filter_failures);
     EXPECT_EQ(s.probable_zero, 0U);
     EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);

@@ -67,9 +67,7 @@ TEST(Intrinsic_input, a_mesh_without_faces_is_refused) {
 
 TEST(Intrinsic_input, a_nonorientable_gluing_is_refused) {
   const gallery::Surface s = gallery::klein_bottle();
-  expect_invalid(
-      [&] { return IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)); },
-      Element_kind::none, 0, "orient");
+  expect_invalid([&] { return gallery::input(s); }, Element_kind::none, 0, "orient");
 }
 
 TEST(Intrinsic_input, lengths_that_violate_the_triangle_inequality_are_named) {
@@ -107,7 +105,7 @@ TEST(Intrinsic_input, two_faces_on_the_same_three_vertices_are_a_sphere) {
 
 TEST(Intrinsic_input, every_surface_of_the_gallery_becomes_delaunay) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    Exact t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    Exact t(gallery::input(s));
     IT::flip_to_delaunay(t);
     EXPECT_TRUE(IT::is_delaunay(t)) << s;
     EXPECT_EQ(properties::euler_characteristic(t), s.euler_characteristic()) << s;

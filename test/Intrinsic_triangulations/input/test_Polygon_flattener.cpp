@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.h>
 
+#include "meshes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,9 +24,7 @@ using Point = std::array<double, 3>;
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 
-double distance(const Point& p, const Point& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
+using meshes::distance;
 
 // by the cosine rule
 double angle(const Point& before, const Point& here, const Point& after) {

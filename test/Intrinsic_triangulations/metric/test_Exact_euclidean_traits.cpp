@@ -47,9 +47,7 @@ struct Exact_state {
 
 std::vector<IT::Intrinsic_input> inputs() {
   std::vector<IT::Intrinsic_input> all;
-  for (const gallery::Surface& s : gallery::oriented())
-    all.emplace_back(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
-                     IT::Mollification::none);
+  for (const gallery::Surface& s : gallery::oriented()) all.push_back(gallery::input(s));
   for (const meshes::Mesh& m :
        {meshes::box(1, 1, 1), meshes::rough_grid(2, 3), meshes::potato(1, 4)})
     all.push_back(m.input());

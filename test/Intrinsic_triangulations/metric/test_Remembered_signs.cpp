@@ -43,24 +43,6 @@ void expect_right_signs(const Triangulation& t) {
   }
 }
 
-TEST(Remembered_signs, are_those_of_edges_until_they_are_forgotten) {
-  IT::Remembered_signs signs;
-  EXPECT_FALSE(signs.find(7));
-  signs.remember(7, {CGAL::NEGATIVE, false});
-  signs.remember(3, {CGAL::ZERO, true});
-  signs.remember(4, {CGAL::ZERO, false});
-  EXPECT_EQ(signs.find(7)->sign, CGAL::NEGATIVE);
-  EXPECT_FALSE(signs.find(7)->is_probable);
-  EXPECT_EQ(signs.find(3)->sign, CGAL::ZERO);
-  EXPECT_TRUE(signs.find(3)->is_probable);
-  EXPECT_FALSE(signs.find(4)->is_probable);
-  EXPECT_FALSE(signs.find(5));
-  signs.forget(std::array<std::uint32_t, 3>{3, 7, 100});
-  EXPECT_FALSE(signs.find(3));
-  EXPECT_FALSE(signs.find(7));
-  EXPECT_TRUE(signs.find(4));
-}
-
 TEST(Remembered_signs, follow_flips_and_insertions) {
   Triangulation t(ellipsoid().input());
   IT::flip_to_delaunay(t);

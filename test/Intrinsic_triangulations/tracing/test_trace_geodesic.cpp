@@ -56,14 +56,7 @@ struct Placed {
     return 1;
   }
   Point corner(std::uint32_t h) const { return points[surface.source(h)]; }
-  Point position(const Surface_point& p) const {
-    const std::uint32_t n = surface.next(p.halfedge), l = surface.next(n);
-    Point x{0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k)
-      x[k] = p.weights[0] * corner(p.halfedge)[k] + p.weights[1] * corner(n)[k] +
-             p.weights[2] * corner(l)[k];
-    return x;
-  }
+  Point position(const Surface_point& p) const { return meshes::position(surface, points, p); }
   Point position(const Geodesic_crossing& c) const {
     Point x{0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k)

@@ -117,7 +117,7 @@ TEST(Integer_only_triangulation, has_the_geometry_of_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     for (const unsigned flips : {0U, 5U, 25U}) {
-      Exact t(IT::Intrinsic_input(Map(s.gluing), gallery::squared_lengths(s)));
+      Exact t(gallery::input(s));
       flip_at_random(t, flips, flips + 1);
       expect_same_geometry(t);
     }

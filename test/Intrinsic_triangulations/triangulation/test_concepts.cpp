@@ -126,7 +126,7 @@ TEST(Concepts, flip_to_delaunay_asks_no_more_of_a_triangulation_than_its_concept
 
 TEST(Concepts, owner_asks_no_more_of_metric_and_correspondence_than_their_concepts) {
   const gallery::Surface s = gallery::flat_torus(3, 3);
-  Archetypical t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  Archetypical t(gallery::input(s));
   EXPECT_TRUE(IT::is_delaunay(t));
   EXPECT_TRUE(IT::check_delaunay(t).cocircular_edges.empty());
   EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
@@ -138,13 +138,12 @@ TEST(Concepts, owner_asks_no_more_of_metric_and_correspondence_than_their_concep
 
 TEST(Concepts, correspondence_hears_of_each_flip_before_and_after_and_of_no_refused_one) {
   const gallery::Surface s = gallery::self_folded_cone();
-  Archetypical t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  Archetypical t(gallery::input(s));
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h)
     EXPECT_NE(t.flip_edge({h}), IT::Move_status::done);
   EXPECT_EQ(t.correspondence().announced, 0);
   const gallery::Surface torus = gallery::one_vertex_torus();
-  Archetypical u(
-      IT::Intrinsic_input(IT::Gluing_map(torus.gluing), gallery::squared_lengths(torus)));
+  Archetypical u(gallery::input(torus));
   EXPECT_EQ(u.flip_edge({0}), IT::Move_status::done);
   EXPECT_EQ(u.correspondence().announced, 1);
   EXPECT_EQ(u.correspondence().done, 1);

@@ -36,20 +36,9 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Corres
 using Exact = Triangulation<IT::Exact_euclidean_traits>;
 using Double = Triangulation<IT::Euclidean_traits<double>>;
 
-IT::Intrinsic_input input(const gallery::Surface& s) {
-  return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
-}
-
 // ---- what the mesh in space says, by other formulas: cosines of angles between vectors, cross products
 
-using Point = std::array<double, 3>;
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double norm_of_cross(const Point& a, const Point& b) {
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                    a[0] * b[1] - a[1] * b[0]);
-}
+using meshes::area, meshes::cross, meshes::dot, meshes::minus, meshes::norm, meshes::Point;
 
 std::vector<double> curvatures_in_space(const meshes::Mesh& m, const std::vector<bool>& on_border) {
   std::vector<double> result(m.points.size());
@@ -61,13 +50,6 @@ std::vector<double> curvatures_in_space(const meshes::Mesh& m, const std::vector
       result[f[k]] -= std::acos(dot(a, b) / std::sqrt(dot(a, a) * dot(b, b)));
     }
   return result;
-}
-
-double area_in_space(const meshes::Mesh& m) {
-  double sum = 0;
-  for (const auto& [i, j, k] : m.triangles)
-    sum += norm_of_cross(minus(m.points[j], m.points[i]), minus(m.points[k], m.points[i])) / 2;
-  return sum;
 }
 
 std::vector<std::pair<std::string, meshes::Mesh>> all_meshes() {
@@ -95,7 +77,7 @@ void expect_measures_of_space(double error) {
     T t(m.input());
     const std::vector<double> expected = curvatures_in_space(m, border(t));
     const auto expect_same = [&, &n = name](const char* when) {
-      EXPECT_NEAR(IT::total_area(t), area_in_space(m), error * area_in_space(m)) << n << when;
+      EXPECT_NEAR(IT::total_area(t), area(m), error * area(m)) << n << when;
       for (const auto v : vertices(t.mesh()))
         EXPECT_NEAR(IT::gaussian_curvature(t, v),
                     t.is_inserted(v) ? 0 : expected[t.input_vertex(v)], error)
@@ -125,7 +107,7 @@ TEST(Measures, satisfy_Gauss_and_Bonnet_on_every_delta_complex_of_the_gallery) {
         s.name.find("bow tie") != std::string::npos ||
         s.name.find("sharing a vertex") != std::string::npos)
       continue; // a vertex that is not manifold has several fans
-    Exact t(input(s));
+    Exact t(gallery::input(s));
     double sum = 0;
     for (const auto v : vertices(t.mesh())) sum += IT::gaussian_curvature(t, v);
     EXPECT_NEAR(sum, 2 * pi * static_cast<double>(s.euler_characteristic()), 1e-11) << s;
@@ -137,11 +119,11 @@ TEST(Measures, have_closed_forms) {
   for (const auto v : vertices(box.mesh()))
     EXPECT_NEAR(IT::gaussian_curvature(box, v), pi / 2, 1e-15);
   EXPECT_NEAR(IT::total_area(box), 6, 1e-14);
-  const Exact torus(input(gallery::one_vertex_torus()));
+  const Exact torus(gallery::input(gallery::one_vertex_torus()));
   for (const auto v : vertices(torus.mesh()))
     EXPECT_NEAR(IT::gaussian_curvature(torus, v), 0, 1e-15);
   // the octagon has one vertex, where its angles of 135 degrees meet
-  const Exact octagon(input(gallery::octagon_of_genus_2()));
+  const Exact octagon(gallery::input(gallery::octagon_of_genus_2()));
   for (const auto v : vertices(octagon.mesh()))
     EXPECT_NEAR(IT::gaussian_curvature(octagon, v), -4 * pi, 1e-13);
   EXPECT_NEAR(IT::total_area(octagon), 2 * std::sqrt(2.0), 1e-14);
@@ -181,7 +163,7 @@ TEST(Measures, cotangent_weights_of_single_edges_are_those_of_the_angles_in_spac
         };
         const auto n = next(h, x.mesh());
         const Point a = minus(point(h), point(n)), b = minus(point(next(n, x.mesh())), point(n));
-        expected += dot(a, b) / norm_of_cross(a, b) / 2;
+        expected += dot(a, b) / norm(cross(a, b)) / 2;
       }
       EXPECT_NEAR(IT::cotangent_weight(x, e), expected, 1e-12 * (1 + std::abs(expected)));
     }

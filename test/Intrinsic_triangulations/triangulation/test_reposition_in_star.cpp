@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "meshes.h"
+#include "properties.h"
 
 #include <CGAL/Gmpq.h>
 
@@ -163,9 +164,7 @@ TEST(Reposition_in_star, keeps_the_vertex_and_its_neighbours) {
   EXPECT_EQ(moved.vertex, n.vertex);
   EXPECT_EQ(target(spoke, t.mesh()), neighbour);
   EXPECT_EQ(source(spoke, t.mesh()), n.vertex);
-  double area = 0;
-  for (const auto f : faces(t.mesh())) area += t.area(f);
-  EXPECT_NEAR(area, 1, 1e-14);
+  EXPECT_NEAR(properties::total_area(t), 1, 1e-14);
 }
 
 /// Moves the vertex to the other face of the square, out of its own faces.
@@ -178,9 +177,7 @@ TEST(Reposition_in_star, is_left_to_insertion_and_removal_where_the_vertex_leave
   const auto moved = t.reposition_vertex(n.vertex, other, {0.25, 0.25, 0.5});
   EXPECT_EQ(moved.status, Move_status::done);
   EXPECT_EQ(t.number_of_vertices(), 5U);
-  double area = 0;
-  for (const auto f : faces(t.mesh())) area += t.area(f);
-  EXPECT_NEAR(area, 1, 1e-14);
+  EXPECT_NEAR(properties::total_area(t), 1, 1e-14);
 }
 
 /// All ways lead to one Delaunay triangulation, after any moves: insertion and removal, or new

@@ -63,20 +63,6 @@ TEST(Vertex_moves, Refuse_to_remove_and_move_vertices_of_the_input) {
   EXPECT_EQ(num_vertices(t.mesh()), 6U);
 }
 
-TEST(Vertex_moves, Insert_at_the_weights_that_were_asked_for) {
-  Exact t(input(meshes::rough_grid(2, 1)));
-  for (const auto f : faces(t.mesh())) {
-    const double whole = t.area(f);
-    const auto h = halfedge(f, t.mesh());
-    const auto n = t.insert_vertex(h, {0.5, 0.125, 0.375});
-    ASSERT_EQ(n.status, Move_status::done);
-    EXPECT_TRUE(t.is_inserted(n.vertex));
-    // the face opposite a corner has its share of the area
-    EXPECT_NEAR(t.area(face(h, t.mesh())) / whole, 0.375, 1e-14);
-    break;
-  }
-}
-
 TEST(Vertex_moves, Split_edges_of_both_kinds_from_both_sides) {
   for (const bool turned : {false, true}) {
     Exact t(input(meshes::grid(2, 2)));
@@ -107,9 +93,7 @@ TEST(Vertex_moves, Split_edges_of_both_kinds_from_both_sides) {
 
 TEST(Vertex_moves, Keep_area_and_valid_connectivity_on_the_gallery) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    IT::Intrinsic_input in(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-    in.may_renumber = false;
-    Exact t(std::move(in));
+    Exact t(gallery::input(s));
     const double whole = properties::total_area(t);
     const std::size_t v = num_vertices(t.mesh()), e = num_edges(t.mesh()), f = num_faces(t.mesh());
     Mover<Exact> mover(t, 1);
@@ -243,18 +227,6 @@ TEST(Vertex_moves, Change_nothing_when_they_are_refused) {
     EXPECT_GT(refused, 10);
     EXPECT_EQ(defect(t), "");
   }
-}
-
-TEST(Vertex_moves, Copies_go_their_own_ways) {
-  Exact t(input(meshes::rough_grid(3, 2)));
-  Mover<Exact> mover(t, 3);
-  for (int i = 0; i < 40; ++i) mover.move(true);
-  const Exact copy(t);
-  const auto before = state(t);
-  for (int i = 0; i < 40; ++i) mover.move(true);
-  EXPECT_EQ(state(copy), before);
-  EXPECT_EQ(defect(copy), "");
-  EXPECT_EQ(defect(t), "");
 }
 
 /// The same moves on a mesh of another type, found by number.

@@ -269,17 +269,6 @@ TYPED_TEST(Unfolded_face, puts_no_point_on_a_corner) {
   EXPECT_GT(refused, 0);
 }
 
-// the point in space
-meshes::Point in_space(const meshes::Mesh& m, const IT::Input& input, const IT::Surface_point& p) {
-  meshes::Point result{0, 0, 0};
-  std::uint32_t h = p.halfedge;
-  for (const double w : p.weights) {
-    for (std::size_t k = 0; k < 3; ++k) result[k] += w * m.points[input.source(h)][k];
-    h = input.next(h);
-  }
-  return result;
-}
-
 TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
   for (const meshes::Mesh& m : {meshes::rough_grid(5, 1), meshes::box(2, 3, 2),
                                 meshes::integer_terrain(40, 20, 3), meshes::potato(2, 3)}) {
@@ -303,9 +292,9 @@ TYPED_TEST(Unfolded_face, places_points_of_surfaces_where_signposts_find_them) {
       const auto& face = unfold(h);
       const auto place = face.place(w);
       ASSERT_TRUE(place && places::is_exact(place->location));
-      const meshes::Point p = in_space(m, t.input(), *expected);
-      for (const meshes::Point& q :
-           {in_space(m, t.input(), place->location), in_space(m, t.input(), *located)})
+      const meshes::Point p = meshes::position(t.input(), m.points, *expected);
+      for (const meshes::Point& q : {meshes::position(t.input(), m.points, place->location),
+                                     meshes::position(t.input(), m.points, *located)})
         for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(p[k], q[k], 1e-7);
       // shares of the area, by the requested weights
       const auto v = face.values(*place);
@@ -330,7 +319,7 @@ TYPED_TEST(Unfolded_face, tells_the_sides_of_an_edge_apart_that_one_triangle_has
   using T = Exact<TypeParam>;
   gallery::Surface s = gallery::doubled_self_folded_cone();
   for (const std::size_t base : {0U, 3U}) s.squared_length_of_side[base] = 3.6;
-  T t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+  T t(gallery::input(s));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> weight;
   int glued = 0;

@@ -16,11 +16,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using subdivision_oracle::Exact;
 
-IT::Input surface(const gallery::Surface& s) {
-  IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-  i.may_renumber = false;
-  return Exact(std::move(i)).input();
-}
+IT::Input surface(const gallery::Surface& s) { return Exact(gallery::input(s)).input(); }
 
 TEST(Vertex_fans, Give_every_halfedge_a_slot_of_its_own) {
   for (const gallery::Surface& s : gallery::oriented()) {

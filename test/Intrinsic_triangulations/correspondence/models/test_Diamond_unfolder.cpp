@@ -237,7 +237,7 @@ TEST(Diamond_unfolder, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
   std::size_t checked = 0;
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    Walk walk(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)), 5);
+    Walk walk(gallery::input(s), 5);
     for (int round = 0; round < 3; ++round) {
       for (int i = 0; i < 2; ++i) walk.step();
       checked += check_all_diamonds(walk);

@@ -52,8 +52,7 @@ std::size_t multi_precision(const IT::Predicate_statistics& s) {
   return n;
 }
 
-TEST(Exact_values,
-     find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
+TEST(Exact_values, find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
   for (const double slope : {0.0, 0.5}) {
     Exact t(two_parabolas(100, slope).input());
     Counted u(two_parabolas(100, slope).input());
@@ -89,8 +88,8 @@ std::size_t check_signs(const T& t) {
     const auto left = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 512).front(),
                wide = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 53).front();
     // by the strip under the edge alone
-    const CGAL::Interval_nt<false> length = ladder.squared_length(
-        t.input().metric(), unfolder.strip(view, t.correspondence(), h), 512);
+    const CGAL::Interval_nt<false> length =
+        ladder.squared_length(t.input().metric(), unfolder.strip(view, t.correspondence(), h), 512);
     EXPECT_TRUE(length.do_overlap(left.squared_lengths[0]));
     EXPECT_TRUE(wide.squared_lengths[0].do_overlap(length) &&
                 wide.quadruple_area.do_overlap(left.quadruple_area));
@@ -104,8 +103,10 @@ std::size_t check_signs(const T& t) {
 
 TEST(Exact_values, decide_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
   std::mt19937 random(1);
+  meshes::Mesh almost_flat = meshes::grid(3, 3);
+  almost_flat.points[5][2] = 0x1p-60;
   for (const meshes::Mesh& m :
-       {meshes::box(3, 3, 3), meshes::stairs(3, 3), meshes::l_shape(3),
+       {almost_flat, meshes::box(3, 3, 3), meshes::stairs(3, 3), meshes::l_shape(3),
         meshes::sheared_grid(4, 4, 5), meshes::folded_lattice(3, 4, 1), meshes::rough_grid(4, 3)}) {
     Counted t(m.input());
     std::size_t certain = 0;
@@ -121,19 +122,15 @@ TEST(Exact_values, repeat_flips_where_normal_coordinates_cannot_count) {
   // each flip of the three edges of a flat torus in turn makes the next edge longer by the golden ratio
   const gallery::Surface s = gallery::one_vertex_torus();
   for (const bool asks_early : {false, true}) {
-    Exact t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
-                                IT::Mollification::none));
+    Exact t(gallery::input(s));
     const typename Exact::Metric::Scope scope;
     for (std::uint32_t i = 0; i < 60; ++i) {
-      if (asks_early && i % 7 == 3)
-        t.sharpen(std::vector{IT::internal::indexed_face(t, {0})});
+      if (asks_early && i % 7 == 3) t.sharpen(std::vector{IT::internal::indexed_face(t, {0})});
       EXPECT_EQ(IT::internal::Mover<Exact>(t).flip({2 * (i % 3)}), IT::Move_status::done);
     }
     // the area of each face stays exactly the same
-    t.sharpen(
-        std::vector{IT::internal::indexed_face(t, {0}), IT::internal::indexed_face(t, {1})});
-    Exact input(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s),
-                                    IT::Mollification::none));
+    t.sharpen(std::vector{IT::internal::indexed_face(t, {0}), IT::internal::indexed_face(t, {1})});
+    Exact input(gallery::input(s));
     EXPECT_NEAR(t.area({0}) / input.area({0}), 1, 1e-12);
     EXPECT_NEAR(t.area({1}) / input.area({1}), 1, 1e-12);
     // as all that makes a torus longer can be undone

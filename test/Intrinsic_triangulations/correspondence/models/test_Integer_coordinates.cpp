@@ -38,16 +38,9 @@ std::vector<std::pair<std::string, meshes::Mesh>> planar() {
 }
 
 template <class T>
-T abstract(const gallery::Surface& s) {
-  IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-  i.may_renumber = false;
-  return T(std::move(i));
-}
-
-template <class T>
 void expect_no_defect_on_gallery(bool with_vertices, int moves) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    T t = abstract<T>(s);
+    T t(gallery::input(s));
     ASSERT_EQ(defect(t), "") << s.name;
     Mover<T> mover(t, 3);
     for (int i = 0; i < moves; ++i) {

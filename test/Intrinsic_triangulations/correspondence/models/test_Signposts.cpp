@@ -58,13 +58,7 @@ struct Placed {
   }
   const Signposts& signposts() const { return t.correspondence(); }
   Point position(const Surface_point& p) const {
-    Point x{0, 0, 0};
-    std::uint32_t h = p.halfedge;
-    for (const double w : p.weights) {
-      for (std::size_t k = 0; k < 3; ++k) x[k] += w * points[signposts().input().source(h)][k];
-      h = signposts().input().next(h);
-    }
-    return x;
+    return meshes::position(signposts().input(), points, p);
   }
   Point position(const Geodesic_crossing& c) const {
     return position(Surface_point{c.halfedge, {1 - c.parameter, c.parameter, 0}});
@@ -379,8 +373,7 @@ TEST(Tangent_frames, Scale_angles_once_to_the_circle_or_on_the_border_to_a_half_
 
 TEST(Signposts, Work_on_the_gallery) {
   for (const gallery::Surface& g : gallery::oriented()) {
-    Exact t(IT::Intrinsic_input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g),
-                                IT::Mollification::none));
+    Exact t(gallery::input(g));
     for (unsigned round = 0; round < 5; ++round) {
       flip_at_random(t, 2 * num_edges(t.mesh()), round);
       const Edge_traces traces = IT::trace_edges(t, t.correspondence());

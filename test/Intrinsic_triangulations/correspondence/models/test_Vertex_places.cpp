@@ -131,9 +131,7 @@ TEST(Vertex_places, are_found_for_points_near_sides_of_every_face_that_is_wide_e
 TEST(Vertex_places, define_all_values_and_signs_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    IT::Intrinsic_input in(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-    in.may_renumber = false;
-    With_integers t(std::move(in));
+    With_integers t(gallery::input(s));
     const double before = properties::total_area(t);
     for (unsigned round = 1; round <= 3; ++round) {
       move_at_random(t, round, 15);

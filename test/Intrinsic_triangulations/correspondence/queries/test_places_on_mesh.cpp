@@ -15,6 +15,7 @@
 
 #include "mesh_types.h"
 #include "meshes.h"
+#include "surface_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -40,24 +41,7 @@ template <class Correspondence>
 using Triangulation =
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
 
-template <class Mesh>
-Mesh user_mesh(const meshes::Mesh& m) {
-  using Traits = boost::graph_traits<Mesh>;
-  Mesh result;
-  std::vector<typename Traits::vertex_descriptor> v;
-  const auto map = IT::Mesh_adaptor<Mesh>::point_map(result);
-  using Point = typename boost::property_traits<std::remove_cv_t<decltype(map)>>::value_type;
-  for (const auto& p : m.points) {
-    v.push_back(add_vertex(result));
-    if constexpr (requires { result.set_point(v.back(), Point()); })
-      result.set_point(v.back(), Point(p[0], p[1], p[2]));
-    else
-      put(get(CGAL::vertex_point, result), v.back(), Point(p[0], p[1], p[2]));
-  }
-  for (const auto& f : m.triangles)
-    CGAL::Euler::add_face(std::vector{v[f[0]], v[f[1]], v[f[2]]}, result);
-  return result;
-}
+Surface_mesh user_mesh(const meshes::Mesh& m) { return meshes::surface_mesh<Surface_mesh>(m); }
 
 template <class Point>
 double distance(const Point& a, const Point& b) {
@@ -99,31 +83,40 @@ void change(T& t) {
   IT::flip_to_delaunay(t);
 }
 
-TYPED_TEST(Queries, Places_on_my_mesh_go_there_and_back_at_every_scale) {
+/// Calls `check` for all shapes and scales, with the mesh and a triangulation that has been changed.
+template <class Correspondence, class Check>
+void for_all_meshes(const Check& check) {
   for (const auto& [name, shape] : shapes())
     for (const double scale : scales) {
-      const auto mesh = user_mesh<Surface_mesh>(meshes::scaled(shape, scale));
-      Triangulation<TypeParam> t(mesh);
+      SCOPED_TRACE(name + " times " + std::to_string(scale));
+      const auto mesh = user_mesh(meshes::scaled(shape, scale));
+      Triangulation<Correspondence> t(mesh);
       change(t);
-      for (const auto f : faces(mesh)) {
-        const IT::Face_location<Surface_mesh> place{f, {0.2, 0.3, 0.5}};
-        const auto there = IT::locate_on_intrinsic(t, place, mesh);
-        ASSERT_TRUE(there) << name;
-        const auto back = IT::locate_on_input(t, *there, mesh);
-        ASSERT_TRUE(back) << name;
-        const auto in_space = [&, &m = mesh](const auto& p) {
-          std::array<double, 3> x{0, 0, 0};
-          auto h = halfedge(p.first, m);
-          for (const double w : p.second) {
-            for (std::size_t k = 0; k < 3; ++k)
-              x[k] += w * m.point(source(h, m))[static_cast<int>(k)];
-            h = next(h, m);
-          }
-          return x;
-        };
-        EXPECT_LT(distance(in_space(place), in_space(*back)), 1e-9 * scale) << name;
-      }
+      check(mesh, t, scale);
     }
+}
+
+TYPED_TEST(Queries, Places_on_my_mesh_go_there_and_back_at_every_scale) {
+  for_all_meshes<TypeParam>([](const auto& mesh, auto& t, double scale) {
+    for (const auto f : faces(mesh)) {
+      const IT::Face_location<Surface_mesh> place{f, {0.2, 0.3, 0.5}};
+      const auto there = IT::locate_on_intrinsic(t, place, mesh);
+      ASSERT_TRUE(there);
+      const auto back = IT::locate_on_input(t, *there, mesh);
+      ASSERT_TRUE(back);
+      const auto in_space = [&m = mesh](const auto& p) {
+        std::array<double, 3> x{0, 0, 0};
+        auto h = halfedge(p.first, m);
+        for (const double w : p.second) {
+          for (std::size_t k = 0; k < 3; ++k)
+            x[k] += w * m.point(source(h, m))[static_cast<int>(k)];
+          h = next(h, m);
+        }
+        return x;
+      };
+      EXPECT_LT(distance(in_space(place), in_space(*back)), 1e-9 * scale);
+    }
+  });
 }
 
 /// Of a mesh and of the soup with the same triangles in random order, each beginning at a random
@@ -137,7 +130,7 @@ TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices)
     std::shuffle(shape.triangles.begin(), shape.triangles.end(), random);
     for (auto& corners : shape.triangles)
       std::rotate(corners.begin(), corners.begin() + static_cast<int>(random() % 3), corners.end());
-    const auto mesh = user_mesh<Surface_mesh>(shape);
+    const auto mesh = user_mesh(shape);
     const Triangulation<TypeParam> t(mesh);
     IT::Triangle_soup triangles;
     triangles.points = shape.points;
@@ -177,94 +170,81 @@ TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices)
 }
 
 TYPED_TEST(Queries, Intrinsic_edges_are_polylines_of_their_length_at_every_scale) {
-  for (const auto& [name, shape] : shapes())
-    for (const double scale : scales) {
-      const auto mesh = user_mesh<Surface_mesh>(meshes::scaled(shape, scale));
-      Triangulation<TypeParam> t(mesh);
-      change(t);
-      for (const auto e : edges(t.mesh())) {
-        const auto points = IT::polyline(t, IT::trace_edge(t, e), mesh);
-        ASSERT_GE(points.size(), 2U) << name;
-        EXPECT_NEAR(length(points), std::sqrt(t.squared_length(e)), 1e-9 * scale) << name;
-      }
+  for_all_meshes<TypeParam>([](const auto& mesh, auto& t, double scale) {
+    for (const auto e : edges(t.mesh())) {
+      const auto points = IT::polyline(t, IT::trace_edge(t, e), mesh);
+      ASSERT_GE(points.size(), 2U);
+      EXPECT_NEAR(length(points), std::sqrt(t.squared_length(e)), 1e-9 * scale);
     }
+  });
 }
 
 /// The edge as a straight line, and its points where the intrinsic triangulation says that they are.
 TYPED_TEST(Queries, Edges_of_my_mesh_run_where_the_intrinsic_triangulation_says) {
-  for (const auto& [name, shape] : shapes())
-    for (const double scale : scales) {
-      const auto mesh = user_mesh<Surface_mesh>(meshes::scaled(shape, scale));
-      Triangulation<TypeParam> t(mesh);
-      change(t);
-      std::size_t crossings = 0, along = 0;
-      for (const auto e : edges(mesh)) {
-        const IT::Edge_path path = IT::trace_input_edge(t, e, mesh);
-        ASSERT_EQ(path.status, IT::Status::done) << name << ' ' << e;
-        ASSERT_GE(path.points.size(), 2U);
-        const auto points = IT::polyline(t, path, mesh);
-        const auto from = mesh.point(source(e, mesh)), to = mesh.point(target(e, mesh));
-        EXPECT_LT(distance(points.front(), from), 1e-12 * scale);
-        EXPECT_LT(distance(points.back(), to), 1e-12 * scale);
-        EXPECT_NEAR(length(points), distance(from, to), 1e-9 * scale) << name << ' ' << e;
-        double last = 0;
-        for (const IT::Path_point& p : path.points) {
-          EXPECT_GE(p.parameter, last);
-          last = p.parameter;
-          const auto back = IT::locate_on_input(t, p.on_intrinsic);
-          ASSERT_TRUE(back) << name;
-          EXPECT_LT(
-              distance(IT::point_in_space(t, *back, mesh), IT::point_in_space(t, p.on_input, mesh)),
-              1e-8 * scale)
-              << name << ' ' << e;
-        }
-        crossings += path.points.size() - 2;
-        if (path.along != IT::Gluing::none) ++along;
+  for_all_meshes<TypeParam>([](const auto& mesh, auto& t, double scale) {
+    std::size_t crossings = 0, along = 0;
+    for (const auto e : edges(mesh)) {
+      const IT::Edge_path path = IT::trace_input_edge(t, e, mesh);
+      ASSERT_EQ(path.status, IT::Status::done) << e;
+      ASSERT_GE(path.points.size(), 2U);
+      const auto points = IT::polyline(t, path, mesh);
+      const auto from = mesh.point(source(e, mesh)), to = mesh.point(target(e, mesh));
+      EXPECT_LT(distance(points.front(), from), 1e-12 * scale);
+      EXPECT_LT(distance(points.back(), to), 1e-12 * scale);
+      EXPECT_NEAR(length(points), distance(from, to), 1e-9 * scale) << e;
+      double last = 0;
+      for (const IT::Path_point& p : path.points) {
+        EXPECT_GE(p.parameter, last);
+        last = p.parameter;
+        const auto back = IT::locate_on_input(t, p.on_intrinsic);
+        ASSERT_TRUE(back);
+        EXPECT_LT(
+            distance(IT::point_in_space(t, *back, mesh), IT::point_in_space(t, p.on_input, mesh)),
+            1e-8 * scale)
+            << e;
       }
-      EXPECT_GT(crossings, 0U);
-      EXPECT_GT(along, 0U) << name;
+      crossings += path.points.size() - 2;
+      if (path.along != IT::Gluing::none) ++along;
     }
+    EXPECT_GT(crossings, 0U);
+    EXPECT_GT(along, 0U);
+  });
 }
 
 TYPED_TEST(Queries, Geodesics_have_the_length_that_is_asked_for_in_my_units) {
-  for (const auto& [name, shape] : shapes())
-    for (const double scale : scales) {
-      const auto mesh = user_mesh<Surface_mesh>(meshes::scaled(shape, scale));
-      Triangulation<TypeParam> t(mesh);
-      change(t);
-      for (const auto f : faces(mesh)) {
-        const IT::Face_location<Surface_mesh> start{f, {0.2, 0.3, 0.5}};
-        const double asked = 0.7 * scale;
-        const IT::Geodesic g = IT::trace_geodesic(t, start, {0.6, 0.8}, asked, mesh);
-        std::vector<Kernel::Point_3> points;
-        for (const auto& p : g.points) points.push_back(IT::point_in_space(t, p, mesh));
-        EXPECT_NEAR(length(points), g.length, 1e-9 * scale) << name;
-        if (g.status == IT::Status::done) {
-          EXPECT_EQ(g.length, asked);
-        } else {
-          EXPECT_EQ(g.status, IT::Status::border);
-          EXPECT_LT(g.length, asked);
-        }
-        EXPECT_LT(g.error, 1e-9 * scale);
+  for_all_meshes<TypeParam>([](const auto& mesh, auto& t, double scale) {
+    for (const auto f : faces(mesh)) {
+      const IT::Face_location<Surface_mesh> start{f, {0.2, 0.3, 0.5}};
+      const double asked = 0.7 * scale;
+      const IT::Geodesic g = IT::trace_geodesic(t, start, {0.6, 0.8}, asked, mesh);
+      std::vector<Kernel::Point_3> points;
+      for (const auto& p : g.points) points.push_back(IT::point_in_space(t, p, mesh));
+      EXPECT_NEAR(length(points), g.length, 1e-9 * scale);
+      if (g.status == IT::Status::done) {
+        EXPECT_EQ(g.length, asked);
+      } else {
+        EXPECT_EQ(g.status, IT::Status::border);
+        EXPECT_LT(g.length, asked);
       }
-      // the same on the intrinsic triangulation: there and back by the same vector
-      for (const auto f : faces(t.mesh())) {
-        const auto h = t.numbers().halfedge(halfedge(f, t.mesh()));
-        const double asked = 0.1 * scale;
-        const auto g = IT::trace_geodesic(t, {h, {0.3, 0.3, 0.4}}, {0, 1}, asked);
-        if (g.status != IT::Status::done) continue;
-        const auto from = IT::locate_on_input(t, g.points.front()),
-                   to = IT::locate_on_input(t, g.points.back());
-        ASSERT_TRUE(from && to);
-        EXPECT_LT(distance(IT::point_in_space(t, *from, mesh), IT::point_in_space(t, *to, mesh)),
-                  asked * (1 + 1e-9))
-            << name;
-      }
+      EXPECT_LT(g.error, 1e-9 * scale);
     }
+    // the same on the intrinsic triangulation: there and back by the same vector
+    for (const auto f : faces(t.mesh())) {
+      const auto h = t.numbers().halfedge(halfedge(f, t.mesh()));
+      const double asked = 0.1 * scale;
+      const auto g = IT::trace_geodesic(t, {h, {0.3, 0.3, 0.4}}, {0, 1}, asked);
+      if (g.status != IT::Status::done) continue;
+      const auto from = IT::locate_on_input(t, g.points.front()),
+                 to = IT::locate_on_input(t, g.points.back());
+      ASSERT_TRUE(from && to);
+      EXPECT_LT(distance(IT::point_in_space(t, *from, mesh), IT::point_in_space(t, *to, mesh)),
+                asked * (1 + 1e-9));
+    }
+  });
 }
 
 TYPED_TEST(Queries, Constrained_edges_of_my_mesh_are_kept_by_flips_and_refinement) {
-  const auto mesh = user_mesh<Surface_mesh>(meshes::scaled(meshes::box(3, 2, 4), 1000));
+  const auto mesh = user_mesh(meshes::scaled(meshes::box(3, 2, 4), 1000));
   std::map<Surface_mesh::Edge_index, bool> is_sharp;
   double before = 0;
   for (const auto e : edges(mesh)) {
@@ -312,10 +292,10 @@ void expect_constrained_edges_without_correspondence(const Surface_mesh& mesh) {
 }
 
 TEST(Constrained_edges, Need_no_correspondence_before_the_first_move) {
-  expect_constrained_edges_without_correspondence(user_mesh<Surface_mesh>(meshes::potato(2, 6)));
+  expect_constrained_edges_without_correspondence(user_mesh(meshes::potato(2, 6)));
   const meshes::Mesh grid = meshes::grid(270, 270); // which is renumbered
-  expect_constrained_edges_without_correspondence(user_mesh<Surface_mesh>(
-      meshes::permuted(grid, meshes::permutation(grid.points.size(), 3), 5)));
+  expect_constrained_edges_without_correspondence(
+      user_mesh(meshes::permuted(grid, meshes::permutation(grid.points.size(), 3), 5)));
 }
 
 template <class Mesh>
@@ -324,7 +304,7 @@ using User_meshes = testing::Types<Surface_mesh, Polyhedron, OpenMesh_triangles,
 TYPED_TEST_SUITE(Places_on_mesh, User_meshes);
 
 TYPED_TEST(Places_on_mesh, Are_those_of_every_mesh_type) {
-  const auto mesh = user_mesh<TypeParam>(meshes::potato(2, 6));
+  const auto mesh = meshes::mesh_of<TypeParam>(meshes::potato(2, 6));
   Triangulation<IT::Integer_coordinates> t(mesh);
   IT::flip_to_delaunay(t);
   for (const auto f : faces(mesh)) {
@@ -344,8 +324,8 @@ TYPED_TEST(Places_on_mesh, Are_those_of_every_mesh_type) {
 /// Where the library numbers everything in another way.
 TEST(Renumbered_meshes, Keep_their_places_and_edges) {
   const meshes::Mesh grid = meshes::grid(270, 270);
-  const auto mesh = user_mesh<Surface_mesh>(
-      meshes::permuted(grid, meshes::permutation(grid.points.size(), 3), 5));
+  const auto mesh =
+      user_mesh(meshes::permuted(grid, meshes::permutation(grid.points.size(), 3), 5));
   const Triangulation<IT::Integer_coordinates> t(mesh);
   ASSERT_TRUE(t.report().renumbered);
   std::size_t i = 0;
@@ -370,7 +350,7 @@ TEST(Renumbered_meshes, Keep_their_places_and_edges) {
 }
 
 TEST(Places_without_correspondence, Are_refused) {
-  const Surface_mesh mesh = user_mesh<Surface_mesh>(meshes::potato(1, 6));
+  const Surface_mesh mesh = user_mesh(meshes::potato(1, 6));
   const IT::Intrinsic_triangulation<> t(mesh);
   const IT::Face_location<Surface_mesh> place{*faces(mesh).begin(), {0.2, 0.3, 0.5}};
   EXPECT_THROW(IT::surface_point(t, place, mesh), IT::Invalid_input);

@@ -51,12 +51,8 @@ std::vector<std::pair<std::string, meshes::Mesh>> fat_meshes() {
           {"potato", meshes::potato(2, 6)}};
 }
 
-IT::Intrinsic_input input(const meshes::Mesh& m) { return subdivision_oracle::input(m); }
-IT::Intrinsic_input input(const gallery::Surface& s) {
-  IT::Intrinsic_input i(IT::Gluing_map(s.gluing), gallery::squared_lengths(s));
-  i.may_renumber = false;
-  return i;
-}
+using gallery::input;
+using subdivision_oracle::input;
 
 double difference(double a, double b, double period) {
   return std::abs(std::remainder(a - b, period));
@@ -133,18 +129,9 @@ TEST(Tangent_transfer, Turns_from_halfedge_to_halfedge_by_the_angle_between_them
   }
 }
 
-using Point = std::array<double, 3>;
-
 template <class T>
-Point position(const T& t, const meshes::Mesh& m, const Surface_point& p) {
-  Point x{0, 0, 0};
-  std::uint32_t h = p.halfedge;
-  for (const double w : p.weights) {
-    for (std::size_t k = 0; k < 3; ++k)
-      x[k] += w * m.points[t.correspondence().input().source(h)][k];
-    h = t.correspondence().input().next(h);
-  }
-  return x;
+meshes::Point position(const T& t, const meshes::Mesh& m, const Surface_point& p) {
+  return meshes::position(t.correspondence().input(), m.points, p);
 }
 
 using meshes::distance;

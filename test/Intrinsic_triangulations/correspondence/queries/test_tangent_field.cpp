@@ -120,7 +120,7 @@ TYPED_TEST(Field_transfer, There_and_back_is_the_identity) {
 TYPED_TEST(Field_transfer, There_and_back_is_the_identity_where_edges_are_loops) {
   using T = typename TypeParam::Triangulation;
   for (const gallery::Surface& g : gallery::oriented()) {
-    T t(IT::Intrinsic_input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g)));
+    T t(gallery::input(g));
     const IT::Tangent_field field = random_field(t.number_of_vertices());
     for (const auto e : edges(t.mesh())) t.flip_edge(halfedge(e, t.mesh()));
     const IT::Tangent_field there = IT::tangent_field_to_intrinsic(t, field),

@@ -85,7 +85,10 @@ std::vector<Point> points_of(const T& t, const IT::Edge_path& path,
   return result;
 }
 
-TYPED_TEST(Input_edges, Are_polylines_of_the_common_subdivision_that_run_as_they_are_traced) {
+/// Straight, and in the direction that the parameters of crossings say; the other halfedge of an edge runs the same
+/// way backwards.
+TYPED_TEST(Input_edges,
+           Are_straight_polylines_of_the_common_subdivision_that_run_as_they_are_traced) {
   using T = typename TypeParam::Triangulation;
   for (const auto& [name, m] : all_meshes<T>()) {
     const T t = changed<T>(m);
@@ -95,49 +98,38 @@ TYPED_TEST(Input_edges, Are_polylines_of_the_common_subdivision_that_run_as_they
     ASSERT_EQ(lines.size(), t.input().number_of_halfedges() / 2);
     std::size_t inserted = 0, crossings = 0;
     for (std::uint32_t e = 0; e < lines.size(); ++e) {
+      SCOPED_TRACE(name + " " + std::to_string(e));
       const IT::Edge_path path = IT::trace_input_edge(t, 2 * e);
-      ASSERT_EQ(path.status, IT::Status::done) << name << ' ' << e;
-      std::vector<Point> traced = points_of(t, path, m.points);
-      ASSERT_EQ(lines[e].size(), traced.size()) << name << ' ' << e;
-      if (distance(traced.front(), positions[lines[e].front()]) > 1e-9)
+      ASSERT_EQ(path.status, IT::Status::done);
+      std::vector<Point> traced = points_of(t, path, m.points),
+                         back = points_of(t, IT::trace_input_edge(t, 2 * e + 1), m.points);
+      std::reverse(back.begin(), back.end());
+      ASSERT_EQ(back.size(), traced.size());
+      ASSERT_EQ(lines[e].size(), traced.size());
+      if (distance(traced.front(), positions[lines[e].front()]) > 1e-9) {
         std::reverse(traced.begin(), traced.end()); // the polyline runs the other way
+        std::reverse(back.begin(), back.end());
+      }
+      double length = 0, last = 0;
       for (std::size_t i = 0; i < traced.size(); ++i) {
-        EXPECT_LT(distance(traced[i], positions[lines[e][i]]), 1e-8) << name << ' ' << e;
+        EXPECT_LT(distance(traced[i], positions[lines[e][i]]), 1e-8);
+        EXPECT_LT(distance(traced[i], back[i]), 1e-8);
+        if (i > 0) length += distance(positions[lines[e][i - 1]], positions[lines[e][i]]);
         const auto kind = s.kind(lines[e][i]);
         const bool is_end = i == 0 || i + 1 == traced.size();
         EXPECT_EQ(is_end, kind == IT::Subdivision_vertex_kind::input);
         if (kind == IT::Subdivision_vertex_kind::inserted) ++inserted;
-        if (kind == IT::Subdivision_vertex_kind::crossing) {
-          ++crossings;
-          EXPECT_EQ(s.crossings[lines[e][i] - s.vertices.size()].on_input.edge, e);
-        }
+        if (kind != IT::Subdivision_vertex_kind::crossing) continue;
+        ++crossings;
+        const auto& x = s.crossings[lines[e][i] - s.vertices.size()].on_input;
+        EXPECT_EQ(x.edge, e);
+        EXPECT_GE(x.parameter, last);
+        last = x.parameter;
       }
+      EXPECT_NEAR(length, distance(positions[lines[e].front()], positions[lines[e].back()]), 1e-9);
     }
     EXPECT_EQ(crossings, s.crossings.size()) << name << ": each crossing is on one edge";
     EXPECT_GT(inserted, 0U) << name;
-  }
-}
-
-/// Straight, and in the direction that the parameters of crossings say.
-TYPED_TEST(Input_edges, Are_straight_polylines) {
-  using T = typename TypeParam::Triangulation;
-  for (const auto& [name, m] : all_meshes<T>()) {
-    const T t = changed<T>(m);
-    const IT::Common_subdivision s = IT::common_subdivision(t);
-    const IT::Edge_polylines lines = IT::input_edge_polylines(s);
-    const std::vector<Point> positions = IT::positions(s, std::span(m.points));
-    for (std::uint32_t e = 0; e < lines.size(); ++e) {
-      double length = 0, last = 0;
-      for (std::size_t i = 1; i < lines[e].size(); ++i) {
-        length += distance(positions[lines[e][i - 1]], positions[lines[e][i]]);
-        if (s.kind(lines[e][i]) != IT::Subdivision_vertex_kind::crossing) continue;
-        const double x = s.crossings[lines[e][i] - s.vertices.size()].on_input.parameter;
-        EXPECT_GE(x, last) << name << ' ' << e;
-        last = x;
-      }
-      EXPECT_NEAR(length, distance(positions[lines[e].front()], positions[lines[e].back()]), 1e-9)
-          << name << ' ' << e;
-    }
   }
 }
 
@@ -163,30 +155,12 @@ TYPED_TEST(Input_edges, Meet_intrinsic_edges_where_these_meet_them) {
   }
 }
 
-/// The other halfedge of an edge runs the same way backwards.
-TYPED_TEST(Input_edges, Run_backwards_from_their_other_end) {
-  using T = typename TypeParam::Triangulation;
-  for (const auto& [name, m] : all_meshes<T>()) {
-    const T t = changed<T>(m);
-    for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); x += 2) {
-      const std::vector<Point> there = points_of(t, IT::trace_input_edge(t, x), m.points);
-      std::vector<Point> back = points_of(t, IT::trace_input_edge(t, x ^ 1U), m.points);
-      std::reverse(back.begin(), back.end());
-      ASSERT_EQ(there.size(), back.size()) << name << ' ' << x;
-      for (std::size_t i = 0; i < there.size(); ++i)
-        EXPECT_LT(distance(there[i], back[i]), 1e-8) << name << ' ' << x;
-    }
-  }
-}
-
 /// Where edges are loops, and several have the same ends: as many crossings as the subdivision has.
 TYPED_TEST(Input_edges, Of_delta_complexes_are_polylines_with_as_many_points_as_they_are_traced) {
   using T = typename TypeParam::Triangulation;
   std::size_t done = 0;
   for (const gallery::Surface& g : gallery::oriented()) {
-    IT::Intrinsic_input input(IT::Gluing_map(g.gluing), gallery::squared_lengths(g));
-    input.may_renumber = false;
-    T t(std::move(input));
+    T t(gallery::input(g));
     for (int round = 0; round < 3; ++round)
       for (const auto e : edges(t.mesh())) t.flip_edge(halfedge(e, t.mesh()));
     IT::Common_subdivision s;

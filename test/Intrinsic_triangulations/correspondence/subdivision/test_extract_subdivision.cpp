@@ -23,21 +23,12 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Common_subdivision;
+using meshes::cross, meshes::minus, meshes::norm, meshes::Point;
 using subdivision_oracle::Exact;
 using subdivision_oracle::Mover;
 using subdivision_oracle::none;
 using subdivision_oracle::Plane;
 using subdivision_oracle::Rounded;
-using Point = std::array<double, 3>;
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
-double area(const Point& a, const Point& b, const Point& c) {
-  return norm(cross(minus(b, a), minus(c, a))) / 2;
-}
 
 Point combine(const IT::Weighted_vertices& w, const std::vector<Point>& points) {
   Point p{0, 0, 0};
@@ -48,14 +39,6 @@ Point combine(const IT::Weighted_vertices& w, const std::vector<Point>& points) 
   }
   EXPECT_NEAR(sum, 1, 1e-14); // three roundings
   return p;
-}
-
-double area_of_cell(const Common_subdivision& s, std::size_t f, const std::vector<Point>& x) {
-  double sum = 0;
-  const auto cell = s.face(f);
-  for (std::size_t k = 1; k + 1 < cell.size(); ++k)
-    sum += area(x[cell[0]], x[cell[k]], x[cell[k + 1]]);
-  return sum;
 }
 
 /// What holds on any surface: Euler characteristic, labels of sides, cells on both sides of edges.
@@ -98,7 +81,7 @@ void expect_measures(const T& t, const Common_subdivision& s, const std::vector<
   const std::vector<Point> x = IT::positions(s, points);
   std::vector<double> on_input(input.mesh().number_of_faces(), 0), on_intrinsic, length;
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-    const double a = area_of_cell(s, f, x);
+    const double a = norm(meshes::area_vector(x, s.face(f)));
     on_input[s.input_face[f]] += a;
     if (s.intrinsic_face[f] >= on_intrinsic.size()) on_intrinsic.resize(s.intrinsic_face[f] + 1, 0);
     on_intrinsic[s.intrinsic_face[f]] += a;
@@ -166,9 +149,7 @@ TEST(Extract_subdivision, Measures_what_both_measure_after_flips_to_delaunay_in_
 
 TEST(Extract_subdivision, Keeps_the_topology_on_the_gallery) {
   for (const gallery::Surface& g : gallery::oriented()) {
-    IT::Intrinsic_input in(IT::Gluing_map(g.gluing), gallery::squared_lengths(g));
-    in.may_renumber = false;
-    Exact t(std::move(in));
+    Exact t(gallery::input(g));
     Mover<Exact> mover(t, 3);
     for (int i = 0; i < 30; ++i) {
       mover.move(true);

@@ -58,8 +58,7 @@ std::vector<std::pair<std::string, IT::Intrinsic_input>> inputs() {
   add("stairs", meshes::stairs(6, 4, 3));
   add("folded lattice", meshes::folded_lattice(4, 6, 3));
   for (const gallery::Surface& s : gallery::oriented())
-    result.emplace_back(s.name,
-                        IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    result.emplace_back(s.name, gallery::input(s));
   for (auto& [name, input] : result) input.may_renumber = false;
   return result;
 }

@@ -23,20 +23,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Answer;
 using random_history::Map;
 using random_history::Walk;
-
-Walk walk_on(const meshes::Mesh& m, double delta = 0) {
-  Map map = m.map();
-  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
-  input.set_delta(delta);
-  return {std::move(map), std::move(input)};
-}
-
-Walk walk_on(const gallery::Surface& s) {
-  Map map(s.gluing);
-  IT::Input_metric input =
-      IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0);
-  return {std::move(map), std::move(input)};
-}
+using random_history::walk_on;
 
 // flips edges until all are Delaunay; returns the number of ties
 std::size_t make_delaunay(Walk& walk) {

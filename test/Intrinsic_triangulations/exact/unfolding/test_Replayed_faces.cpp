@@ -40,6 +40,7 @@ using IT::Multiquadratic_number;
 using places::Exact_input;
 using random_history::Map;
 using random_history::Walk;
+using random_history::walk_on;
 using wide_numbers::Wide;
 
 struct Rational_input {
@@ -55,12 +56,6 @@ struct Rational_input {
             Gmpq(n, m)};
   }
 };
-
-Walk walk_on(const meshes::Mesh& m) {
-  Map map = m.map();
-  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
-  return {std::move(map), std::move(input)};
-}
 
 template <class Input, class FT>
 IT::Diamond_values<FT> evaluate(const Walk& walk, Map::Halfedge h) {
@@ -180,10 +175,7 @@ TEST(Replayed_faces, agrees_exactly_with_unfolding_on_Delta_complexes) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     std::mt19937 random(3);
-    Map map(s.gluing);
-    std::vector<double> lengths = gallery::squared_lengths(s);
-    IT::Input_metric input = IT::Input_metric::from_squared_lengths(map, std::move(lengths), 0);
-    Walk walk(std::move(map), std::move(input));
+    Walk walk = walk_on(s);
     for (int round = 0; round < 4; ++round) {
       walk.run(4, random);
       check_all_edges(walk);

@@ -230,7 +230,7 @@ TEST(Scale_by_norm, averages_over_the_faces_at_an_edge_and_takes_one_on_the_bord
 
 TEST(Scale_by_norm, counts_both_sides_where_a_face_is_glued_to_itself) {
   const gallery::Surface c = gallery::self_folded_cone(); // sides 1 and 2 are one edge; all are 1
-  const IT::Intrinsic_input in(Gluing_map(c.gluing), gallery::squared_lengths(c));
+  const IT::Intrinsic_input in = gallery::input(c);
   const Tensor_norm g = Tensor_norm::from_stretches({1, 2}, 2, 1);
   std::vector<Planar> asked;
   const IT::Scaled_metric s = IT::scale_by_norm(in, [&](auto, const Planar& v) {
@@ -247,7 +247,7 @@ TEST(Scale_by_norm, counts_both_sides_where_a_face_is_glued_to_itself) {
 
 TEST(Scale_by_norm, and_conformally_work_on_every_surface_of_the_gallery) {
   for (const gallery::Surface& s : gallery::all()) {
-    const IT::Intrinsic_input in(Gluing_map(s.gluing), gallery::squared_lengths(s));
+    const IT::Intrinsic_input in = gallery::input(s);
     const IT::Scaled_metric same = IT::scale_by_norm(in, euclidean);
     expect_near(same.input.squared_lengths, in.squared_lengths, 1e-14);
     std::vector<double> fourfold = in.squared_lengths;

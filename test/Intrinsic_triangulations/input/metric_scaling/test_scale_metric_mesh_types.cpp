@@ -27,8 +27,6 @@ namespace {
 using Vector = std::array<double, 3>;
 using Planar = IT::Plane_vector<double>;
 
-double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-
 using properties::expect_near;
 
 template <class Mesh>
@@ -41,7 +39,7 @@ TYPED_TEST(Scale_metric_of, this_type_of_mesh_is_the_same_as_of_a_gluing_with_po
   const meshes::Mesh m = meshes::potato(2, 6);
   const auto point = [&m](Gluing_map::Vertex v) { return m.points[v.index]; };
   const Tensor_norm g = Tensor_norm::from_stretches({1, 3}, 1.25, 1);
-  const auto spatial = [](auto, const Vector& v) { return length({1.5 * v[0], v[1], v[2]}); };
+  const auto spatial = [](auto, const Vector& v) { return meshes::norm({1.5 * v[0], v[1], v[2]}); };
   const auto repair = IT::parameters::triangle_inequality(Triangle_inequality::repair).margin(1e-3);
   const auto conformal = IT::scale_conformally(
       m.input(), [&](auto v) { return smooth(point(v)); }, repair);

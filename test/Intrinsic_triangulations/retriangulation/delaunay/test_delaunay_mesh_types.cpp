@@ -42,25 +42,6 @@ TYPED_TEST(Delaunay_on, this_type_of_mesh_is_the_same_as_on_a_gluing_map) {
   }
 }
 
-TYPED_TEST(Delaunay_on, this_type_of_mesh_flips_four_times_to_the_identity) {
-  for (const meshes::Mesh& m : shapes()) {
-    IT::Intrinsic_triangulation<TypeParam> t(m.input());
-    const auto ends = [&t](auto h) {
-      return std::pair{t.input_vertex(source(h, t.mesh())), t.input_vertex(target(h, t.mesh()))};
-    };
-    for (const auto h : properties::flippable_by_connectivity(t)) {
-      const auto before = ends(h);
-      if (t.flip_edge(h) != IT::Move_status::done) continue;
-      EXPECT_NE(ends(h), before);
-      ASSERT_EQ(t.flip_edge(h), IT::Move_status::done);
-      EXPECT_EQ(ends(h), std::pair(before.second, before.first));
-      t.flip_edge(h);
-      t.flip_edge(h);
-      EXPECT_EQ(ends(h), before);
-    }
-  }
-}
-
 TYPED_TEST(Delaunay_on, this_type_of_mesh_as_input_is_the_same) {
   if constexpr (!std::is_same_v<TypeParam, IT::Gluing_map>)
     for (const meshes::Mesh& m : shapes()) {

@@ -201,7 +201,7 @@ TEST(Delaunay_tessellation, is_the_same_whichever_triangulation_it_is_made_of) {
 
 TEST(Delaunay_tessellation, of_delta_complexes_keeps_the_surface) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    Exact t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    Exact t(gallery::input(s));
     IT::flip_to_delaunay(t);
     Surface_mesh mesh;
     const IT::Delaunay_tessellation d = IT::delaunay_tessellation(t, mesh);

@@ -28,21 +28,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using meshes::Point;
 using Triangle = std::array<std::uint32_t, 3>;
 
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double norm(const Point& a) { return std::sqrt(dot(a, a)); }
-
-double area(const std::vector<Point>& p, const Triangle& t) {
-  return norm(cross(minus(p[t[1]], p[t[0]]), minus(p[t[2]], p[t[0]]))) / 2;
-}
-double area(const std::vector<Point>& p, const std::vector<Triangle>& triangles) {
-  double sum = 0;
-  for (const Triangle& t : triangles) sum += area(p, t);
-  return sum;
-}
+using meshes::cross, meshes::dot, meshes::minus, meshes::norm;
 
 /// The angles opposite to each pair of vertices that an edge joins, from coordinates alone.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<double>>
@@ -83,7 +69,7 @@ TEST(extrinsic_delaunay, all_edges_are_delaunay_on_the_same_surface) {
     EXPECT_TRUE(std::equal(m.points.begin(), m.points.end(), d.points.begin())) << name;
     // coordinates are rounded by 2^-53 of a size below 64; angles by that over the least height,
     // about 1e-2
-    EXPECT_NEAR(area(d.points, d.triangles) / area(m.points, m.triangles), 1, 1e-13) << name;
+    EXPECT_NEAR(meshes::area({d.points, d.triangles}) / meshes::area(m), 1, 1e-13) << name;
     for (const auto& [ends, angles] : opposite_angles(d)) {
       ASSERT_LE(angles.size(), 2u) << name;
       if (angles.size() == 1) continue;

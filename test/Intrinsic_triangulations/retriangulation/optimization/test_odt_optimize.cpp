@@ -254,21 +254,6 @@ std::size_t number_of_vertices(const T& t) { // removed ones are counted by num_
   return n;
 }
 
-/// The least angle of each face, in degrees, by the law of cosines; rounded where it is near zero.
-template <class T>
-std::vector<double> least_angles(const T& t) {
-  std::vector<double> result;
-  for (const auto f : faces(t.mesh())) {
-    const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-    std::array<double, 3> l{t.length(edge(h, t.mesh())), t.length(edge(n, t.mesh())),
-                            t.length(edge(next(n, t.mesh()), t.mesh()))};
-    std::ranges::sort(l);
-    const double cosine = (l[1] * l[1] + l[2] * l[2] - l[0] * l[0]) / (2 * l[1] * l[2]);
-    result.push_back(std::acos(cosine) * 180 / std::numbers::pi);
-  }
-  return result;
-}
-
 // The moves alone leave angles of a few degrees. What the result tells is what there is, with the
 // bound and without.
 TYPED_TEST(Odt_optimize, Keeps_the_least_angle_that_is_asked_for) {
@@ -291,7 +276,8 @@ TYPED_TEST(Odt_optimize, Keeps_the_least_angle_that_is_asked_for) {
                                                     .minimum_angle(angle)
                                                     .edge_is_constrained_map(constrained));
         EXPECT_EQ(result.status, Status::done);
-        const std::vector<double> angles = least_angles(t);
+        std::vector<double> angles;
+        for (const auto f : faces(t.mesh())) angles.push_back(properties::least_angle(t, f));
         const auto small =
             std::ranges::count_if(angles, [&](double a) { return a < angle - 1e-6; });
         EXPECT_EQ(result.unsatisfied_faces, static_cast<std::size_t>(small));

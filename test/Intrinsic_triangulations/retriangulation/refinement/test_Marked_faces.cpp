@@ -81,7 +81,7 @@ TEST(Marked_faces, are_bad_and_others_are_not) {
 TEST(Marked_faces, are_gone_after_refinement_of_every_delta_complex) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    Triangulation t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    Triangulation t(gallery::input(s));
     IT::delaunay_refine(t);
     const std::size_t before = num_vertices(t.mesh());
     IT::internal::Marked_faces<Triangulation> marked(t, {t.index(*faces(t.mesh()).begin())});

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 
 #include "meshes.h"
+#include "properties.h"
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
@@ -37,12 +38,6 @@ meshes::Mesh flat_parabola_fan(std::uint32_t n) {
   for (std::uint32_t i = 0; i < n; ++i) m.points.push_back({double(i), double(i) * i / n, 0});
   for (std::uint32_t i = 1; i + 1 < n; ++i) m.triangles.push_back({0, i, i + 1});
   return m;
-}
-
-double area(const Rounded& t) {
-  double sum = 0;
-  for (const auto f : faces(t.mesh())) sum += t.area(f);
-  return sum;
 }
 
 /// The first edge between two faces, with its values.
@@ -108,13 +103,13 @@ TEST(Surface_check, Finds_the_face_that_its_sides_do_not_span) {
 
 TEST(Surface_check, Finds_area_that_is_lost_and_says_how_much) {
   Spoilt s(mesh());
-  const double before = area(s.t);
+  const double before = properties::total_area(s.t);
   const auto found = s.after(1, 1 - 2e-7, 1);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, Kind::total_area);
   EXPECT_EQ(found->face, s.left());
   EXPECT_NEAR(found->area_before, before, 1e-12 * before);
-  EXPECT_NEAR(found->area_after, area(s.t), 1e-12 * before);
+  EXPECT_NEAR(found->area_after, properties::total_area(s.t), 1e-12 * before);
   EXPECT_LT(found->area_after, found->area_before);
 }
 
@@ -143,15 +138,15 @@ TEST(Surface_check, Finds_another_topology) {
 
 TEST(Surface_check, Refinement_with_doubles_that_loses_area_is_inaccurate) {
   Rounded t(input(flat_parabola_fan(250)));
-  const double before = area(t);
+  const double before = properties::total_area(t);
   const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(30.));
   // or else this mesh is not hard any more: find another
-  ASSERT_GT(std::abs(area(t) - before), 1e-7 * before);
+  ASSERT_GT(std::abs(properties::total_area(t) - before), 1e-7 * before);
   EXPECT_EQ(result.status, Status::inaccurate);
   ASSERT_TRUE(result.inaccuracy);
   EXPECT_LT(result.inaccuracy->face, t.numbers().face_capacity(t.mesh()));
   EXPECT_NEAR(result.inaccuracy->area_before, before, 1e-9 * before);
-  EXPECT_NEAR(result.inaccuracy->area_after, area(t), 1e-9 * before);
+  EXPECT_NEAR(result.inaccuracy->area_after, properties::total_area(t), 1e-9 * before);
 }
 
 TEST(Surface_check, Adaptive_refinement_ends_where_doubles_have_lost_area) {
@@ -169,10 +164,10 @@ TEST(Surface_check, Adaptive_refinement_ends_where_doubles_have_lost_area) {
 
 TEST(Surface_check, Optimisation_with_doubles_that_loses_area_is_inaccurate) {
   Rounded t(input(flat_parabola_fan(250)));
-  const double before = area(t);
+  const double before = properties::total_area(t);
   const auto result =
       IT::odt_optimize(t, IT::parameters::maximum_edge_length(5.).number_of_iterations(20U));
-  const bool is_lost = std::abs(area(t) - before) > 1e-3 * before;
+  const bool is_lost = std::abs(properties::total_area(t) - before) > 1e-3 * before;
   EXPECT_EQ(result.status == Status::inaccurate, is_lost);
   EXPECT_EQ(result.inaccuracy.has_value(), is_lost);
 }

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 
 #include "meshes.h"
+#include "properties.h"
 #include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -36,12 +37,6 @@ using subdivision_oracle::input;
 using subdivision_oracle::Rounded;
 using Vector = Eigen::VectorXd;
 
-double area(const auto& t) {
-  double sum = 0;
-  for (const auto f : faces(t.mesh())) sum += t.area(f);
-  return sum;
-}
-
 /// Areas of the faces at input vertex 0, zero elsewhere: requires small faces there.
 template <class T>
 std::vector<double> areas_at_first_vertex(const T& t) {
@@ -61,7 +56,7 @@ TYPED_TEST_SUITE(Adaptive_refine, Triangulations);
 
 TYPED_TEST(Adaptive_refine, Reaches_the_tolerance_where_it_is_asked_to_and_keeps_the_surface) {
   TypeParam t(input(meshes::sphere(2)));
-  const double before = area(t);
+  const double before = properties::total_area(t);
   std::size_t calls = 0;
   const auto result = IT::adaptive_refine(
       t,
@@ -87,7 +82,7 @@ TYPED_TEST(Adaptive_refine, Reaches_the_tolerance_where_it_is_asked_to_and_keeps
   EXPECT_LE(num_vertices(t.mesh()), 66 + 12 * std::log2(1 / 1e-6));
   EXPECT_GE(IT::measure_quality(t).minimum_angle, 25 - 1e-9);
   EXPECT_EQ(IT::check_delaunay(t).non_delaunay_edges, 0U);
-  EXPECT_NEAR(area(t), before, 1e-12 * before);
+  EXPECT_NEAR(properties::total_area(t), before, 1e-12 * before);
   EXPECT_EQ(defect(t), "");
 }
 
@@ -228,7 +223,7 @@ TEST(Adaptive_refine_problems, A_reentrant_corner_has_the_rate_of_smooth_solutio
 TEST(Adaptive_refine_problems, A_point_source_has_the_rate_of_smooth_solutions) {
   const auto solve = [](Rounded& t) {
     const Vector u = IT::harmonic_green_function(t, 0);
-    const Vector f = Vector::Constant(u.size(), -1 / area(t));
+    const Vector f = Vector::Constant(u.size(), -1 / properties::total_area(t));
     return IT::residual_indicators(t, {}, u, f, IT::Error_norm::L2);
   };
   const auto adaptive = [&](std::size_t cap) {

@@ -43,34 +43,14 @@ using constrained_edges::total_length;
 using IT::Refinement_order;
 using IT::Status;
 using IT::Unsatisfied_reason;
+using properties::least_angle;
+using properties::sides;
 using subdivision_oracle::defect;
 using subdivision_oracle::Exact;
 using subdivision_oracle::input;
 using subdivision_oracle::Rounded;
 
 constexpr double degree = std::numbers::pi / 180;
-
-/// Lengths of the sides of a face.
-template <class T, class Face>
-std::array<double, 3> sides(const T& t, Face f) {
-  auto h = halfedge(f, t.mesh());
-  std::array<double, 3> l{};
-  for (double& x : l) {
-    x = std::sqrt(t.squared_length(edge(h, t.mesh())));
-    h = next(h, t.mesh());
-  }
-  return l;
-}
-
-/// Least angle of a face in degrees, from its sides alone: by the law of cosines, as nothing in the
-/// library does.
-template <class T, class Face>
-double least_angle(const T& t, Face f) {
-  std::array<double, 3> l = sides(t, f);
-  std::sort(l.begin(), l.end());
-  const double c = (l[1] * l[1] + l[2] * l[2] - l[0] * l[0]) / (2 * l[1] * l[2]);
-  return std::acos(std::min(1.0, c)) / degree;
-}
 
 /// Least angle of the faces that are not listed.
 template <class T, class Result>
@@ -400,9 +380,7 @@ TYPED_TEST(Delaunay_refine, Ends_where_a_constrained_edge_sees_itself_around_a_s
     meshes::Mesh m;
     m.points = {{1, 0, 0}, {-0.5, 0.75, 0}, {-0.5, -0.75, 0}, {0, 0, height}};
     m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    IT::Intrinsic_input i = input(m);
-    i.may_renumber = false;
-    TypeParam t(std::move(i));
+    TypeParam t(input(m));
     Edge_map is_constrained;
     Constraints<TypeParam> constrained{&t, &is_constrained};
     for (const auto e : edges(t.mesh())) {
@@ -524,11 +502,7 @@ TEST(Delaunay_refine_gallery, Every_surface_reaches_the_bound) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     for (const double angle : {25., 30.}) {
-      IT::Intrinsic_input i =
-          s.points.empty()
-              ? IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s))
-              : IT::Intrinsic_input(IT::Gluing_map(s.gluing), s.points);
-      IT::Intrinsic_triangulation<> t(std::move(i));
+      IT::Intrinsic_triangulation<> t(gallery::input(s));
       const double before = properties::total_area(t);
       const auto result = IT::delaunay_refine(t, IT::parameters::minimum_angle(angle));
       EXPECT_EQ(result.status, Status::done);

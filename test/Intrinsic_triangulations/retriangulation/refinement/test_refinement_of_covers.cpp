@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
+#include "properties.h"
 #include "soups.h"
 
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
@@ -26,7 +27,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <random>
 #include <set>
@@ -118,14 +118,6 @@ void expect_rows_are_places(const T& t, const Mesh& m, Domain_kind kind, const s
   }
 }
 
-double least_angle(const Exact& t, Exact::face_descriptor f) {
-  const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-  std::array<double, 3> l{t.squared_length(edge(h, t.mesh())), t.squared_length(edge(n, t.mesh())),
-                          t.squared_length(edge(next(n, t.mesh()), t.mesh()))};
-  std::ranges::sort(l);
-  return std::atan2(4 * t.area(f), l[1] + l[2] - l[0]) * 180 / std::numbers::pi;
-}
-
 // The angle asked for everywhere but where it is said not to be. Where many faces meet at all
 // edges, copies leave no place for a vertex now and then.
 template <class Result>
@@ -144,7 +136,8 @@ void expect_good(const Exact& t, const Result& r, double angle, const std::strin
   }
   EXPECT_LE(refused, num_faces(t.mesh()) / 10) << name;
   for (const auto f : faces(t.mesh()))
-    EXPECT_TRUE(unsatisfied.count(t.index(f)) != 0 || least_angle(t, f) >= angle - 1e-9) << name;
+    EXPECT_TRUE(unsatisfied.count(t.index(f)) != 0 || properties::least_angle(t, f) >= angle - 1e-9)
+        << name;
 }
 
 TEST(Refinement_of_covers, inserts_all_copies_of_a_point_in_one_row) {
@@ -209,9 +202,8 @@ TEST(Refinement_of_covers, is_delaunay_wherever_it_stops) {
       Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
       const auto r = IT::delaunay_refine(t, parameters::maximum_insertions(cap));
       EXPECT_TRUE(IT::is_delaunay(t)) << name << ", cap " << cap;
-      const bool is_stopped = std::ranges::any_of(r.unsatisfied, [](const auto& u) {
-        return u.reason == IT::Unsatisfied_reason::stopped;
-      });
+      const bool is_stopped = std::ranges::any_of(
+          r.unsatisfied, [](const auto& u) { return u.reason == IT::Unsatisfied_reason::stopped; });
       const std::uint64_t n = r.counts.circumcenters + r.counts.segment_splits;
 
       if (is_stopped) {
@@ -232,8 +224,8 @@ TEST(Refinement_of_covers, is_delaunay_where_a_visitor_stops_it) {
     Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
     Impatient visitor;
     visitor.last = last;
-    const auto r = IT::delaunay_refine(
-        t, parameters::maximum_circumradius(100).visitor(std::ref(visitor)));
+    const auto r =
+        IT::delaunay_refine(t, parameters::maximum_circumradius(100).visitor(std::ref(visitor)));
     EXPECT_EQ(r.status, IT::Status::cancelled) << last;
     EXPECT_TRUE(IT::is_delaunay(t)) << last;
   }
