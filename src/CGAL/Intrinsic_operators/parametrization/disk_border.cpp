@@ -29,7 +29,7 @@ namespace internal {
 [[noreturn]] static void throw_no_disk(const std::string& why) {
   throw Invalid_input(Element_kind::none, 0,
                       "only a disk is mapped to the plane, but the surface " + why +
-                          "; cut it along edges first");
+                          "; cut_open() makes a disk of a connected oriented surface");
 }
 
 Disk_border disk_border(const Face_table& table, std::uint32_t sheets) {

@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+namespace {
+
+void expect_no_cover(const Intrinsic_input& in) {
+  if (!in.names.row_of_vertex.empty() || in.names.sheets > 1)
+    throw Invalid_input(Element_kind::none, 0,
+                        "the surface is a cover of faces that are not an oriented manifold, and is "
+                        "not cut open; start from an oriented manifold mesh");
+}
+
+double length_of_side(const Intrinsic_input& in, Gluing_map::Halfedge h) {
+  if (in.points.empty()) return std::sqrt(in.squared_lengths[h.index / 2]);
+  const std::array<double, 3>&p = in.points[in.mesh.source(h).index],
+                           &q = in.points[in.mesh.target(h).index];
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// Whether an edge is inside of a polygon of the user.
+bool is_inside_polygon(const Intrinsic_input& in, std::uint32_t e) {
+  if (in.names.polygon_of_triangle.empty()) return false;
+  const std::uint32_t f = in.mesh.face(Gluing_map::Halfedge{2 * e}).index,
+                      g = in.mesh.face(Gluing_map::Halfedge{2 * e + 1}).index;
+  return f != Gluing::none && g != Gluing::none && f != g &&
+         in.names.polygon(f) == in.names.polygon(g);
+}
+
+// Calls a function with each side, by its number, and its halfedge.
+template <class Function>
+void for_each_side(const Gluing_map& mesh, const Function& f) {
+  for (std::uint32_t face = 0, side = 0; face < mesh.number_of_faces(); ++face)
+    for (const Gluing_map::Halfedge h : mesh.sides({face})) f(side++, h);
+}
+
+// The names of copies of vertices: first copies keep theirs, others have the numbers after.
+Element_names names_of_copies(const Element_names& names, std::size_t copies) {
+  if (names.is_identity()) return names;
+  std::vector<std::uint32_t> user = names.users();
+  for (std::size_t v = user.size(); v < copies; ++v) user.push_back(static_cast<std::uint32_t>(v));
+  return Element_names(std::move(user));
+}
+
+// Planar polygons between copies of vertices. No diagonal is cut, so that a polygon has one copy.
+Planar_polygons polygons_of_copies(const Intrinsic_input& in, const Opened_input& opened) {
+  Planar_polygons result;
+  result.report = in.planar_polygons.report;
+  if (in.planar_polygons.empty()) return result;
+  std::vector<std::vector<std::uint32_t>> corners; // sides of triangles, of each planar polygon
+  std::vector<std::uint32_t> place;                // of a polygon among the planar ones
+  for (std::size_t i = 0; i < in.planar_polygons.size(); ++i) {
+    place.resize(in.planar_polygons.face(i) + std::size_t{1}, Gluing::none);
+    place.back() = static_cast<std::uint32_t>(i);
+  }
+  corners.resize(in.planar_polygons.size());
+  for (std::uint32_t f = 0; f < opened.corners.size(); ++f) {
+    const std::uint32_t p = in.names.polygon(f);
+    if (p < place.size() && place[p] != Gluing::none)
+      for (const std::uint32_t v : opened.corners[f]) corners[place[p]].push_back(v);
+  }
+  for (std::size_t i = 0; i < in.planar_polygons.size(); ++i) {
+    const Planar_polygons::Polygon polygon = in.planar_polygons(in.planar_polygons.face(i));
+    std::vector<std::uint32_t> vertices(polygon.vertices.begin(), polygon.vertices.end());
+    for (std::uint32_t& v : vertices) {
+      const std::uint32_t before = v;
+      for (const std::uint32_t c : corners[i])
+        if (in.names.vertices.user(opened.original_vertex[c]) == before)
+          v = opened.input.names.vertices.user(c);
+    }
+    result.add(in.planar_polygons.face(i), vertices, polygon.points);
+  }
+  return result;
+}
+
+} // namespace
+
+} // namespace internal
+
+std::vector<char> cut_to_disk(const Intrinsic_input& in, std::span<const std::uint32_t> through,
+                              std::size_t roots) {
+  internal::expect_no_cover(in);
+  internal::check_sizes(in);
+  Surface_to_cut s{gluing_from_map(in.mesh), {}, {}};
+  internal::for_each_side(in.mesh, [&](std::uint32_t, Gluing_map::Halfedge h) {
+    s.length.push_back(internal::length_of_side(in, h));
+    s.is_kept.push_back(internal::is_inside_polygon(in, h.index / 2) ? 1 : 0);
+  });
+  const std::vector<char> sides = cut_to_disk(s, through, roots);
+  std::vector<char> is_cut(in.mesh.number_of_edges(), 0);
+  internal::for_each_side(in.mesh, [&](std::uint32_t side, Gluing_map::Halfedge h) {
+    if (sides[side] != 0) is_cut[h.index / 2] = 1;
+  });
+  return is_cut;
+}
+
+Opened_input cut_open(const Intrinsic_input& in, const std::vector<char>& is_cut) {
+  internal::expect_no_cover(in);
+  internal::check_sizes(in);
+  if (is_cut.size() != in.mesh.number_of_edges())
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(is_cut.size()) +
+                            " marks of edges to cut; give one for each of the " +
+                            std::to_string(in.mesh.number_of_edges()) + " edges");
+  std::vector<char> sides;
+  internal::for_each_side(in.mesh, [&](std::uint32_t, Gluing_map::Halfedge h) {
+    sides.push_back(is_cut[h.index / 2]);
+  });
+  Opened_surface s = cut_open(gluing_from_map(in.mesh), sides);
+  Opened_input result;
+  Intrinsic_input& out = result.input;
+  out = in;
+  out.mesh = Gluing_map::from_valid(s.gluing);
+  result.original_vertex = std::move(s.original_vertex);
+  if (!in.points.empty())
+    for (std::size_t v = in.points.size(); v < result.original_vertex.size(); ++v)
+      out.points.push_back(in.points[result.original_vertex[v]]);
+  result.corners.resize(s.gluing.number_of_faces());
+  out.squared_lengths.assign(in.points.empty() ? out.mesh.number_of_edges() : 0, 0);
+  std::vector<std::uint32_t> edge;
+  internal::for_each_side(
+      in.mesh, [&](std::uint32_t, Gluing_map::Halfedge h) { edge.push_back(h.index / 2); });
+  internal::for_each_side(out.mesh, [&](std::uint32_t side, Gluing_map::Halfedge h) {
+    result.corners[side / 3][side % 3] = s.gluing.origin[side];
+    if (in.points.empty()) out.squared_lengths[h.index / 2] = in.squared_lengths[edge[side]];
+  });
+  out.names.vertices = internal::names_of_copies(in.names.vertices, result.original_vertex.size());
+  out.names.edges = Element_names();
+  out.planar_polygons = internal::polygons_of_copies(in, result);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
