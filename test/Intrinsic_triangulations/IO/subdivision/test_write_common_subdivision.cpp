@@ -476,6 +476,38 @@ TEST(Write_common_subdivision, Gives_OBJ_the_fields_u_and_v_as_texture_coordinat
   EXPECT_EQ(obj({u}), obj({}));
 }
 
+TEST(Write_common_subdivision, Gives_OBJ_and_PLY_numbers_at_corners) {
+  const Example e = grid(1); // four triangles around vertex 4
+  std::vector<double> u, v(e.s.corner.size(), 0.5);
+  for (const std::uint32_t c : e.s.corner) u.push_back(c);
+  u.front() += 10; // a seam
+  const auto file = [&](std::string_view extension,
+                        const std::vector<IT::Subdivision_field>& fields) {
+    std::ostringstream out;
+    IT::write_common_subdivision(out, extension, e.s, e.points, fields,
+                                 IT::parameters::use_binary_mode(false));
+    return out.str();
+  };
+  constexpr auto corners = IT::Subdivision_field::Place::corners;
+  const std::vector<IT::Subdivision_field> fields{{"u", u, corners}, {"v", v, corners}};
+  const std::string obj = file("obj", fields), ply = file("ply", fields);
+  std::size_t places = 0;
+  for (std::size_t i = obj.find("\nvt "); i != std::string::npos; i = obj.find("\nvt ", i + 1))
+    ++places;
+  EXPECT_EQ(places, e.points.size() + 1);
+  EXPECT_NE(obj.find("\nvt " + std::to_string(e.s.corner[0] + 10) + " 0.5\n"), std::string::npos)
+      << obj;
+  EXPECT_NE(obj.find("/1 "), std::string::npos);
+  EXPECT_NE(ply.find("property list uchar double u\nproperty list uchar double v\n"
+                     "property list uchar float texcoord\n"),
+            std::string::npos)
+      << ply;
+  EXPECT_EQ(file("vtp", fields), file("vtp", {}));
+  u.pop_back();
+  EXPECT_THROW(file("obj", {{"u", u, corners}}), IT::Invalid_input);
+  EXPECT_THROW(file("ply", {{"texcoord", v, corners}}), IT::Invalid_input);
+}
+
 TEST(Write_common_subdivision, Writes_an_empty_subdivision) {
   for (const std::string_view extension : IT::common_subdivision_extensions)
     EXPECT_FALSE(written(std::string(extension), {}).empty());

@@ -16,17 +16,19 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Numbers or vectors in space at the vertices or the faces of a common subdivision, under a name.
+/// Numbers or vectors in space at the vertices, faces or corners of a common subdivision, under a
+/// name.
 struct Subdivision_field {
   /// The elements with values.
   enum class Place : std::uint8_t {
     vertices, ///< each vertex
-    faces     ///< each face
+    faces,    ///< each face
+    corners   ///< each corner of each face, in the order of `Common_subdivision::corner`
   };
 
   /// Letters, digits, underscores, dots and hyphens; not a name that files use themselves.
   std::string name;
-  std::vector<double> values;    ///< `components` for each vertex or face
+  std::vector<double> values;    ///< `components` for each element
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space
 

@@ -67,14 +67,16 @@ single precision; the others are without loss.
 \param s the subdivision
 \param points the position of each vertex, see `positions()`
 \param fields numbers or vectors to be written for each vertex or face, to PLY and VTP; where two
-  have a number per vertex and the names `u` and `v`, OBJ has them as texture coordinates
+  have a number per vertex or per corner and the names `u` and `v`, OBJ has them as texture
+  coordinates. Numbers per corner are lists of faces in PLY, `u` and `v` also as `texcoord`; VTP has
+  none
 \param np optional named parameters:
   - `use_binary_mode(b)`: whether PLY is binary, little endian; the other formats have one encoding
     here. Default: true.
   - `lines(b)`: whether VTP and OBJ contain the intrinsic edges as polylines; `CGAL::IO::read_OBJ()`
     refuses such files. Default: true for VTP, false for OBJ.
 \throws Invalid_input if the extension is another one, if `points` or a field do not have one value
-  for each vertex or face, or if a coordinate exceeds the range of STL
+  for each element, or if a coordinate exceeds the range of STL
 \throws std::runtime_error if the stream fails
 \complexity linear
 */

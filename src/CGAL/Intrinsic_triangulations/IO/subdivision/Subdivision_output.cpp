@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -72,10 +73,16 @@ namespace {
 
 // Whether files use a name themselves, at vertices or at faces.
 bool is_label_name(std::string_view name, Subdivision_field::Place place) {
-  constexpr std::array<std::string_view, 8> of_faces{
-      "vertex_indices", "input_face", "intrinsic_face", "intrinsic_edge",
-      "sheet",          "red",        "green",          "blue"};
-  if (place == Subdivision_field::Place::faces) return std::ranges::count(of_faces, name) != 0;
+  constexpr std::array<std::string_view, 9> of_faces{"vertex_indices",
+                                                     "input_face",
+                                                     "intrinsic_face",
+                                                     "intrinsic_edge",
+                                                     "sheet",
+                                                     "texcoord",
+                                                     "red",
+                                                     "green",
+                                                     "blue"};
+  if (place != Subdivision_field::Place::vertices) return std::ranges::count(of_faces, name) != 0;
   bool is_taken = name == "x" || name == "y" || name == "z";
   for (const Column& column : vertex_labels(Common_subdivision()))
     is_taken = is_taken || name == column.name || std::ranges::count(column.components, name) != 0;
@@ -93,8 +100,18 @@ bool is_field_name(const Subdivision_field& field) {
 // Whether two fields of one place have a name in common.
 bool share_a_name(const Subdivision_field& a, const Subdivision_field& b) {
   const std::vector<std::string> of_a = component_names(a), of_b = component_names(b);
-  return a.place == b.place &&
+  const auto is_at_vertices = [](const Subdivision_field& f) {
+    return f.place == Subdivision_field::Place::vertices;
+  };
+  return is_at_vertices(a) == is_at_vertices(b) &&
          (a.name == b.name || std::ranges::find_first_of(of_a, of_b) != of_a.end());
+}
+
+std::pair<std::size_t, const char*> number_and_name(const Common_subdivision& s,
+                                                    Subdivision_field::Place place) {
+  if (place == Subdivision_field::Place::faces) return {s.number_of_faces(), "faces"};
+  if (place == Subdivision_field::Place::corners) return {s.corner.size(), "corners"};
+  return {s.number_of_vertices(), "vertices"};
 }
 
 void check_fields(const Subdivision_output& o) {
@@ -112,12 +129,13 @@ void check_fields(const Subdivision_output& o) {
            "labels of vertices or faces are named");
     for (std::size_t j = 0; j < i; ++j)
       if (share_a_name(o.fields[j], field)) fail("occurs twice; rename one of the two");
-    const bool is_at_faces = field.place == Subdivision_field::Place::faces;
-    const std::size_t n = is_at_faces ? o.s.number_of_faces() : o.s.number_of_vertices();
+    if (field.place == Subdivision_field::Place::corners && field.components != 1)
+      fail("has vectors at corners; give numbers there");
+    const auto [n, elements] = number_and_name(o.s, field.place);
     if (field.values.size() != n * field.components)
       fail("has " + std::to_string(field.values.size()) + " values; give " +
            (field.components == 1 ? "one" : "three") + " for each of the " + std::to_string(n) +
-           (is_at_faces ? " faces" : " vertices") + " of the common subdivision");
+           ' ' + elements + " of the common subdivision");
   }
 }
 

@@ -85,18 +85,53 @@ void add_fields(std::vector<Column>& columns, const Subdivision_output& o,
   }
 }
 
-// A face has at most six sides: it is in a face of the input and in an intrinsic one.
-Column corners_of_faces(const Common_subdivision& s) {
+// A list of numbers of each face for PLY: `write` writes those of a corner. A face has at most six
+// sides: it is in a face of the input and in an intrinsic one.
+template <class Write>
+Column lists_of_faces(const Common_subdivision& s, const std::string& name, std::string_view type,
+                      std::size_t numbers_at_corner, Write write) {
   return {"",
-          {"vertex_indices"},
-          {"list uchar int", "", 0},
+          {name},
+          {type, "", 0},
           s.number_of_faces(),
-          [&s](Output_buffer& out, std::size_t f, std::size_t end) {
+          [=, &s](Output_buffer& out, std::size_t f, std::size_t end) {
             for (; f < end; ++f) {
-              out.number(static_cast<std::uint8_t>(s.face(f).size()));
-              for (const std::uint32_t v : s.face(f)) out.number(signed_label(v));
+              out.number(static_cast<std::uint8_t>(numbers_at_corner * s.face(f).size()));
+              for (std::size_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c) write(out, c);
             }
           }};
+}
+Column corners_of_faces(const Common_subdivision& s) {
+  return lists_of_faces(
+      s, "vertex_indices", "list uchar int", 1,
+      [&s](Output_buffer& out, std::size_t c) { out.number(signed_label(s.corner[c])); });
+}
+
+// Fields of these names are places in the plane.
+const Subdivision_field* find_field(const Subdivision_output& o, std::string_view name,
+                                    Subdivision_field::Place place) {
+  const auto i = std::ranges::find_if(o.fields, [&](const Subdivision_field& f) {
+    return f.name == name && f.place == place && f.components == 1;
+  });
+  return i == o.fields.end() ? nullptr : &*i;
+}
+
+// Appends the fields at corners, and places in the plane as viewers have them.
+void add_corner_fields(std::vector<Column>& columns, const Subdivision_output& o) {
+  constexpr auto corners = Subdivision_field::Place::corners;
+  for (const Subdivision_field& field : o.fields)
+    if (field.place == corners)
+      columns.push_back(lists_of_faces(
+          o.s, field.name, "list uchar double", 1,
+          [&field](Output_buffer& out, std::size_t c) { out.number(field.values[c]); }));
+  const Subdivision_field *const u = find_field(o, "u", corners), *const v =
+                                                                      find_field(o, "v", corners);
+  if (u == nullptr || v == nullptr) return;
+  columns.push_back(lists_of_faces(o.s, "texcoord", "list uchar float", 2,
+                                   [u, v](Output_buffer& out, std::size_t c) {
+                                     for (const Subdivision_field* f : {u, v})
+                                       out.number(static_cast<float>(f->values[c]));
+                                   }));
 }
 
 // Each edge of a subdivision once: the corner where it starts, and its other end.
@@ -140,6 +175,7 @@ void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool
   if (!s.sheet.empty())
     faces.columns.push_back(numbers("sheet", n, [&](std::size_t f) { return s.sheet[f]; }));
   add_fields(faces.columns, o, Subdivision_field::Place::faces);
+  add_corner_fields(faces.columns, o);
   write_PLY(out, is_binary, PLY_comments,
             std::array{std::move(vertices), std::move(faces),
                        Table{"edge", {ends_and_labels(edges, s)}}});
@@ -189,20 +225,49 @@ void write_OBJ_vertices(Output_buffer& out, char kind, std::span<const std::uint
   out.line();
 }
 
-// A corner of a face: its vertex, and its place in the plane, which has the same number.
-void write_OBJ_face(Output_buffer& out, std::span<const std::uint32_t> vertices, bool has_texture) {
-  if (!has_texture) return write_OBJ_vertices(out, 'f', vertices);
-  out.words('f');
-  for (const std::uint32_t v : vertices)
-    out.text(' ', std::uint64_t{v} + 1, '/', std::uint64_t{v} + 1);
-  out.line();
+// Places in the plane for OBJ, each once at a vertex, and their number at each corner.
+struct OBJ_texture {
+  std::vector<std::array<double, 2>> places;
+  std::vector<std::uint32_t> at_corner; // none: there is no texture
+};
+OBJ_texture texture_of(const Subdivision_output& o) {
+  OBJ_texture result;
+  for (const auto place : {Subdivision_field::Place::vertices, Subdivision_field::Place::corners}) {
+    const Subdivision_field *const u = find_field(o, "u", place), *const v =
+                                                                      find_field(o, "v", place);
+    if (u == nullptr || v == nullptr) continue;
+    if (place == Subdivision_field::Place::vertices) {
+      for (std::size_t i = 0; i < o.points.size(); ++i)
+        result.places.push_back({u->values[i], v->values[i]});
+      result.at_corner = o.s.corner;
+      return result;
+    }
+    constexpr std::uint32_t none = Common_subdivision::none;
+    std::vector<std::uint32_t> first(o.points.size(), none), next; // places of a vertex
+    for (std::size_t c = 0; c < o.s.corner.size(); ++c) {
+      const std::array<double, 2> p{u->values[c], v->values[c]};
+      std::uint32_t i = first[o.s.corner[c]];
+      while (i != none && result.places[i] != p) i = next[i];
+      if (i == none) {
+        i = static_cast<std::uint32_t>(next.size());
+        result.places.push_back(p);
+        next.push_back(first[o.s.corner[c]]);
+        first[o.s.corner[c]] = i;
+      }
+      result.at_corner.push_back(i);
+    }
+  }
+  return result;
 }
 
-// Fields of these names are places in the plane.
-const Subdivision_field* find_field(const Subdivision_output& o, std::string_view name) {
-  const auto i = std::ranges::find_if(
-      o.fields, [name](const Subdivision_field& f) { return f.name == name && f.is_function(); });
-  return i == o.fields.end() ? nullptr : &*i;
+// A face, with the numbers of places in the plane if there are any.
+void write_OBJ_face(Output_buffer& out, const Common_subdivision& s, std::size_t f,
+                    const OBJ_texture& texture) {
+  if (texture.at_corner.empty()) return write_OBJ_vertices(out, 'f', s.face(f));
+  out.words('f');
+  for (std::size_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c)
+    out.text(' ', std::uint64_t{s.corner[c]} + 1, '/', std::uint64_t{texture.at_corner[c]} + 1);
+  out.line();
 }
 
 // Comments before elements have the numbers of faces of both triangulations and of edges.
@@ -211,16 +276,14 @@ void write_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines)
   out.text("# common subdivision of a mesh (the input) and an intrinsic triangulation of it\n"
            "# numbers in comments count from 0; input_faces: one for each face that follows\n");
   for (const std::array<double, 3>& p : o.points) out.line('v', p[0], p[1], p[2]);
-  const Subdivision_field *const u = find_field(o, "u"), *const v = find_field(o, "v");
-  const bool has_texture = u != nullptr && v != nullptr;
-  for (std::size_t i = 0; has_texture && i < o.points.size(); ++i)
-    out.line("vt", u->values[i], v->values[i]);
+  const OBJ_texture texture = texture_of(o);
+  for (const std::array<double, 2>& p : texture.places) out.line("vt", p[0], p[1]);
   for (std::size_t f = 0, end = 0; f < s.number_of_faces(); f = end) {
     out.words("# intrinsic_face", s.intrinsic_face[f], "input_faces");
     for (; end < s.number_of_faces() && s.intrinsic_face[end] == s.intrinsic_face[f]; ++end)
       out.words(s.input_face[end]);
     out.line();
-    for (std::size_t g = f; g < end; ++g) write_OBJ_face(out, s.face(g), has_texture);
+    for (std::size_t g = f; g < end; ++g) write_OBJ_face(out, s, g, texture);
   }
   if (!with_lines) return;
   const Edge_polylines lines = intrinsic_edge_polylines(s);
