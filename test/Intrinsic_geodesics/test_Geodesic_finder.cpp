@@ -385,18 +385,13 @@ TEST(Geodesic_finder, finds_in_doubles_the_lengths_that_exact_traits_find) {
   IT::Geodesic_finder find(exact);
   constexpr std::uint32_t seed = 3;
   std::mt19937 random(seed);
-  std::uniform_int_distribution<std::uint32_t> vertex(0, 19999);
-  for (int i = 0; i < 30; ++i) {
-    const std::uint32_t from = vertex(random), to = vertex(random);
-    const Geodesic_path found =
-        find_in_doubles(doubles.numbers().vertex_at(from), doubles.numbers().vertex_at(to),
-                        IT::parameters::shortest(false));
-    const Geodesic_path expected =
-        find(exact.numbers().vertex_at(from), exact.numbers().vertex_at(to),
-             IT::parameters::shortest(false));
+  for (int i = 0; i < 30; ++i) { // both have the same numbers
+    const auto from = random_vertex(exact, random), to = random_vertex(exact, random);
+    const Geodesic_path found = find_in_doubles(from, to, IT::parameters::shortest(false));
+    const Geodesic_path expected = find(from, to, IT::parameters::shortest(false));
     ASSERT_EQ(found.status, Status::done) << "seed " << seed;
     ASSERT_NEAR(found.length, expected.length, 1e-9 * expected.length)
-        << "seed " << seed << ": from " << from << " to " << to;
+        << "seed " << seed << ": from " << from.index << " to " << to.index;
   }
 }
 

@@ -124,7 +124,7 @@ TEST(AddMarkedEdges, DeltaComplexesWhereAllEdgesAreMarked) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
     if (s.expected.nonmanifold_vertices != 0) continue;
-    Triangulation t(IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    Triangulation t(gallery::input(s));
     const auto map = all_marked(t);
     Network network(t);
     IT::add_marked_edges(network, map);
@@ -134,7 +134,7 @@ TEST(AddMarkedEdges, DeltaComplexesWhereAllEdgesAreMarked) {
 
 TEST(AddMarkedEdges, FansOfAVertexThatIsNotManifoldAreKeptApart) {
   const gallery::Surface s = gallery::two_tetrahedra_sharing_a_vertex();
-  Triangulation t({IT::Gluing_map(s.gluing), gallery::squared_lengths(s)});
+  Triangulation t(gallery::input(s));
   const auto shared = *std::find_if(vertices(t.mesh()).begin(), vertices(t.mesh()).end(),
                                     [&](auto v) { return marks_at(t, all_marked(t), v) == 6; });
   IT::Marked_edges<Triangulation> map(t);

@@ -32,7 +32,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Triangulation flat_torus(std::uint32_t n) {
   const gallery::Surface s = gallery::flat_torus(n, n);
-  return Triangulation({IT::Gluing_map(s.gluing), gallery::squared_lengths(s)});
+  return Triangulation(gallery::input(s));
 }
 
 std::vector<std::vector<Vertex>> sets_of(const Triangulation& t, std::size_t number) {

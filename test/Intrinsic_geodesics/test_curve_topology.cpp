@@ -241,7 +241,7 @@ TEST(CurveTopology, IsKeptByShorteningOnFlatTori) {
   Counts counts;
   for (unsigned seed = 0; seed < 60; ++seed) {
     const gallery::Surface s = gallery::flat_torus(3 + seed % 4, 3 + seed % 3);
-    check(Triangulation({Gluing_map(s.gluing), gallery::squared_lengths(s)}), seed, counts);
+    check(Triangulation(gallery::input(s)), seed, counts);
   }
   EXPECT_GT(counts.nontrivial, 30U);
 }

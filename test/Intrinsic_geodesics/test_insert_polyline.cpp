@@ -185,11 +185,6 @@ using Traced_triangulations = ::testing::Types<
     IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
 TYPED_TEST_SUITE(InsertTracedPath, Traced_triangulations);
 
-template <class T>
-T built(const gallery::Surface& s) {
-  return T(IT::Intrinsic_input(Gluing_map(s.gluing), gallery::squared_lengths(s)));
-}
-
 template <class T, class Random>
 IT::Geodesic random_geodesic(const T& t, double longest, Random& random) {
   const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
@@ -207,7 +202,7 @@ TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
   for (const gallery::Surface& s : gallery::oriented()) {
     if (s.expected.isolated_vertices > 0) continue;
     for (unsigned i = 0; i < 40; ++i) {
-      auto t = built<TypeParam>(s);
+      TypeParam t(gallery::input(s));
       const IT::Geodesic g = random_geodesic(t, i % 4 == 0 ? 30 : 4, random);
       const auto path = insert_traced_path(t, g);
       EXPECT_TRUE(IT::is_valid_delta_complex(t.mesh())) << s.name << ", line " << i;
@@ -222,7 +217,7 @@ TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
 TYPED_TEST(InsertTracedPath, ThatIsClosedOnATorusEndsWhereItStarts) {
   for (const std::array<double, 3>& weights :
        {std::array{1.0, 0.0, 0.0}, std::array{0.5, 0.25, 0.25}, std::array{0.5, 0.5, 0.0}}) {
-    auto t = built<TypeParam>(gallery::flat_torus(1, 1));
+    TypeParam t(gallery::input(gallery::flat_torus(1, 1)));
     const std::uint32_t h = t.numbers().halfedge(halfedge(t.numbers().face_at(0), t.mesh()));
     const auto g = trace_geodesic(t, {h, weights}, {3, 2}, std::hypot(3, 2));
     const auto path = insert_traced_path(t, g);
@@ -247,7 +242,7 @@ TYPED_TEST(InsertTracedPath, OnADelaunayTriangulationHasItsLength) {
 }
 
 TYPED_TEST(InsertTracedPath, OfNoLengthIsAPoint) {
-  auto t = built<TypeParam>(gallery::tetrahedron());
+  TypeParam t(gallery::input(gallery::tetrahedron()));
   const auto path = insert_traced_path(t, trace_geodesic(t, {0, {0.5, 0.25, 0.25}}, {1, 0}, 0));
   EXPECT_EQ(path.status, Move_status::done);
   EXPECT_TRUE(path.halfedges.empty());

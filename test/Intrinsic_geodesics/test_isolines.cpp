@@ -97,7 +97,7 @@ TEST(Isolines, cross_each_edge_between_below_and_above_once_on_the_whole_gallery
   std::mt19937 random(7);
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    const Triangulation t({IT::Gluing_map(s.gluing), gallery::squared_lengths(s)});
+    const Triangulation t(gallery::input(s));
     for (int round = 0; round < 10; ++round) {
       std::vector<double> values(t.input().number_of_rows());
       for (double& x : values) x = std::uniform_int_distribution<int>(0, 3)(random);
@@ -139,7 +139,7 @@ TEST(Isolines, of_a_coordinate_are_parallel_lines_across_a_grid) {
 TEST(Isolines, of_a_periodic_function_are_two_circles_of_a_torus) {
   // a tent over one direction of 6 x 6 squares: 0, 1, 2, 3, 2, 1
   const gallery::Surface s = gallery::flat_torus(6, 6);
-  const Triangulation t({IT::Gluing_map(s.gluing), gallery::squared_lengths(s)});
+  const Triangulation t(gallery::input(s));
   std::vector<double> values(36);
   for (std::size_t cell = 0; cell < 36; ++cell)
     values[s.gluing.origin[6 * cell]] = 3 - std::abs(3 - double(cell % 6));

@@ -56,10 +56,6 @@ using Distance = Polyhedral_distance<Triangulation>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-IT::Intrinsic_input input_of(const gallery::Surface& s) {
-  return {IT::Gluing_map(s.gluing), gallery::squared_lengths(s)};
-}
-
 Vertex vertex(const Triangulation& t, std::uint32_t i) { return t.numbers().vertex_at(i); }
 
 /// The point of a face with weights of its corners in order.
@@ -81,28 +77,13 @@ void expect_path(const T& t, const Polyhedral_distance<T>& d, const Place& p, do
 
 TEST(PolyhedralDistance, tetrahedron_unfolds) {
   const gallery::Surface s = gallery::tetrahedron(); // sides of length sqrt(2)
-  const Triangulation t(input_of(s));
+  const Triangulation t(gallery::input(s));
   const Distance d(t, vertex(t, 0));
   for (std::uint32_t v = 1; v < 4; ++v) EXPECT_NEAR(d.distance(vertex(t, v)), std::sqrt(2), 1e-15);
   // the face opposite: straight across the middle of one of its sides
   const Surface_point centroid = point(t, 2, {1. / 3, 1. / 3, 1. / 3});
   EXPECT_NEAR(d.distance(centroid), std::sqrt(8. / 3), 1e-15);
   expect_path(t, d, centroid, 1e-15);
-}
-
-TEST(PolyhedralDistance, box_unfolds) {
-  const Triangulation cube = numbered_as<Triangulation>(meshes::box(1, 1, 1));
-  const meshes::Mesh unit = meshes::box(1, 1, 1), brick = meshes::box(1, 2, 3);
-  const auto at = [](const meshes::Mesh& m, const meshes::Point& p) {
-    return static_cast<std::uint32_t>(std::find(m.points.begin(), m.points.end(), p) -
-                                      m.points.begin());
-  };
-  const Distance d(cube, vertex(cube, at(unit, {0, 0, 0})));
-  EXPECT_NEAR(d.distance(vertex(cube, at(unit, {1, 1, 1}))), std::sqrt(5), 1e-15);
-  const Triangulation t = numbered_as<Triangulation>(brick);
-  const Distance e(t, vertex(t, at(brick, {0, 0, 0})));
-  EXPECT_NEAR(e.distance(vertex(t, at(brick, {1, 2, 3}))), std::sqrt(18), 1e-14);
-  expect_path(t, e, vertex(t, at(brick, {1, 2, 3})), 1e-14);
 }
 
 // Kotani's ant: the farthest point of a box of 1 x 1 x 2 from a corner is not the opposite one.
@@ -121,7 +102,7 @@ TEST(PolyhedralDistance, farthest_point_of_a_box_is_not_the_opposite_corner) {
 }
 
 TEST(PolyhedralDistance, pillow_is_crossed_at_the_middle_of_its_sides) {
-  const Triangulation t(input_of(gallery::triangle_pillow()));
+  const Triangulation t(gallery::input(gallery::triangle_pillow()));
   const Distance d(t, point(t, 0, {1. / 3, 1. / 3, 1. / 3}));
   const Surface_point other = point(t, 1, {1. / 3, 1. / 3, 1. / 3});
   EXPECT_NEAR(d.distance(other), 1 / std::sqrt(3), 1e-15);
@@ -160,7 +141,7 @@ TEST(PolyhedralDistance, cones_of_any_angle_obey_the_law_of_cosines) {
     for (const double total : {0.3, 1.9, pi, 4.0, 2 * pi, 6.5, 9.0, 20.0}) {
       if (total / n > 3) continue;
       SCOPED_TRACE(std::to_string(n) + " triangles, angle " + std::to_string(total));
-      const Triangulation t(input_of(cone(n, total)));
+      const Triangulation t(gallery::input(cone(n, total)));
       const double inner =
           std::cos(total / n / 2); // a straight line between such points stays inside
       for (int i = 0; i < 8; ++i) {
@@ -204,7 +185,7 @@ TEST(PolyhedralDistance, torus_of_two_triangles_is_the_plane_modulo_a_lattice) {
   for (const double x : {0., 0.25, 3., 17.5, 300.})
     for (const double y : {1., 0.125, 4.}) {
       SCOPED_TRACE("spanned by (1, 0) and (" + std::to_string(x) + ", " + std::to_string(y) + ")");
-      const Triangulation t(input_of(torus(x, y)));
+      const Triangulation t(gallery::input(torus(x, y)));
       const std::array<double, 2> corner[2][3] = {{{0, 0}, {1, 0}, {1 + x, y}},
                                                   {{1 + x, y}, {x, y}, {0, 0}}};
       const auto place = [&](std::uint32_t f, const std::array<double, 3>& w) {
@@ -340,11 +321,9 @@ void expect_distances_of_cgal(const Mesh& mesh, const std::string& name, std::ui
 
 TEST(PolyhedralDistance, is_that_of_cgal_on_small_meshes) {
   std::vector<std::pair<std::string, meshes::Mesh>> all{
-      {"box", meshes::box(2, 3, 4)},
-      {"l_shape", meshes::l_shape(3)},
-      {"stairs", meshes::stairs(4, 3)},
-      {"sphere", meshes::sphere(3)},
-      {"folded lattice", meshes::folded_lattice(6, 8, 1)}};
+      {"cube", meshes::box(1, 1, 1)},  {"box", meshes::box(2, 3, 4)},
+      {"l_shape", meshes::l_shape(3)}, {"stairs", meshes::stairs(4, 3)},
+      {"sphere", meshes::sphere(3)},   {"folded lattice", meshes::folded_lattice(6, 8, 1)}};
   for (unsigned seed = 0; seed < 12; ++seed) {
     all.emplace_back("rough grid", meshes::rough_grid(9, seed, seed / 4.));
     all.emplace_back("potato", meshes::potato(3, seed));
@@ -401,12 +380,12 @@ TEST(PolyhedralDistance, does_not_depend_on_the_triangulation) {
     }
   };
   for (const gallery::Surface& s : gallery::oriented())
-    check(IT::Corresponding_triangulation(input_of(s)), s.name);
+    check(IT::Corresponding_triangulation(gallery::input(s)), s.name);
   check(IT::Corresponding_triangulation(meshes::rough_grid(5, 2).input()), "rough grid");
   check(IT::Corresponding_triangulation(meshes::sheared_grid(4, 4, 9).input()), "sheared grid");
   check(IT::Corresponding_triangulation(meshes::walls({{0, 0}, {3, 0}, {0, 4}}, 3).input()),
         "walls");
-  check(IT::Corresponding_triangulation(input_of(torus(40, 0.5))), "sheared torus");
+  check(IT::Corresponding_triangulation(gallery::input(torus(40, 0.5))), "sheared torus");
 }
 
 // On the mesh, whatever the triangulation: pieces lie in faces of the mesh, one after the other,
@@ -456,7 +435,7 @@ TEST(PolyhedralDistance, polylines_on_the_mesh_are_as_long_as_the_distance) {
 TEST(PolyhedralDistance, is_a_metric) {
   for (const gallery::Surface& s : gallery::oriented()) {
     SCOPED_TRACE(s.name);
-    const Triangulation t(input_of(s));
+    const Triangulation t(gallery::input(s));
     std::vector<Distance> from;
     for (const Vertex v : vertices(t.mesh())) from.emplace_back(t, v);
     for (const Vertex v : vertices(t.mesh()))
@@ -477,7 +456,7 @@ TEST(PolyhedralDistance, is_a_metric) {
 
 TEST(PolyhedralDistance, passes_from_fan_to_fan_at_a_vertex_that_is_not_manifold) {
   const gallery::Surface s = gallery::bow_tie();
-  const Triangulation t(input_of(s));
+  const Triangulation t(gallery::input(s));
   const Distance d(t, vertex(t, 1));
   EXPECT_NEAR(d.distance(vertex(t, 4)), 1 + std::sqrt(2), 1e-15);
   expect_path(t, d, vertex(t, 4), 1e-15);
@@ -485,7 +464,7 @@ TEST(PolyhedralDistance, passes_from_fan_to_fan_at_a_vertex_that_is_not_manifold
 
 TEST(PolyhedralDistance, isolated_vertices_and_other_components_are_out_of_reach) {
   const gallery::Surface s = gallery::two_fans_and_an_isolated_vertex();
-  const Triangulation t(input_of(s));
+  const Triangulation t(gallery::input(s));
   const Distance d(t, vertex(t, 0)), e(t, vertex(t, 4));
   EXPECT_EQ(d.distance(vertex(t, 4)), infinity);
   EXPECT_EQ(d.shortest_path(vertex(t, 4)).status, Status::stalled);

@@ -74,16 +74,10 @@ constexpr double length_error = 1e-11;
 
 TEST(ShortenCurves, AStaircaseOnAGridBecomesTheDiagonal) {
   constexpr std::uint32_t n = 6, m = 4; // 2^k would make the diagonal run through vertices
-  Triangulation t = numbered_as<Triangulation>(meshes::grid(n, m));
-  std::vector<std::uint32_t> vertices;
-  const auto vertex = [&](double x, double y) {
-    const meshes::Mesh g = meshes::grid(n, m);
-    for (std::uint32_t v = 0; v < g.points.size(); ++v)
-      if (g.points[v][0] == x && g.points[v][1] == y) return v;
-    return 0U;
-  };
-  for (std::uint32_t x = 0; x <= n; ++x) vertices.push_back(vertex(x, 0));
-  for (std::uint32_t y = 1; y <= m; ++y) vertices.push_back(vertex(n, y));
+  Triangulation t(meshes::grid(n, m).input());
+  std::vector<std::uint32_t> vertices; // (x, y) has the number (n + 1) y + x
+  for (std::uint32_t x = 0; x <= n; ++x) vertices.push_back(x);
+  for (std::uint32_t y = 1; y <= m; ++y) vertices.push_back((n + 1) * y + n);
   Curve_network<Triangulation> network(t);
   // along the border: one side has no faces, the other all
   network.add_path(way(t, vertices));
@@ -115,22 +109,15 @@ TEST(ShortenCurves, APathOverTwoFacesOfACubeIsTheDiagonalOfTheirNet) {
 
 // ---- Random walks
 
-/// A step of a walk that may turn back only if it must.
-template <class T, class Random>
-typename T::halfedge_descriptor random_step(const T& t, typename T::vertex_descriptor v,
-                                            Random& random) {
-  std::vector<typename T::halfedge_descriptor> out;
-  IT::for_each_outgoing(v, t.mesh(), [&](auto h) { out.push_back(h); });
-  return out[random() % out.size()];
-}
-
 template <class T, class Random>
 std::vector<typename T::halfedge_descriptor> random_walk(const T& t, std::size_t steps,
                                                          Random& random) {
   std::vector<typename T::halfedge_descriptor> result;
   auto v = t.numbers().vertex_at(static_cast<std::uint32_t>(random() % num_vertices(t.mesh())));
   for (std::size_t i = 0; i < steps; ++i) {
-    result.push_back(random_step(t, v, random));
+    std::vector<typename T::halfedge_descriptor> out;
+    IT::for_each_outgoing(v, t.mesh(), [&](auto h) { out.push_back(h); });
+    result.push_back(out[random() % out.size()]);
     v = target(result.back(), t.mesh());
   }
   return result;
@@ -176,7 +163,7 @@ TEST(ShortenCurves, CurvesOnAFlatTorusGetTheLengthOfTheirClass) {
   for (unsigned i = 0; i < 1500; ++i) {
     const auto size = [&] { return static_cast<std::uint32_t>(1 + random() % 4); };
     const gallery::Surface s = gallery::flat_torus(size(), size());
-    Triangulation t(IT::Intrinsic_input(Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    Triangulation t(gallery::input(s));
     const auto vectors = displacements(t);
     const auto walk = random_walk(t, 1 + random() % 12, random);
     const bool is_loop = source(walk.front(), t.mesh()) == target(walk.back(), t.mesh());
@@ -233,7 +220,7 @@ TYPED_TEST(ShortenCurvesOn, DeltaComplexesMakesNetworksGeodesic) {
   std::mt19937 random(7);
   for (const gallery::Surface& s : gallery::oriented())
     for (unsigned i = 0; i < 60; ++i) {
-      TypeParam t(IT::Intrinsic_input(Gluing_map(s.gluing), gallery::squared_lengths(s)));
+      TypeParam t(gallery::input(s));
       bool has_isolated = false;
       for (const auto v : vertices(t.mesh()))
         has_isolated |=

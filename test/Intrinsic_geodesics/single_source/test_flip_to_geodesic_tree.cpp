@@ -144,7 +144,7 @@ TEST(Flip_to_geodesic_tree, has_a_path_to_every_vertex_of_a_delta_complex) {
     if (g.expected.nonmanifold_vertices + g.expected.isolated_vertices > 0) continue;
     for (std::uint32_t from = 0; from < g.expected.vertices; ++from) {
       SCOPED_TRACE(g.name);
-      Exact t({IT::Gluing_map(g.gluing), gallery::squared_lengths(g)});
+      Exact t(gallery::input(g));
       tree_lengths(t, from);
     }
   }
@@ -156,7 +156,7 @@ TEST(Flip_to_geodesic_tree, ends_where_vertices_are_not_manifold) {
     if (g.expected.nonmanifold_vertices == 0) continue;
     for (std::uint32_t from = 0; from < g.expected.vertices; ++from) {
       SCOPED_TRACE(g.name);
-      Exact t({IT::Gluing_map(g.gluing), gallery::squared_lengths(g)});
+      Exact t(gallery::input(g));
       const auto tree = IT::flip_to_geodesic_tree(t, IT::vertex_of_row(t, from));
       EXPECT_EQ(tree.length(IT::vertex_of_row(t, from)), 0);
     }

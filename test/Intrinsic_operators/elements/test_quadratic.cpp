@@ -117,8 +117,7 @@ TEST(Quadratic_elements, evaluate_to_the_polynomial) {
 /// On any complex, also where a face meets itself: linear functions are among the quadratic ones.
 TEST(Quadratic_elements, contain_the_linear_ones_on_every_complex) {
   for (const gallery::Surface& s : gallery::oriented()) {
-    const Triangulation t(
-        IT::Intrinsic_input(IT::Gluing_map(s.gluing), gallery::squared_lengths(s)));
+    const Triangulation t(gallery::input(s));
     const auto n = static_cast<Eigen::Index>(t.number_of_vertices());
     Eigen::MatrixXd to_quadratic =
         Eigen::MatrixXd::Zero(n + static_cast<Eigen::Index>(num_edges(t.mesh())), n);

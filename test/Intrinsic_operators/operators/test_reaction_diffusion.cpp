@@ -20,25 +20,6 @@ using Vector = Eigen::VectorXd;
 // the condition numbers of the systems below are under 1e4
 constexpr double solve_error = 1e-11;
 
-TEST(Reaction_diffusion, of_two_poles_on_a_regular_tetrahedron) {
-  // all weights are cot 60: L = (4 I - 1 1^T) / sqrt 3
-  Exact t(tetrahedron().input());
-  Vector load = Vector::Zero(4);
-  load[1] = 1;
-  load[3] = -1;
-  const Vector u = IT::solve_reaction_diffusion(t, {.diffusion = 2}, load);
-  EXPECT_LE((u - load * (std::sqrt(3.0) / 8)).norm(), 1e-14);
-}
-
-TEST(Reaction_diffusion, reproduces_constants) {
-  const Exact t = delaunay<Exact>(rough_torus(12, 0.8, 6).input());
-  const Matrix m = IT::galerkin_mass_matrix(t);
-  const Vector ones = Vector::Ones(m.rows());
-  const Vector u =
-      IT::solve_reaction_diffusion(t, {.diffusion = 0.3, .reaction = 5}, 10 * (m * ones));
-  EXPECT_LE((u - 2 * ones).cwiseAbs().maxCoeff(), solve_error);
-}
-
 TEST(Reaction_diffusion, satisfies_its_system_and_has_mean_zero_without_reaction) {
   const Exact t = delaunay<Exact>(rough_torus(12, 0.8, 7).input());
   const Matrix m = IT::galerkin_mass_matrix(t), l = IT::cotangent_laplacian(t);

@@ -32,9 +32,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-12; // well-shaped faces: some hundred roundings
 
 double norm(const std::vector<double>& x) {
-  double sum = 0;
-  for (const double y : x) sum += y * y;
-  return std::sqrt(sum);
+  return Eigen::Map<const Vector>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 
+#include "delaunay.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -73,6 +74,7 @@ TEST(Solve_with_fixed_values, of_the_border_of_a_flat_mesh_finds_the_linear_func
   };
   expect_linear(Exact(s.input()));
   expect_linear(Double(s.input()));
+  expect_linear(delaunay<Exact>(s.input()));
 }
 
 template <class Correspondence, class Traits>
