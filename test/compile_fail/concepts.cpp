@@ -15,7 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -189,6 +191,14 @@ void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
 // case ScalableSurface: satisfaction of .ScalableSurface<
 void misuse(const Triangle_soup& soup) {
   scale_conformally(soup, [](int) { return 0.0; });
+}
+
+#elif defined CASE_SignpostDirections
+// Curves have no directions.
+// case SignpostDirections: satisfaction of .SignpostDirections<
+void misuse(
+    const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>& t) {
+  trace_edges(t, t.correspondence());
 }
 
 #elif defined CASE_TriangleRange

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 // Triangulations, complexes and coordinates that offer only the requirements of a concept. They
@@ -63,6 +65,26 @@ public:
 
 private:
   const IT::Integer_coordinates& c_;
+};
+
+/// A model of `SignpostDirections`: hides the rest of `Signposts`.
+class Directions {
+public:
+  explicit Directions(const IT::Signposts& s) : s_(s) {}
+  Directions(const Directions&) = delete;
+  Directions& operator=(const Directions&) = delete;
+
+  const IT::Input& input() const { return s_.input(); }
+  std::shared_ptr<const IT::Input> shared_input() const { return s_.shared_input(); }
+  bool is_inserted(std::uint32_t v) const { return s_.is_inserted(v); }
+  const IT::Surface_point& location(std::uint32_t v) const { return s_.location(v); }
+  IT::Geodesic_target target(std::uint32_t v) const { return s_.target(v); }
+  IT::Geodesic_walk<IT::Input> walk(std::uint32_t h, double turn = 0) const {
+    return s_.walk(h, turn);
+  }
+
+private:
+  const IT::Signposts& s_;
 };
 
 /// The common part: a mesh, and numbers for its edges.

@@ -25,6 +25,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/follow_signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/signpost_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
@@ -96,6 +98,12 @@ static_assert(IT::CurveCoordinates<IT::Integer_coordinates>);
 static_assert(IT::CurveCoordinates<IT::Explicit_crossings>);
 static_assert(!IT::CurveCoordinates<IT::Signposts>);
 static_assert(!IT::CurveCoordinates<IT::No_correspondence>);
+
+// ---- SignpostDirections
+
+static_assert(IT::SignpostDirections<archetypes::Directions>);
+static_assert(IT::SignpostDirections<IT::Signposts>);
+static_assert(!IT::SignpostDirections<IT::Integer_coordinates>);
 
 // ---- MeasuredTriangulation
 
@@ -322,6 +330,18 @@ TEST(Archetypes, corresponding_triangulation_is_enough_for_queries) {
   EXPECT_EQ(IT::tangent_field_to_intrinsic(t, IT::tangent_field_to_input(t, field)).size(),
             field.size());
   EXPECT_EQ(IT::vectors_in_space(t, field, s, mesh), IT::vectors_in_space(all, field, s, mesh));
+}
+
+TEST(Archetypes, directions_are_enough_to_trace_edges_and_to_find_integers) {
+  With_signposts t(icosahedron());
+  IT::delaunay_refine(t, IT::parameters::maximum_edge_length(0.7));
+  const archetypes::Directions directions(t.correspondence());
+  EXPECT_EQ(IT::trace_edges(t, directions).begin, IT::trace_edges(t, t.correspondence()).begin);
+  const auto a = IT::integer_coordinates(t, directions),
+             b = IT::integer_coordinates(t, t.correspondence());
+  ASSERT_EQ(a.number_of_edges(), b.number_of_edges());
+  for (std::uint32_t e = 0; e < a.number_of_edges(); ++e)
+    EXPECT_EQ(a.normal_coordinate(e), b.normal_coordinate(e));
 }
 
 TEST(Archetypes, curve_coordinates_and_complexes_are_enough_for_what_follows_curves_and_geodesics) {

@@ -102,17 +102,9 @@ struct Linked_crossings {
   }
 };
 
-} // namespace internal
-
-/*!
-\brief follows all input edges over the intrinsic triangulation.
-\param t the triangulation
-\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
-\throws std::length_error if there are more than 2^31 crossings
-\complexity linear in the number of edges and crossings
-*/
-template <internal::Has_triangulated_mesh Triangulation, CurveCoordinates Coordinates>
-Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
+// `edge_crossings()`, also for triangulations whose metric has no values.
+template <class Triangulation, class Coordinates>
+Edge_crossings follow_all_curves(const Triangulation& t, const Coordinates& coordinates) {
   Edge_crossings result;
   std::uint64_t count = 0;
   for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
@@ -124,7 +116,7 @@ Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordin
   result.begin.push_back(static_cast<std::uint32_t>(count));
   result.entered.resize(count, Gluing::none);
   result.on_curve.reserve(count);
-  const internal::Linked_crossings<Triangulation, Coordinates> all(t, coordinates, result);
+  const Linked_crossings<Triangulation, Coordinates> all(t, coordinates, result);
   result.curve_begin.reserve(all.starts.size() + 1);
   for (const auto& [first, x] : all.starts) {
     for (std::uint32_t i = first; i != Gluing::none; i = all.linked[i ^ 1U]) {
@@ -134,6 +126,20 @@ Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordin
     result.curve_begin.push_back(static_cast<std::uint32_t>(result.on_curve.size()));
   }
   return result;
+}
+
+} // namespace internal
+
+/*!
+\brief follows all input edges over the intrinsic triangulation.
+\param t the triangulation
+\param coordinates its normal coordinates and roundabouts, a model of `CurveCoordinates`
+\throws std::length_error if there are more than 2^31 crossings
+\complexity linear in the number of edges and crossings
+*/
+template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
+Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
+  return internal::follow_all_curves(t, coordinates);
 }
 
 /*!

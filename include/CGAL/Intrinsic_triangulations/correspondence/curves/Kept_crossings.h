@@ -189,7 +189,7 @@ public:
     std::size_t all = 0;
     for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e)
       all += static_cast<std::size_t>(crossings(coordinates.normal_coordinate(e)));
-    if (all <= most) keep(edge_crossings(t, coordinates));
+    if (all <= most) keep(follow_all_curves(t, coordinates));
   }
 
   /// forgets crossings that need not be kept, if there are too many together with `more` of them on

@@ -210,7 +210,7 @@ vertices, and every vertex is in an input face that the edges start in.
 \return the first edge that is found to be wrong; none if there is none
 \complexity linear in the number of edges and crossings; memory linear in the number of edges
 */
-template <internal::Has_triangulated_mesh Triangulation, CurveCoordinates Coordinates>
+template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
 std::uint32_t first_inconsistent_edge(const Triangulation& t, const Coordinates& coordinates) {
   return internal::Curve_check<Triangulation, Coordinates>(t, coordinates).first_bad_edge();
 }

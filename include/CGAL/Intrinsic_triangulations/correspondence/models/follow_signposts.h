@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,15 +30,24 @@ Edges of one triangulation traced over the other along geodesics that signposts 
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
+/*!
+\brief requires the directions of intrinsic halfedges on the input, as starts of geodesics, and the
+places where these end.
 
-// Starts intrinsic halfedges as geodesics on the input, and says where they end.
+Syntax of \ref ::SignpostDirections, which describes its meaning.
+*/
 template <class Signposts>
-concept Starts_geodesics = requires(const Signposts& s, std::uint32_t i, double turn) {
-  { s.input() } -> std::convertible_to<const Input&>;
-  { s.target(i) } -> std::convertible_to<Geodesic_target>;
-  s.walk(i, turn);
+concept SignpostDirections = requires(const Signposts& s, std::uint32_t i, double turn) {
+  { s.input() } -> std::same_as<const Input&>;
+  { s.shared_input() } -> std::convertible_to<std::shared_ptr<const Input>>;
+  { s.is_inserted(i) } -> std::same_as<bool>;
+  { s.location(i) } -> std::same_as<const Surface_point&>;
+  { s.target(i) } -> std::same_as<Geodesic_target>;
+  { s.walk(i) } -> std::same_as<Geodesic_walk<Input>>;
+  { s.walk(i, turn) } -> std::same_as<Geodesic_walk<Input>>;
 };
+
+namespace internal {
 
 // Traces to a target; once more in a corrected direction if it was met by a bent line. `walk(turn)`
 // starts.
@@ -212,12 +224,13 @@ struct Edge_traces {
 
 /*!
 \brief traces all intrinsic edges over the input.
+\tparam Signposts its correspondence, a model of \ref ::SignpostDirections
 \param t the triangulation
 \param signposts its signposts
 \return the traces, and what failed
 \complexity linear in the number of edges and crossings
 */
-template <NumberedTriangulation Triangulation, internal::Starts_geodesics Signposts>
+template <NumberedTriangulation Triangulation, SignpostDirections Signposts>
 Edge_traces trace_edges(const Triangulation& t, const Signposts& signposts) {
   const Intrinsic_view<Triangulation> view(t);
   std::vector<char> exists(t.numbers().edge_capacity(t.mesh()), 0);

@@ -191,7 +191,7 @@ It traces all intrinsic edges over the input, and accepts the traces only if the
 consistent, see `first_inconsistent_edge()` and `first_wrong_length()`: the common subdivision is
 right, or there is none. A vertex exactly on an input edge cuts that edge. If rounding put it there,
 which only happens in doubles, other representations may have it beside the edge.
-\tparam Signposts its correspondence, `Signposts`
+\tparam Signposts its correspondence, a model of \ref ::SignpostDirections
 \param t the triangulation
 \param signposts its signposts
 \return the coordinates
@@ -199,7 +199,7 @@ which only happens in doubles, other representations may have it beside the edge
   others; the remedy is to use `Integer_coordinates`
 \complexity linear in the number of edges and crossings
 */
-template <NumberedTriangulation Triangulation, internal::Starts_geodesics Signposts>
+template <NumberedTriangulation Triangulation, SignpostDirections Signposts>
 Integer_coordinates integer_coordinates(const Triangulation& t, const Signposts& signposts) {
   return internal::Signpost_reader<Triangulation, Signposts>(t, signposts).read();
 }

@@ -149,7 +149,7 @@ private:
 // Checks that curves are those of the input's edges.
 inline void check_curves(const Text_reader& in, const Numbered_mesh& t,
                          const Integer_coordinates& coordinates) {
-  const std::uint32_t e = first_inconsistent_edge(t, coordinates);
+  const std::uint32_t e = Curve_check(t, coordinates).first_bad_edge();
   if (e != Gluing::none)
     in.fail("the curves on edge " + std::to_string(e) + " are not those of the input's edges");
 }
