@@ -7,6 +7,7 @@
 #include "constraints.h"
 #include "metric.h"
 #include "options.h"
+#include "support/Cut.h"
 #include "support/file_formats.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -49,6 +51,7 @@ struct Loaded {
   IT::Domain_report domain{};                    ///< which surface was made of a file
   IT::Polygon_report polygons{};                 ///< what was made of its polygons
   std::optional<IT::Point_cloud_report> cloud{}; ///< if it was made of points
+  Cut cut{};                                     ///< if it was cut open
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -77,9 +80,20 @@ void describe(Loaded<Triangulation>& loaded) {
   loaded.seconds.topology = watch.lap();
 }
 
+/// Cuts a mesh open, and edges of it that are kept, before its triangulation is built.
+using Cutter = std::function<Cut(Mesh_file&, Constraints&, const Options&)>;
+
+/// returns a point for each copy of a vertex.
+inline std::vector<Point> points_of_copies(std::vector<Point> points, const Cut& cut) {
+  for (std::size_t v = points.size(); !points.empty() && v < cut.original_vertex.size(); ++v)
+    points.push_back(points[cut.original_vertex[v]]);
+  return points;
+}
+
 /// builds the intrinsic triangulation of a mesh file.
 template <class Triangulation>
-Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
+Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
+                                const Cutter& cut_open) {
   Stopwatch watch;
   progress.show("reading");
   Mesh_file file = read_mesh(options.input, surface_of(options));
@@ -89,9 +103,17 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
   // exact traits keep the points unless they only keep changed lengths
   const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
                                file.input.mollification != IT::Mollification::lengths;
-  const std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
+  std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
   return naming_file(options.input, [&] {
     const Metric_report metric = change_metric(file, options);
+    Input_facts facts;
+    Cut cut;
+    if (cut_open) {
+      const IT::Gluing_map before = file.input.mesh;
+      cut = cut_open(file, constraints, options);
+      if (cut.is_cut()) facts = facts_of(before);
+      points = points_of_copies(std::move(points), cut);
+    }
     Loaded<Triangulation> loaded{Triangulation(std::move(file.input)),
                                  {},
                                  {},
@@ -110,6 +132,8 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress) {
     }
     loaded.seconds = {file.seconds, watch.lap() - file.seconds};
     describe(loaded);
+    if (cut.is_cut()) loaded.facts = facts;
+    loaded.cut = std::move(cut);
     loaded.facts.polygons = file.polygons;
     loaded.facts.triangulated_polygons = file.triangulated_polygons;
     loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
@@ -166,9 +190,11 @@ std::string arithmetic_of(const Options& options);
 \param options the options
 \param progress where to show progress
 \param function called with `Loaded<Triangulation>&`
+\param cut_open cuts meshes open, or none
 */
 template <class Correspondence, class Function>
-void with_loaded(const Options& options, Progress& progress, const Function& function) {
+void with_loaded(const Options& options, Progress& progress, const Function& function,
+                 const Cutter& cut_open = {}) {
   const auto call = [&](auto loaded) { function(loaded); };
   using Exact =
       IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
@@ -185,9 +211,9 @@ void with_loaded(const Options& options, Progress& progress, const Function& fun
       return;
     }
   if (exact)
-    call(load_mesh<Exact>(options, progress));
+    call(load_mesh<Exact>(options, progress, cut_open));
   else
-    call(load_mesh<Double>(options, progress));
+    call(load_mesh<Double>(options, progress, cut_open));
 }
 
 /// the same, without correspondence

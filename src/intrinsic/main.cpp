@@ -119,13 +119,19 @@ void add_distance(CLI::App& app, Options& options, Command& chosen) {
 
 void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
-      "parametrize", "map a disk to the plane, and certify that it is injective");
+      "parametrize", "map a surface to the plane, and certify that it is injective");
   program::add_application_options(command, options);
   command
       .add_option("--method", options.application.map,
                   "harmonic (to a circle, default), spectral (conformal, also of points) or lscm")
       ->check(CLI::IsMember({"harmonic", "spectral", "lscm"}));
-  command.callback([&chosen] { chosen = program::run_parametrize; });
+  command.add_option("--cut", options.application.cut,
+                     "auto (default): cut open along few edges unless it is a disk; or a file that "
+                     "lists the edges, two vertices a line");
+  command.callback([&chosen, &options] {
+    if (options.application.cut.empty()) options.application.cut = "auto";
+    chosen = program::run_parametrize;
+  });
 }
 
 void add_transport(CLI::App& app, Options& options, Command& chosen) {

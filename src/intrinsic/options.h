@@ -65,11 +65,12 @@ struct Application_options {
   unsigned degree = 1;            ///< of direction fields
   /// strength with which direction fields follow curvature; none: they do not
   std::optional<double> alignment = std::nullopt;
-  std::string map = "harmonic";      ///< `harmonic`, `spectral` or `lscm`
-  std::string logarithm{};           ///< `exact`, `affine` or `polar`; empty: what the surface has
-  std::string vectors;               ///< file of vectors at vertices
-  std::string singularities;         ///< file of points with indices; empty: none
-  std::string handles;               ///< file of vertices and their displacements; empty: none
+  std::string map = "harmonic"; ///< `harmonic`, `spectral` or `lscm`
+  std::string cut{};            ///< `auto`, or file of edges at which to cut open; empty: nowhere
+  std::string logarithm{};      ///< `exact`, `affine` or `polar`; empty: what the surface has
+  std::string vectors;          ///< file of vectors at vertices
+  std::string singularities;    ///< file of points with indices; empty: none
+  std::string handles;          ///< file of vertices and their displacements; empty: none
   std::string energy = "biharmonic"; ///< of a deformation
 };
 

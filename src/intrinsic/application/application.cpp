@@ -7,9 +7,11 @@
 #include "../support/Number_rows.h"
 #include "../support/naming_file.h"
 #include "../view.h"
+#include "cut.h"
 #include "direction_lines.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
@@ -30,6 +32,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -56,9 +59,11 @@ void expect_writable_results(const Options& options) {
 }
 
 // The values of each row; of directions one of them in polar coordinates, and the unit vectors in
-// space along the axes there: along the real one, on a cloud along both.
+// space along the axes there: along the real one, on a cloud along both. On a surface that was cut
+// open, the vertex of the file is last.
 void write_functions(std::ostream& out, const Computed& computed,
-                     const std::vector<std::vector<Point>>& axes, Eigen::Index rows) {
+                     const std::vector<std::vector<Point>>& axes, Eigen::Index rows,
+                     const Cut& cut) {
   Number_rows numbers(out);
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (const Function& f : computed.functions) numbers.put(f.values[i]);
@@ -72,6 +77,10 @@ void write_functions(std::ostream& out, const Computed& computed,
       numbers.put(z.imag());
       for (const std::vector<Point>& axis : axes)
         for (const double x : is_vertex ? axis[copy] : Point{0, 0, 0}) numbers.put(x);
+    }
+    if (cut.is_cut()) { // inserted vertices are no copies of any
+      const auto v = static_cast<std::size_t>(i);
+      numbers.put(v < cut.original_vertex.size() ? cut.original_vertex[v] : -1.);
     }
     numbers.end_row();
   }
@@ -109,9 +118,10 @@ Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
 }
 
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
-                        const Options& options, const Json& json) {
+                        const Cut& cut, const Options& options, const Json& json) {
   Viewed viewed;
-  const std::vector<IT::Polyline> lines = direction_lines(results.directions, results.drawn);
+  const std::vector<IT::Polyline> lines =
+      cut.is_cut() ? cut.seams : direction_lines(results.directions, results.drawn);
   viewed.curves = lines;
   viewed.marks = computed.marks.points;
   viewed.marks_name = computed.marks.name;
@@ -244,16 +254,19 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
   results.directions = std::move(directions);
   json["seconds"]["subdivide"] = watch.lap();
   progress.show("writing");
-  if (is_mesh_output(options))
-    files.write(options.output, [&](std::ostream& out) {
-      std::vector<IT::Subdivision_field> fields = results.fields;
-      if (computed.directions) append_fields(fields, computed.directions->name, results.directions);
-      IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
-                                   results.drawn.s, results.drawn.points, fields);
-    });
   if (!options.view.empty())
     files.write(options.view, [&](std::ostream& out) {
-      write_results_view(out, results, computed, options, json);
+      write_results_view(out, results, computed, loaded.cut, options, json);
+    });
+  if (is_mesh_output(options))
+    files.write(options.output, [&](std::ostream& out) {
+      constexpr std::array<std::string_view, 1> without_corners{"vtp"};
+      std::vector<IT::Subdivision_field> fields = results.fields;
+      if (computed.directions) append_fields(fields, computed.directions->name, results.directions);
+      if (loaded.cut.is_cut() && !IT::has_extension(options.output, without_corners))
+        close_seams(results.drawn, fields, loaded.cut);
+      IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
+                                   results.drawn.s, results.drawn.points, fields);
     });
 }
 
@@ -283,7 +296,8 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
     files.write(options.output, [&](std::ostream& out) {
       write_functions(out, computed, axes_in_space(loaded, computed),
                       is_on_input ? loaded.triangulation.input().number_of_rows()
-                                  : loaded.triangulation.number_of_vertices());
+                                  : loaded.triangulation.number_of_vertices(),
+                      loaded.cut);
     });
 }
 
@@ -342,6 +356,10 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   if (computed.marks.points.empty() && !sources.empty())
     computed.marks = source_marks(loaded, sources, options.application.sources.size());
   json[computed.command] = computed.json;
+  if (loaded.cut.is_cut())
+    json["cut"] = {{"edges", loaded.cut.edges},
+                   {"length", loaded.cut.length},
+                   {"vertices", loaded.cut.original_vertex.size()}};
   json["seconds"]["solve"] = watch.lap();
   Output_files files;
   write_results(loaded, computed, options, json, files, progress, watch);
@@ -413,12 +431,15 @@ void run_application(const Options& options, const Solver<IT::Exact_euclidean_tr
                      const Solver<IT::Euclidean_traits<double>>& approximate) {
   expect_writable_results(options);
   Progress progress(options.logs_progress);
-  with_loaded<IT::Integer_coordinates>(options, progress, [&](auto& loaded) {
-    if constexpr (std::decay_t<decltype(loaded.triangulation)>::Metric::is_exact)
-      run(loaded, options, exact, progress);
-    else
-      run(loaded, options, approximate, progress);
-  });
+  with_loaded<IT::Integer_coordinates>(
+      options, progress,
+      [&](auto& loaded) {
+        if constexpr (std::decay_t<decltype(loaded.triangulation)>::Metric::is_exact)
+          run(loaded, options, exact, progress);
+        else
+          run(loaded, options, approximate, progress);
+      },
+      options.application.cut.empty() ? Cutter() : Cutter(cut_to_disk));
 }
 
 } // namespace program

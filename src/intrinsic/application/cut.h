@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_CUT_H
+#define INTRINSIC_APPLICATION_CUT_H
+
+#include "../constraints.h"
+#include "../delaunay.h"
+#include "../options.h"
+#include "../support/read_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace program {
+
+/*!
+\brief cuts a mesh open to a disk, as `--cut` says, and edges that are kept with it.
+
+A disk stays as it is.
+\param file becomes the surface that is cut open
+\param constraints edges of it
+\param options says how
+\return what was cut
+\throws std::runtime_error if edges of a file do not cut the mesh to a disk
+*/
+Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options);
+
+/*!
+\brief glues the faces that are drawn together where they were cut open: there is one vertex for all
+copies of a vertex of the file.
+\param drawn the faces; vertices and faces of the input have the numbers of the file afterwards
+\param fields numbers at vertices become numbers at corners
+\param cut what was cut
+*/
+void close_seams(Drawn_subdivision& drawn, std::vector<IT::Subdivision_field>& fields,
+                 const Cut& cut);
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_CUT_H
