@@ -15,6 +15,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.cpp>
+#include <CGAL/Intrinsic_operators/distance/heat_distances.cpp>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.cpp>
 #include <CGAL/Intrinsic_operators/elements/quadratic.cpp>

@@ -20,6 +20,10 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+struct Heat_batch;
+} // namespace internal
+
 /*!
 \brief observes distances by heat; the default visitor does nothing.
 */
@@ -121,6 +125,8 @@ public:
   double time() const { return solver_.time(); }
 
 private:
+  friend struct internal::Heat_batch;
+
   template <class NP>
   static internal::Heat_options options(const NP& np) {
     using namespace internal::tags;

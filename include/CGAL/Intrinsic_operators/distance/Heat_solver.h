@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -64,10 +65,30 @@ public:
   Eigen::VectorXd distances(const Source_places& sources,
                             const std::vector<std::array<double, 3>>& positions);
 
+  // From several sets of sources, a column each, without calls of `progress`. The results are those
+  // of single calls, bit by bit. Several threads may call it at once, each with what it keeps.
+  Eigen::MatrixXd columns(std::span<const Source_places> sets,
+                          const std::vector<std::array<double, 3>>& positions,
+                          Pinned_laplacian::Kept& kept) const;
+
 private:
+  using Pins = Pinned_laplacian::Pins;
+
   void make_cold_border(const Eigen::VectorXd& masses);
 
-  Heat<double> heat(const Source_places& sources, const Pinned_laplacian::Pins& pins) const;
+  // the pins of each set
+  std::vector<Pins> pins_of(std::span<const Source_places> sets) const;
+
+  // from each set
+  std::vector<Heat<double>> heat(std::span<const Source_places> sets,
+                                 std::span<const Pins> pins) const;
+  std::vector<char> reached(const Pins& pins) const;
+
+  // the distances whose gradients fit the flow of heat best, not less than chords
+  Eigen::MatrixXd fitted(const std::vector<Heat<double>>& heat, std::span<const Source_places> sets,
+                         std::span<const Pins> pins,
+                         const std::vector<std::array<double, 3>>& positions,
+                         Pinned_laplacian::Kept& kept) const;
 
   // Curves count by their length in mean edges, points once.
   Eigen::VectorXd initial_heat(const Source_places& sources) const;
@@ -84,6 +105,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
+  Pinned_laplacian::Kept kept_;
   std::shared_ptr<const Function_flow> insulated_, cold_;
   std::vector<char> is_on_border_; // of rows
   std::uint32_t sheets_;

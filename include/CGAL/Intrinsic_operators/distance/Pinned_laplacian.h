@@ -13,7 +13,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,12 +27,20 @@ change. On a component without pins x is infinite.
 
 With one pin in a component, any solution and a constant give x. A few pins need as many Lagrange
 multipliers: L x = b + sum over pins of l_s e_s, where the l sum to zero; all pins use the same
-factorization of L. Many pins need a `Fixed_values_solver`, which is kept for the next right side
-with pins in the same rows.
+factorization of L. Many pins need a `Fixed_values_solver`, which the caller keeps for the next
+right side with pins in the same rows.
+
+Several threads may solve at once, each with what it keeps. Copies share the factorization.
 */
 class Pinned_laplacian {
 public:
   using Pins = std::map<int, double>; // by rows
+
+  // the factorization for many pins that was used last
+  struct Kept {
+    std::vector<std::uint32_t> rows;
+    std::optional<Fixed_values_solver> solver;
+  };
 
   // \param component of each row, as the least of its rows
   Pinned_laplacian(Eigen::SparseMatrix<double> laplacian, std::vector<std::uint32_t> component)
@@ -44,19 +54,36 @@ public:
   // \return the factorization of the multiple \throws Indefinite_matrix if it is not definite
   Laplacian_factorization factor_with_multiple(double multiple, const Eigen::VectorXd& diagonal);
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b, const Pins& pins);
+  // \param b right sides, a column each \param pins of each column
+  // \return the solutions, bit by bit those of single calls
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b, std::span<const Pins> pins, Kept& kept) const;
 
 private:
+  // A factorization that the first thread makes that needs it.
+  struct Late_factorization {
+    std::once_flag once;
+    std::optional<Laplacian_factorization> made;
+  };
+
+  // The pins of one column, by their components.
+  struct Few_pins {
+    Eigen::Index column; // of right sides and solutions
+    std::map<std::uint32_t, std::vector<int>> rows;
+    Eigen::Index first_solved; // of the systems solved; those for unit strengths follow
+  };
+
+  const Laplacian_factorization& factored() const;
   Eigen::VectorXd pinned_diagonal() const;
-  Eigen::VectorXd solve_for_few(const Eigen::VectorXd& b, const Pins& pins);
-  Eigen::VectorXd solve_for_many(const Eigen::VectorXd& b, const Pins& pins,
-                                 const std::vector<char>& is_reached);
+  std::vector<char> reached(const Pins& pins) const;
+  void solve_for_few(const Eigen::MatrixXd& b, std::span<const Pins> pins,
+                     Eigen::MatrixXd& x) const;
+  void correct(const Few_pins& few, const Pins& pins, const Eigen::MatrixXd& solved,
+               Eigen::MatrixXd& x) const;
+  Eigen::VectorXd solve_for_many(const Eigen::VectorXd& b, const Pins& pins, Kept& kept) const;
 
   std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
   std::vector<std::uint32_t> component_;
-  std::optional<Laplacian_factorization> factored_;
-  std::vector<std::uint32_t> fixed_rows_;
-  std::optional<Fixed_values_solver> fixed_;
+  std::shared_ptr<Late_factorization> late_ = std::make_shared<Late_factorization>();
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

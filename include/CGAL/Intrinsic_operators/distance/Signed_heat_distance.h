@@ -58,6 +58,7 @@ private:
   double time_;
   std::vector<std::uint32_t> component_;
   Pinned_laplacian poisson_;
+  Pinned_laplacian::Kept kept_;
   std::shared_ptr<const Vector_flow> flow_;
 };
 

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -153,21 +154,52 @@ Heat_solver::Heat_solver(const Eigen::SparseMatrix<double>& laplacian, Face_tabl
 
 Eigen::VectorXd Heat_solver::distances(const Source_places& sources,
                                        const std::vector<std::array<double, 3>>& positions) {
-  const Chord_bound chord(source_balls(table_, sources, positions));
-  const Pinned_laplacian::Pins pins = distances_near_sources(table_, sources);
-  const Heat<double> found = heat(sources, pins);
+  const std::span<const Source_places> sets(&sources, 1);
+  const std::vector<Pins> pins = pins_of(sets);
+  const std::vector<Heat<double>> found = heat(sets, pins);
   is_cancelled_ = !progress_(Heat_step::heat_found);
   if (is_cancelled_) return {};
-  Eigen::VectorXd d = poisson_.solve(divergence(found), pins);
-  for (Eigen::Index r = 0; r < d.size(); ++r) {
-    if (pins.count(static_cast<int>(r)) == 0) {
-      double bound = 0;
-      if (const auto i = static_cast<std::size_t>(r);
-          i < positions.size() && std::isfinite(positions[i][0]))
-        bound = std::max(0.0, chord.nearest(positions[i]));
-      d[r] = std::max(d[r], bound);
+  return fitted(found, sets, pins, positions, kept_);
+}
+
+Eigen::MatrixXd Heat_solver::columns(std::span<const Source_places> sets,
+                                     const std::vector<std::array<double, 3>>& positions,
+                                     Pinned_laplacian::Kept& kept) const {
+  const std::vector<Pins> pins = pins_of(sets);
+  return fitted(heat(sets, pins), sets, pins, positions, kept);
+}
+
+std::vector<Pinned_laplacian::Pins>
+Heat_solver::pins_of(std::span<const Source_places> sets) const {
+  std::vector<Pins> pins;
+  for (const Source_places& s : sets) pins.push_back(distances_near_sources(table_, s));
+  return pins;
+}
+
+Eigen::MatrixXd Heat_solver::fitted(const std::vector<Heat<double>>& heat,
+                                    std::span<const Source_places> sets, std::span<const Pins> pins,
+                                    const std::vector<std::array<double, 3>>& positions,
+                                    Pinned_laplacian::Kept& kept) const {
+  Eigen::MatrixXd right(static_cast<Eigen::Index>(table_.number_of_rows),
+                        static_cast<Eigen::Index>(sets.size()));
+  for (Eigen::Index c = 0; c < right.cols(); ++c) right.col(c) = divergence(heat[row_number(c)]);
+  Eigen::MatrixXd d = poisson_.solve(right, pins, kept);
+  for (Eigen::Index c = 0; c < d.cols(); ++c) {
+    const Chord_bound chord(source_balls(table_, sets[row_number(c)], positions));
+    const Pins& own = pins[row_number(c)];
+    auto pin = own.begin(); // the next one, in the order of rows
+    for (Eigen::Index r = 0; r < d.rows(); ++r) {
+      if (pin != own.end() && pin->first == r) {
+        ++pin;
+      } else {
+        double bound = 0;
+        if (const std::size_t i = row_number(r);
+            i < positions.size() && std::isfinite(positions[i][0]))
+          bound = std::max(0.0, chord.nearest(positions[i]));
+        d(r, c) = std::max(d(r, c), bound);
+      }
+      d(r, c) = table_.unscaled(d(r, c));
     }
-    d[r] = table_.unscaled(d[r]);
   }
   return d;
 }
@@ -185,20 +217,36 @@ void Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 
-Heat<double> Heat_solver::heat(const Source_places& sources,
-                               const Pinned_laplacian::Pins& pins) const {
+// Marks the rows of components with pins.
+std::vector<char> Heat_solver::reached(const Pins& pins) const {
   std::vector<char> is_reached(table_.number_of_rows, 0);
   for (const auto& [row, value] : pins) is_reached[component_[row_number(row)]] = 1;
   for (std::size_t r = 0; r < is_reached.size(); ++r) is_reached[r] = is_reached[component_[r]];
-  Eigen::VectorXd start = initial_heat(sources);
-  Heat<double> all = magnitudes((*insulated_)(start, is_reached));
-  if (cold_) {
-    for (Eigen::Index r = 0; r < start.size(); ++r)
-      if (is_on_border_[row_number(r)] != 0) start[r] = is_reached[row_number(r)] = 0;
-    const Heat<double> inside = magnitudes((*cold_)(start, is_reached));
-    const double unit = std::ldexp(1.0, inside.exponent - all.exponent);
-    for (Eigen::Index r = 0; r < start.size(); ++r)
-      all.value[r] += unit * inside.at(r, all.level[row_number(r)]);
+  return is_reached;
+}
+
+std::vector<Heat<double>> Heat_solver::heat(std::span<const Source_places> sets,
+                                            std::span<const Pins> pins) const {
+  std::vector<std::vector<char>> is_reached;
+  std::vector<Heat<double>> starts;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    is_reached.push_back(reached(pins[k]));
+    starts.emplace_back(initial_heat(sets[k]));
+  }
+  std::vector<Heat<double>> all = insulated_->all(starts, {is_reached.begin(), is_reached.end()});
+  for (Heat<double>& h : all) h = magnitudes(std::move(h));
+  if (!cold_) return all;
+  for (std::size_t k = 0; k < sets.size(); ++k)
+    for (std::size_t r = 0; r < is_on_border_.size(); ++r)
+      if (is_on_border_[r] != 0)
+        starts[k].value[static_cast<Eigen::Index>(r)] = is_reached[k][r] = 0;
+  std::vector<Heat<double>> inside =
+      cold_->all(std::move(starts), {is_reached.begin(), is_reached.end()});
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    inside[k] = magnitudes(std::move(inside[k]));
+    const double unit = std::ldexp(1.0, inside[k].exponent - all[k].exponent);
+    for (Eigen::Index r = 0; r < all[k].value.size(); ++r)
+      all[k].value[r] += unit * inside[k].at(r, all[k].level[row_number(r)]);
   }
   return all;
 }

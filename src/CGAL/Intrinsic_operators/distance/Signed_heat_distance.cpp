@@ -57,7 +57,7 @@ Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
     throw std::invalid_argument(
         "a vertex or a point has no sides; signed distances are those from curves");
   const Pinned_laplacian::Pins pins = signed_distances_near(curves);
-  Eigen::VectorXd d = poisson_.solve(divergence(normals(curves, pins)), pins);
+  Eigen::VectorXd d = poisson_.solve(divergence(normals(curves, pins)), {&pins, 1}, kept_);
   for (double& x : d) x = table_.unscaled(x);
   return d;
 }

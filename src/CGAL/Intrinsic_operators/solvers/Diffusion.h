@@ -19,6 +19,8 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -139,12 +141,13 @@ public:
 
   // \param is_reached whether there is any heat in a row
   Heat<Scalar> operator()(const Vector& start, const std::vector<char>& is_reached) const {
-    return std::move(all({Heat<Scalar>(start)}, is_reached)[0]);
+    return std::move(all({Heat<Scalar>(start)}, {is_reached})[0]);
   }
 
-  // from several starts at once
+  // From several starts at once, each with the rows that it reaches. The results are those of
+  // single calls, bit by bit.
   std::vector<Heat<Scalar>> all(std::vector<Heat<Scalar>> starts,
-                                const std::vector<char>& is_reached) const {
+                                const std::vector<std::span<const char>>& is_reached) const {
     typename Factored::Vectors right(laplacian_->rows(), static_cast<Eigen::Index>(starts.size()));
     for (std::size_t k = 0; k < starts.size(); ++k) {
       starts[k].normalize();
@@ -155,8 +158,8 @@ public:
     for (std::size_t k = 0; k < starts.size(); ++k) {
       result.emplace_back(Vector(found.col(column(k))));
       result[k].exponent = starts[k].exponent;
-      find_lost(result[k], starts[k], is_reached);
     }
+    find_lost(result, starts, is_reached);
     return result;
   }
 
@@ -167,21 +170,33 @@ private:
   // where it is known, else zero. Then A (u - w) = u0 - A w, which is not zero only along the limit
   // and where u0 is below the range. It has the magnitude of the values there, and so can be
   // scaled.
-  void find_lost(Heat<Scalar>& heat, const Heat<Scalar>& start,
-                 const std::vector<char>& is_reached) const {
-    for (int level = 0; mark_lost(heat, start, level, is_reached); ++level) {
-      const Vector limit = source_at_limit(heat, start, level);
-      if (!(limit.cwiseAbs().maxCoeff() > 0)) break;
-      const Vector found = factored_.solve(limit);
-      for (Eigen::Index r = 0; r < found.size(); ++r)
-        if (heat.level[row_number(r)] > level) heat.value[r] = found[r];
+  void find_lost(std::vector<Heat<Scalar>>& heat, const std::vector<Heat<Scalar>>& start,
+                 const std::vector<std::span<const char>>& is_reached) const {
+    std::vector<std::size_t> lost(heat.size()); // the numbers of heats that lose some at a level
+    std::iota(lost.begin(), lost.end(), std::size_t{0});
+    for (int level = 0; !lost.empty(); ++level) {
+      typename Factored::Vectors limits(laplacian_->rows(), column(lost.size()));
+      Eigen::Index columns = 0;
+      std::erase_if(lost, [&](std::size_t k) {
+        if (!mark_lost(heat[k], start[k], level, is_reached[k])) return true;
+        const Vector limit = source_at_limit(heat[k], start[k], level);
+        if (!(limit.cwiseAbs().maxCoeff() > 0)) return true;
+        limits.col(columns++) = limit;
+        return false;
+      });
+      if (lost.empty()) return;
+      const typename Factored::Vectors found = factored_.solve(limits.leftCols(columns));
+      for (std::size_t i = 0; i < lost.size(); ++i)
+        for (Eigen::Index r = 0; r < found.rows(); ++r)
+          if (heat[lost[i]].level[row_number(r)] > level)
+            heat[lost[i]].value[r] = found(r, column(i));
     }
   }
 
   // Raises the level of values that are too small, except by cancellation of a source. \return
   // whether there are any, and this level has found some
   static bool mark_lost(Heat<Scalar>& heat, const Heat<Scalar>& start, int level,
-                        const std::vector<char>& is_reached) {
+                        std::span<const char> is_reached) {
     const double least = std::ldexp(1.0, -Heat<Scalar>::step);
     bool is_any_lost = false, is_any_found = false;
     for (Eigen::Index r = 0; r < heat.value.size(); ++r) {

@@ -94,8 +94,9 @@ Eigen::VectorXd Heat_transport::log_heat(const std::vector<Source_corner>& sourc
 Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   if (sources.weights.size() == 0 || !(sources.weights.maxCoeff() > 0))
     throw std::invalid_argument("there must be a source; none is given");
+  const std::vector<char> is_reached = reached(sources.weights);
   const std::vector<Heat<double>> heat = functions().all(
-      {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, reached(sources.weights));
+      {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, {is_reached, is_reached});
   Eigen::VectorXd result(sources.weights.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = heat[1].value[i] > 0 ? heat_ratio(heat[0], heat[1], i) : unknown_vector.real();
@@ -165,7 +166,7 @@ Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corne
   const Eigen::VectorXcd frames =
       vectors()(parallel_frames(source), is_reached).value.unaryExpr(&unit_vector);
   const std::vector<Heat<double>> z =
-      functions().all(positions_at_neighbours(source, heat, frames), is_reached);
+      functions().all(positions_at_neighbours(source, heat, frames), {is_reached, is_reached});
   Eigen::VectorXcd result(heat.value.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = heat.value[i] > 0 && frames[i] != 0.
@@ -226,9 +227,10 @@ Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& sour
 
 Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner>& source) const {
   using Vectors = Heat<std::complex<double>>;
+  const std::vector<char> is_reached = reached(weights(source));
   const std::vector<Vectors> z = // away from the source, and parallel to its real axis
       vectors().all({Vectors(outward_vectors(source)), Vectors(parallel_frames(source))},
-                    reached(weights(source)));
+                    {is_reached, is_reached});
   Eigen::VectorXcd radial = z[0].value.unaryExpr(&unit_vector);
   for (const Source_corner& c : source) radial[c.vertex] = unit_vector(c.frame * c.offset);
   const Eigen::VectorXd r = distances(source, radial);
