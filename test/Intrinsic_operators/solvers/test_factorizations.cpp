@@ -7,12 +7,17 @@
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+
+#include <Eigen/SparseCholesky>
 
 #include <gtest/gtest.h>
 
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace {
@@ -92,6 +97,84 @@ TEST(Cholesky_factorization, refuses_what_makes_no_sense) {
                std::invalid_argument);
   a.coeffRef(1, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(IT::Cholesky_factorization{a}, std::invalid_argument);
+}
+
+// A Hermitian matrix with some random entries in each row, whose eigenvalues are between 1 and 2 n:
+// its diagonal exceeds the sum of the magnitudes of the other entries of a row by one.
+Complex_matrix random_hermitian(int n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> d(-1, 1);
+  Eigen::MatrixXcd dense = Eigen::MatrixXcd::Zero(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const int j = static_cast<int>(random() % static_cast<unsigned>(n));
+      const std::complex<double> z(d(random), d(random));
+      if (i == j) continue;
+      dense(i, j) = z;
+      dense(j, i) = std::conj(z);
+    }
+  for (int i = 0; i < n; ++i) dense(i, i) = 1 + dense.row(i).cwiseAbs().sum();
+  return dense.sparseView();
+}
+
+TEST(Cholesky_factorization, of_hermitian_matrices_agrees_with_eigen) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const int n = 1 + static_cast<int>(seed) * 13;
+    const Complex_matrix h = random_hermitian(n, seed);
+    const Eigen::MatrixXcd b = Eigen::MatrixXcd::Random(n, 3);
+    const Eigen::MatrixXcd x = IT::Cholesky_factorization(h).solve(b);
+    const Eigen::SimplicialLDLT<Complex_matrix> other(h);
+    // both are backward stable: errors of n roundings times the condition, which is at most the
+    // greatest eigenvalue, for each
+    const double condition = 2 * h.diagonal().real().maxCoeff();
+    const double error = 2 * condition * n * std::numeric_limits<double>::epsilon();
+    EXPECT_LE((x - other.solve(b)).norm(), error * x.norm()) << "seed " << seed;
+    for (int c = 0; c < 3; ++c) // columns together, and alone
+      EXPECT_EQ(x.col(c), IT::Cholesky_factorization(h).solve(b.col(c)));
+  }
+}
+
+TEST(Cholesky_factorization, of_hermitian_matrices_reads_the_lower_triangle_only) {
+  const Complex_matrix h = random_hermitian(80, 5), lower = h.triangularView<Eigen::Lower>();
+  const Eigen::VectorXcd b = Eigen::VectorXcd::Random(80);
+  EXPECT_EQ(IT::Cholesky_factorization(h).solve(b), IT::Cholesky_factorization(lower).solve(b));
+}
+
+TEST(Cholesky_factorization, names_a_row_of_hermitian_matrices_that_are_not_definite) {
+  EXPECT_THROW(IT::Cholesky_factorization{grid_laplacian(3, 0, 0.7)}, IT::Indefinite_matrix);
+  for (const int n : {3, 320}) {
+    Complex_matrix h = grid_laplacian(n, 0.5, 0.7);
+    h.coeffRef(2, 2) = -1;
+    try {
+      IT::Cholesky_factorization{h};
+      ADD_FAILURE() << "nothing was thrown";
+    } catch (const IT::Indefinite_matrix& e) {
+      EXPECT_GE(e.row(), 0);
+      EXPECT_LT(e.row(), h.rows());
+    }
+  }
+  EXPECT_THROW(IT::Cholesky_factorization{Complex_matrix(2, 3)}, std::invalid_argument);
+  Complex_matrix h = random_hermitian(4, 1);
+  EXPECT_THROW(IT::Cholesky_factorization(h).solve(Eigen::VectorXcd::Ones(5)),
+               std::invalid_argument);
+  h.coeffRef(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(IT::Cholesky_factorization{h}, std::invalid_argument);
+}
+
+TEST(Cholesky_factorization, uses_the_analysis_of_a_matrix_with_entries_in_the_same_places) {
+  const Complex_matrix h = grid_laplacian(30, 0.5, 0.7);
+  const Matrix a = grid_laplacian(30, 0, 0).real();
+  const Eigen::VectorXcd b = Eigen::VectorXcd::Random(900);
+  IT::internal::Shared_analysis analysis;
+  const IT::Laplacian_factorization real(a, Eigen::VectorXd::Ones(900), analysis);
+  const auto kept = analysis;
+  ASSERT_NE(kept, nullptr);
+  EXPECT_EQ(IT::Cholesky_factorization<std::complex<double>>(h, analysis).solve(b),
+            IT::Cholesky_factorization(h).solve(b));
+  EXPECT_EQ(analysis, kept);
+  EXPECT_THROW(
+      (IT::Cholesky_factorization<std::complex<double>>(random_hermitian(900, 1), analysis)),
+      std::invalid_argument);
 }
 
 TEST(Fixed_values_solver, solves_again_with_other_values) {

@@ -49,6 +49,9 @@ public:
 
   const std::shared_ptr<const Eigen::SparseMatrix<double>>& laplacian() const { return laplacian_; }
 
+  // The analysis of the Laplacian for its factorization. Not to be called from two threads at once.
+  const Symbolic_factorization& analysis();
+
   // Factors L and, with a diagonal, a multiple of L; only the multiple if rounding leaves L
   // indefinite.
   // \return the factorization of the multiple \throws Indefinite_matrix if it is not definite
@@ -62,6 +65,7 @@ private:
   // A factorization that the first thread makes that needs it.
   struct Late_factorization {
     std::once_flag once;
+    Shared_analysis analysis;
     std::optional<Laplacian_factorization> made;
   };
 

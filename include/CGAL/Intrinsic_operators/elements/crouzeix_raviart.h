@@ -37,7 +37,8 @@ std::array<double, 3> checked_half_cotangents(const Table_face& f);
 std::array<std::complex<double>, 3> side_frames(const Table_face& f);
 
 // Removals leave numbers without an edge: these rows are zero.
-Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table);
+Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table,
+                                                                    double factor = 1);
 
 // a third of the areas of the faces at each edge
 Eigen::VectorXd edge_areas(const Face_table& table);

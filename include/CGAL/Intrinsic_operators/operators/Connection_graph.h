@@ -49,8 +49,8 @@ inline bool is_known(const std::complex<double>& z) {
 inline std::complex<double> unit_vector(const std::complex<double>& z) {
   const double larger = std::max(std::abs(z.real()), std::abs(z.imag()));
   if (!(larger > 0) || !std::isfinite(larger)) return 0;
-  const std::complex<double> scaled = z / larger; // whose square does not underflow
-  return scaled / std::abs(scaled);
+  const std::complex<double> scaled = z / larger; // its square is between 1 and 2
+  return scaled / std::sqrt(std::norm(scaled));
 }
 
 // Refuses the surface of a point cloud: the sheets at a point share no tangent plane.

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_CONNECTION_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <Eigen/Core>
@@ -50,33 +50,26 @@ inline Eigen::VectorXd positive_masses(const Connection_graph& graph) {
 template <class Scalar>
 Eigen::SparseMatrix<Scalar> scaled_laplacian(const Connection_graph& graph, int order,
                                              double factor) {
-  std::vector<Eigen::Triplet<Scalar>> entries;
-  entries.reserve(graph.size + 2 * graph.edges.size());
-  std::vector<double> diagonal(graph.size, 0);
-  const auto at = [&diagonal](int i) -> double& { return diagonal[static_cast<std::size_t>(i)]; };
+  constexpr bool is_real = std::is_same_v<Scalar, double>;
+  std::vector<std::conditional_t<is_real, Symmetric_entry, Hermitian_entry>> entries;
+  entries.reserve(graph.edges.size());
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph.size));
   for (const Connection_edge& e : graph.edges) {
     if (e.weight == 0) continue;
     const double w = factor * e.weight;
     const Scalar r = transport_factor<Scalar>(e, order);
     if (e.source == e.target) { // a loop: its energy is |z - r z|^2
-      at(e.source) += w * std::norm(Scalar(1) - r);
+      diagonal[e.source] += w * std::norm(Scalar(1) - r);
       continue;
     }
-    at(e.source) += w;
-    at(e.target) += w;
-    const Scalar conjugate = [&r] {
-      if constexpr (std::is_same_v<Scalar, double>)
-        return r;
-      else
-        return std::conj(r);
-    }();
-    entries.emplace_back(e.target, e.source, -w * r);
-    entries.emplace_back(e.source, e.target, -w * conjugate);
+    diagonal[e.source] += w;
+    diagonal[e.target] += w;
+    entries.push_back({e.target, e.source, -w * r});
   }
-  for (std::size_t i = 0; i < graph.size; ++i)
-    entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal[i]);
-  const auto size = static_cast<Eigen::Index>(graph.size);
-  return matrix_of(size, size, entries);
+  if constexpr (is_real)
+    return symmetric_matrix(entries, diagonal);
+  else
+    return hermitian_matrix(entries, diagonal);
 }
 
 } // namespace internal

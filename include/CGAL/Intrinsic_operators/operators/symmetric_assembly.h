@@ -12,6 +12,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,24 +33,35 @@ struct Symmetric_entry {
 
 namespace internal {
 
-// The columns of a symmetric matrix without its diagonal: entries are bucketed by column, in the
-// order given, and sorted there.
+// The same for Hermitian matrices: it stands for (i, j), and its conjugate for (j, i).
+struct Hermitian_entry {
+  int i, j;
+  std::complex<double> value;
+};
+
+inline double conjugate(double x) { return x; }
+inline std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
+
+// The columns of a symmetric or Hermitian matrix without its diagonal: entries are bucketed by
+// column, in the order given, and sorted there.
+template <class Number = double>
 class Symmetric_columns {
 public:
   struct Entry {
     int row;
-    double value;
+    Number value;
   };
 
-  Symmetric_columns(const std::vector<Symmetric_entry>& entries, int size)
+  template <class Given>
+  Symmetric_columns(const std::vector<Given>& entries, int size)
       : end_(row_number(size) + 1, 0), entries_(2 * entries.size()) {
-    for (const Symmetric_entry& e : entries) {
+    for (const Given& e : entries) {
       ++end_[row_number(e.i) + 1];
       ++end_[row_number(e.j) + 1];
     }
     std::partial_sum(end_.begin(), end_.end(), end_.begin());
-    for (const Symmetric_entry& e : entries) {
-      entries_[end_[row_number(e.i)]++] = {e.j, e.value};
+    for (const Given& e : entries) {
+      entries_[end_[row_number(e.i)]++] = {e.j, conjugate(e.value)};
       entries_[end_[row_number(e.j)]++] = {e.i, e.value};
     }
   }
@@ -57,12 +69,12 @@ public:
   // \param diagonal takes a column and the iterator range of its sorted entries; returns the
   // diagonal entry
   template <class Diagonal>
-  Eigen::SparseMatrix<double> matrix(const Diagonal& diagonal) {
+  Eigen::SparseMatrix<Number> matrix(const Diagonal& diagonal) {
     const int size = static_cast<int>(end_.size()) - 1;
-    Eigen::SparseMatrix<double> m(size, size);
+    Eigen::SparseMatrix<Number> m(size, size);
     m.resizeNonZeros(size + static_cast<Eigen::Index>(entries_.size()));
     int count = 0;
-    const auto append = [&](int row, double value) {
+    const auto append = [&](int row, const Number& value) {
       m.innerIndexPtr()[count] = row;
       m.valuePtr()[count++] = value;
     };
@@ -82,7 +94,7 @@ public:
   }
 
 private:
-  using Iterator = std::vector<Entry>::iterator;
+  using Iterator = typename std::vector<Entry>::iterator;
 
   // Sorts entries by rows and adds up those of the same row, in their order. \return the end of the
   // result
@@ -124,11 +136,18 @@ Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
 */
 inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
                                                     const Eigen::VectorXd& diagonal) {
-  return internal::Symmetric_columns(entries, static_cast<int>(diagonal.size()))
+  return internal::Symmetric_columns<>(entries, static_cast<int>(diagonal.size()))
       .matrix([&](int c, auto, auto) { return diagonal[c]; });
 }
 
 namespace internal {
+
+// The same for a Hermitian matrix.
+inline Eigen::SparseMatrix<std::complex<double>>
+hermitian_matrix(const std::vector<Hermitian_entry>& entries, const Eigen::VectorXd& diagonal) {
+  return Symmetric_columns<std::complex<double>>(entries, static_cast<int>(diagonal.size()))
+      .matrix([&](int c, auto, auto) { return diagonal[c]; });
+}
 
 // throws Invalid_input if a number exceeds what the index type of `Eigen::SparseMatrix` can count
 inline void expect_countable(std::uint64_t number, const std::string& has) {

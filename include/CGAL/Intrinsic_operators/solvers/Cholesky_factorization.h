@@ -44,8 +44,13 @@ private:
 
 namespace internal {
 
-// The factor of a matrix by Eigen or CHOLMOD. The pivot of row i is the rest of the diagonal entry
-// a_ii.
+struct Symbolic_factorization;
+
+// What a factorization finds from the places of entries alone, for matrices that have theirs in the
+// same places.
+using Shared_analysis = std::shared_ptr<const Symbolic_factorization>;
+
+// The factor of a matrix. The pivot of row i is the rest of the diagonal entry a_ii.
 template <class Scalar>
 class Cholesky_factor {
 public:
@@ -59,6 +64,8 @@ std::shared_ptr<const Cholesky_factor<double>>
 make_cholesky_factor(const Eigen::SparseMatrix<double>& a);
 std::shared_ptr<const Cholesky_factor<std::complex<double>>>
 make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
+std::shared_ptr<const Cholesky_factor<std::complex<double>>>
+make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a, Shared_analysis& analysis);
 
 } // namespace internal
 
@@ -66,10 +73,11 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a);
 \brief factors a positive definite matrix once, for any number of right sides. A model of
 `Factorization`.
 
-If the program links CHOLMOD, it factors large matrices (from 100,000 rows, where it is faster in
-measurements) supernode by supernode; CMake finds it and defines
-`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD`. Eigen (`SimplicialLDLT`) factors the others. Both order
-rows by approximate minimum degree.
+Complex matrices are eliminated supernode by supernode, as in `Laplacian_factorization`. In
+measurements that is faster than Eigen (`SimplicialLDLT`) and than CHOLMOD with the reference BLAS.
+Eigen factors real matrices; if the program links CHOLMOD, that factors large ones (from 100,000
+rows, where it is faster in measurements) supernode by supernode: CMake finds it and defines
+`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD`. All order rows by approximate minimum degree.
 
 Copies share the factor, which does not change. With CHOLMOD, only one thread may solve at a time.
 
@@ -93,6 +101,12 @@ public:
   */
   explicit Cholesky_factorization(const Matrix& a)
       : size_(a.rows()), factor_(internal::make_cholesky_factor(a)) {}
+
+  // Uses the analysis of a matrix with entries in the same places, or sets it if there is none.
+  // \param a the matrix, compressed, both triangles of it
+  Cholesky_factorization(const Matrix& a, internal::Shared_analysis& analysis) requires
+      std::same_as<Scalar, std::complex<double>>
+      : size_(a.rows()), factor_(internal::make_cholesky_factor(a, analysis)) {}
 
   /// returns the number of rows.
   Eigen::Index size() const { return size_; }
@@ -126,17 +140,19 @@ namespace internal {
 // Factors a matrix that is positive definite up to rounding. If masses are lost beside large
 // weights, it raises the diagonal, also in `m`, in the order of rounding errors: by a factor of at
 // most 1 + 2^-40, which needles and caps of 10^-15 need.
-template <class Scalar>
-Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m) {
+// \param analysis nothing, or a `Shared_analysis`
+template <class Scalar, class... Analysis>
+Cholesky_factorization<Scalar> raised_factorization(Eigen::SparseMatrix<Scalar>& m,
+                                                    Analysis&... analysis) {
   for (const double raise : {0x1p-48, 0x1p-40}) {
     try {
-      return Cholesky_factorization<Scalar>(m);
+      return Cholesky_factorization<Scalar>(m, analysis...);
     } catch (const Indefinite_matrix&) {
       for (int i = 0; i < m.cols(); ++i) m.coeffRef(i, i) *= 1 + raise;
     }
   }
   try {
-    return Cholesky_factorization<Scalar>(m);
+    return Cholesky_factorization<Scalar>(m, analysis...);
   } catch (const Indefinite_matrix& error) {
     throw Indefinite_matrix(
         error.row(), "weights there differ by more than doubles hold; refine the triangulation, "

@@ -51,6 +51,10 @@ public:
   */
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal);
 
+  // Uses the analysis of a matrix with entries in the same places, or sets it if there is none.
+  Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+                          internal::Shared_analysis& analysis);
+
   /*!
   \brief factors `L + D` and `m L + E` at once, which takes far less than twice the time of one.
   \param laplacian the matrix L, compressed, both triangles of it

@@ -45,6 +45,8 @@ struct Vector_sources {
   Eigen::VectorXcd vectors;
   Eigen::VectorXd lengths; // or values, of functions
   Eigen::VectorXd weights;
+  std::optional<double> common; // the length, if it is the same for all
+  bool has_different = false;   // lengths
 };
 
 // A corner of the face of a source, or the vertex where it is.
@@ -111,6 +113,7 @@ private:
   double time_;
   std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
   Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
+  mutable Shared_analysis analysis_; // of all matrices: they have entries in the same places
   mutable std::optional<Laplacian_factorization> poisson_;
   mutable std::shared_ptr<const Function_flow> functions_;
   mutable std::shared_ptr<const Vector_flow> vectors_;

@@ -143,7 +143,7 @@ public:
     sources; NaN on components without a source
   \throws std::invalid_argument if there is no source, one is an isolated vertex, or a value is not
     finite
-  \complexity that of solving with one factored real matrix
+  \complexity that of solving with one factored real matrix, unless all values are the same
   */
   Eigen::VectorXd
   extend_scalars(const std::vector<std::pair<vertex_descriptor, double>>& sources) const {
@@ -169,7 +169,8 @@ public:
   \param sources vertices, and vectors in their coordinates
   \return the vectors
   \throws std::invalid_argument as `extend_scalars()`
-  \complexity that of solving with one factored real and one factored complex matrix
+  \complexity that of solving with a factored complex matrix; with a real one too, unless all
+    vectors have the same length, bit by bit
   */
   Tangent_field transport(const std::vector<std::pair<vertex_descriptor, Complex>>& sources) const {
     internal::Vector_sources s(heat_.graph().size);

@@ -212,8 +212,10 @@ void Heat_solver::make_cold_border(const Eigen::VectorXd& masses) {
   const auto on_border = std::count(is_on_border_.begin(), is_on_border_.end(), 1);
   if (on_border == 0 || on_border == masses.size()) return;
   const Eigen::SparseMatrix<double> flow = time_ * *poisson_.laplacian();
+  Shared_analysis none;
   cold_ = std::make_shared<const Function_flow>(
-      with_fixed_rows(flow, is_on_border_), diagonal_with_fixed_rows(flow, masses, is_on_border_));
+      with_fixed_rows(flow, is_on_border_), diagonal_with_fixed_rows(flow, masses, is_on_border_),
+      none);
   is_cancelled_ = !progress_(Heat_step::heat_factored);
 }
 

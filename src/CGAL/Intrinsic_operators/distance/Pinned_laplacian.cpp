@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -58,9 +59,14 @@ Eigen::VectorXd Pinned_laplacian::pinned_diagonal() const {
   return added;
 }
 
+const Symbolic_factorization& Pinned_laplacian::analysis() {
+  analyze(*laplacian_, late_->analysis);
+  return *late_->analysis;
+}
+
 const Laplacian_factorization& Pinned_laplacian::factored() const {
   std::call_once(late_->once, [this] {
-    if (!late_->made) late_->made.emplace(*laplacian_, pinned_diagonal());
+    if (!late_->made) late_->made.emplace(*laplacian_, pinned_diagonal(), late_->analysis);
   });
   return *late_->made;
 }

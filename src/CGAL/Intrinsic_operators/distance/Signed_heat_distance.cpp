@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -33,12 +34,38 @@ static double squared_spacing(const Face_table& table) {
       [](const Table_face& f, std::size_t k) { return f.squared_lengths[k] / 4; });
 }
 
-static Eigen::SparseMatrix<std::complex<double>> vector_flow_matrix(const Face_table& table,
-                                                                    double time) {
-  Eigen::SparseMatrix<std::complex<double>> m = time * edge_connection_laplacian(table);
-  for (int e = 0; e < m.cols(); ++e) m.coeffRef(e, e); // stored
-  m.makeCompressed();
-  return m;
+// Orders edges by the end that is eliminated first among the vertices. Around a set of eliminated
+// vertices as many edges remain as vertices. The factor has fewer entries than with edges ordered
+// by minimum degree (0.83 times as many on armadillo), and ordering three times as many edges as
+// vertices takes longer.
+// \param place of vertices in their elimination
+static std::vector<int> order_of_edges(const Face_table& table, const std::vector<int>& place) {
+  std::vector<std::vector<std::pair<int, int>>> at(place.size()); // minus the other place, and edge
+  std::vector<int> order;
+  std::vector<char> is_removed(table.number_of_edges, 1);
+  table.for_each_edge([&](const Table_face& f, std::size_t k) {
+    const auto edge = static_cast<int>(f.halfedges[k] / 2);
+    const auto [first, last] =
+        std::minmax(place[row_number(f.rows[k])], place[row_number(f.rows[(k + 1) % 3])]);
+    at[row_number(first)].push_back({-last, edge});
+    is_removed[row_number(edge)] = 0;
+  });
+  for (std::size_t e = 0; e < is_removed.size(); ++e)
+    if (is_removed[e] != 0) order.push_back(static_cast<int>(e));
+  for (auto& edges : at) {
+    std::ranges::sort(edges);
+    for (const auto& [other, edge] : edges) order.push_back(edge);
+  }
+  return order;
+}
+
+static std::shared_ptr<const Vector_flow> vector_flow(const Face_table& table, double time,
+                                                      const std::vector<int>& place) {
+  Eigen::SparseMatrix<std::complex<double>> l = edge_connection_laplacian(table, time);
+  Shared_analysis analysis =
+      std::make_shared<const Symbolic_factorization>(l, order_of_edges(table, place));
+  return std::make_shared<const Vector_flow>(
+      std::move(l), edge_areas(table).unaryExpr([](double a) { return a > 0 ? a : 1; }), analysis);
 }
 
 Signed_heat_solver::Signed_heat_solver(Face_table table,
@@ -47,9 +74,7 @@ Signed_heat_solver::Signed_heat_solver(Face_table table,
     : table_(std::move(table)),
       time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
       component_(table_.components()), poisson_(laplacian, component_),
-      flow_(std::make_shared<const Vector_flow>(
-          vector_flow_matrix(table_, time_),
-          edge_areas(table_).unaryExpr([](double m) { return m > 0 ? m : 1; }))) {}
+      flow_(vector_flow(table_, time_, poisson_.analysis().place)) {}
 
 Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
   const auto is_point = [](const Source_segment& s) { return s.from == s.to; };

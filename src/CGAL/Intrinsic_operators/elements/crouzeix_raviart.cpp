@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
 #include <Eigen/Core>
@@ -36,33 +36,37 @@ std::array<std::complex<double>, 3> side_frames(const Table_face& f) {
   std::array<std::complex<double>, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::complex<double> side = corners[(k + 1) % 3] - corners[k];
-    result[k] = (f.halfedges[k] % 2 == 0 ? side : -side) / std::abs(side);
+    result[k] = (f.halfedges[k] % 2 == 0 ? side : -side) / f.length(k);
   }
   return result;
 }
 
-Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table) {
+Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table,
+                                                                    double factor) {
   using Complex = std::complex<double>;
-  std::vector<Eigen::Triplet<Complex>> entries;
-  entries.reserve(9 * table.faces.size());
+  std::vector<Hermitian_entry> entries;
+  entries.reserve(3 * table.faces.size());
+  Eigen::VectorXd diagonal =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_edges));
   for (const Table_face& f : table.faces) {
     const auto weights = checked_half_cotangents(f);
     const auto frames = side_frames(f);
     for (std::size_t k = 0; k < 3; ++k) {
       // the cotangents at the ends of a side sum to this, which is positive in spite of rounding
       const auto side = static_cast<int>(f.halfedges[k] / 2);
-      entries.emplace_back(side, side, f.squared_lengths[k] / f.area());
+      diagonal[side] += factor * f.squared_lengths[k] / f.area();
       // two sides meet at the corner opposite the third
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       const auto i = static_cast<int>(f.halfedges[a] / 2), j = static_cast<int>(f.halfedges[b] / 2);
-      const double w = 4 * weights[k];
+      const double w = 4 * factor * weights[k];
       const Complex turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
-      entries.emplace_back(i, j, -w * turn);
-      entries.emplace_back(j, i, -w * std::conj(turn));
+      if (i == j)
+        diagonal[i] -= 2 * w * turn.real();
+      else
+        entries.push_back({i, j, -w * turn});
     }
   }
-  const auto size = static_cast<Eigen::Index>(table.number_of_edges);
-  return matrix_of(size, size, entries);
+  return hermitian_matrix(entries, diagonal);
 }
 
 Eigen::VectorXd edge_areas(const Face_table& table) {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Multifrontal_elimination.h>
+#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
+#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -31,7 +34,7 @@ void expect_factorable(const Eigen::SparseMatrix<Scalar>& a) {
                                 std::to_string(a.cols()) + " columns cannot be factored");
   for (int c = 0; c < a.outerSize(); ++c)
     for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(a, c); i; ++i)
-      if (!std::isfinite(std::abs(i.value())))
+      if (!std::isfinite(std::real(i.value())) || !std::isfinite(std::imag(i.value())))
         throw std::invalid_argument("the matrix must be finite, but entry (" +
                                     std::to_string(i.row()) + ", " + std::to_string(c) +
                                     ") is not");
@@ -125,10 +128,25 @@ private:
 };
 #endif
 
-template <class Scalar>
-std::shared_ptr<const Cholesky_factor<Scalar>>
-cholesky_factor_of(const Eigen::SparseMatrix<Scalar>& a) {
-  using Matrix = Eigen::SparseMatrix<Scalar>;
+// The factor by fronts of a Hermitian matrix.
+class Hermitian_cholesky : public Cholesky_factor<std::complex<double>> {
+public:
+  explicit Hermitian_cholesky(const Shared_analysis& analysis) : factor_(analysis) {}
+
+  // \param a compressed, both triangles of it
+  void factor(const Eigen::SparseMatrix<std::complex<double>>& a) {
+    Multifrontal_elimination(*factor_.symbolic, Hermitian_arithmetic(factor_, a)).eliminate();
+  }
+
+  Vectors solve(const Vectors& b) const override { return factor_.solve(b); }
+
+private:
+  Multifrontal_factor<std::complex<double>> factor_;
+};
+
+std::shared_ptr<const Cholesky_factor<double>>
+make_cholesky_factor(const Eigen::SparseMatrix<double>& a) {
+  using Matrix = Eigen::SparseMatrix<double>;
   expect_factorable(a);
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
   constexpr Eigen::Index large = 100000;
@@ -137,13 +155,23 @@ cholesky_factor_of(const Eigen::SparseMatrix<Scalar>& a) {
   return std::make_shared<Cholesky_factor_of<Readable_cholesky<Matrix>>>(a);
 }
 
-std::shared_ptr<const Cholesky_factor<double>>
-make_cholesky_factor(const Eigen::SparseMatrix<double>& a) {
-  return cholesky_factor_of(a);
+std::shared_ptr<const Cholesky_factor<std::complex<double>>>
+make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a,
+                     Shared_analysis& analysis) {
+  expect_factorable(a);
+  analyze(a, analysis);
+  const auto result = std::make_shared<Hermitian_cholesky>(analysis);
+  result->factor(a);
+  return result;
 }
+
 std::shared_ptr<const Cholesky_factor<std::complex<double>>>
 make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a) {
-  return cholesky_factor_of(a);
+  expect_factorable(a);
+  Eigen::SparseMatrix<std::complex<double>> full = a.selfadjointView<Eigen::Lower>();
+  full.makeCompressed();
+  Shared_analysis none;
+  return make_cholesky_factor(full, none);
 }
 
 } // namespace internal

@@ -44,7 +44,14 @@ inline double flow_time(double factor, double unit, double area) {
 // x * 2^e, in two steps: the power of two alone may exceed the range of doubles.
 template <class Scalar>
 Scalar times_power_of_two(const Scalar& x, int e) {
+  if (e == 0) return x;
   return x * std::ldexp(1.0, e / 2) * std::ldexp(1.0, e - e / 2);
+}
+
+// Whether the magnitude of a number is at least `least`; `std::abs()` of complex numbers is slow.
+template <class Scalar>
+bool is_at_least(const Scalar& x, double least) {
+  return std::abs(std::real(x)) >= least || std::abs(std::imag(x)) >= least || std::abs(x) >= least;
 }
 
 // Heat after a short time. It decays like exp(-r / sqrt(time)), by hundreds of powers of ten over a
@@ -71,9 +78,10 @@ struct Heat {
     int first = std::numeric_limits<int>::max();
     double greatest = 0;
     for (Eigen::Index r = 0; r < value.size(); ++r) {
-      const double x = std::abs(value[r]);
       const int l = level[static_cast<std::size_t>(r)];
-      if (!(x > 0) || l > first) continue;
+      if (value[r] == Scalar(0) || l > first) continue;
+      const double x = std::abs(value[r]);
+      if (!(x > 0)) continue;
       greatest = l < first ? x : std::max(greatest, x);
       first = l;
     }
@@ -82,6 +90,7 @@ struct Heat {
     for (Eigen::Index r = 0; r < value.size(); ++r) {
       int& l = level[static_cast<std::size_t>(r)];
       l = std::max(0, l - first);
+      if (value[r] == Scalar(0)) continue;
       const double x = std::abs(value[r]);
       if (!(x > 0)) continue;
       const int raised = std::max(0, (e - std::ilogb(x)) / step);
@@ -114,13 +123,15 @@ inline double log_heat(const Heat<double>& heat, Eigen::Index r) {
 // Factors M + time L: for functions without subtraction; for vectors, which turn along edges, up to
 // rounding.
 inline Laplacian_factorization factored_flow(const Eigen::SparseMatrix<double>& laplacian,
-                                             const Eigen::VectorXd& masses) {
-  return {laplacian, masses};
+                                             const Eigen::VectorXd& masses,
+                                             Shared_analysis& analysis) {
+  return {laplacian, masses, analysis};
 }
 inline Cholesky_factorization<std::complex<double>>
-factored_flow(Eigen::SparseMatrix<std::complex<double>> laplacian, const Eigen::VectorXd& masses) {
+factored_flow(Eigen::SparseMatrix<std::complex<double>> laplacian, const Eigen::VectorXd& masses,
+              Shared_analysis& analysis) {
   for (int r = 0; r < laplacian.cols(); ++r) laplacian.coeffRef(r, r) += masses[r];
-  return raised_factorization(laplacian);
+  return raised_factorization(laplacian, analysis);
 }
 
 // Makes one implicit step of the heat flow, (M + time L) u = u0, for functions or vector fields.
@@ -131,10 +142,11 @@ public:
   using Scalar = typename Matrix::Scalar;
   using Vector = typename Heat<Scalar>::Vector;
 
-  // \param laplacian L times the time, compressed \param masses the diagonal of M, positive
-  Diffusion(Matrix laplacian, const Eigen::VectorXd& masses)
+  // \param laplacian L times the time, compressed, with its diagonal \param masses the diagonal of
+  // M, positive \param analysis of a matrix with entries in the same places; set if there is none
+  Diffusion(Matrix laplacian, const Eigen::VectorXd& masses, Shared_analysis& analysis)
       : laplacian_(std::make_shared<const Matrix>(std::move(laplacian))),
-        factored_(factored_flow(*laplacian_, masses)) {}
+        factored_(factored_flow(*laplacian_, masses, analysis)) {}
   // \param factored the factorization of M + time L
   Diffusion(std::shared_ptr<const Matrix> laplacian, double time, Factored factored)
       : laplacian_(std::move(laplacian)), time_(time), factored_(std::move(factored)) {}
@@ -201,7 +213,7 @@ private:
     bool is_any_lost = false, is_any_found = false;
     for (Eigen::Index r = 0; r < heat.value.size(); ++r) {
       if (is_reached[row_number(r)] == 0 || heat.level[row_number(r)] != level) continue;
-      if (std::abs(heat.value[r]) >= least || std::abs(start.at(r, level)) >= least) {
+      if (is_at_least(heat.value[r], least) || is_at_least(start.at(r, level), least)) {
         is_any_found = true;
         continue;
       }

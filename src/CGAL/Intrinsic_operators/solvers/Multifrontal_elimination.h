@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
 
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -12,134 +14,155 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
+#include <future>
 #include <limits>
 #include <memory>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sum of the terms m to m + n - 1.
-template <std::size_t n, class Term>
-auto sum_in_pairs(const Term& term, std::size_t m = 0) {
-  if constexpr (n == 1)
-    return term(m);
-  else
-    return decltype(term(m))(sum_in_pairs<n / 2>(term, m) + sum_in_pairs<n / 2>(term, m + n / 2));
-}
-
-// The factor of a Laplacian and a diagonal: unit triangular, minus `value` below the diagonal,
-// times the pivots, times its transpose.
-struct Laplacian_factor {
-  // leaves the numbers to be written
-  explicit Laplacian_factor(std::shared_ptr<const Symbolic_factorization> s)
-      : symbolic(std::move(s)),
-        value(std::make_unique_for_overwrite<double[]>(row_number(symbolic->column_begin.back()))),
-        pivot(symbolic->row.size()) {}
-
-  // Solves for the columns of b from c on, as many as a pack holds, and writes those of x.
-  template <int right_sides>
-  void solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, Eigen::Index c) const {
-    using Pack = Eigen::Array<double, right_sides, 1>;
-    std::vector<Pack> y(pivot.size());
-    for (std::size_t k = 0; k < y.size(); ++k)
-      y[k] = b.block<1, right_sides>(symbolic->row[k], c).transpose();
-    for (int s = 0; s < symbolic->supernodes(); ++s) solve_forward(s, y.data());
-    for (int s = symbolic->supernodes() - 1; s >= 0; --s) solve_backward(s, y.data());
-    for (std::size_t k = 0; k < y.size(); ++k)
-      x.block<1, right_sides>(symbolic->row[k], c) = y[k].matrix().transpose();
-  }
-
-  std::shared_ptr<const Symbolic_factorization> symbolic;
-  std::unique_ptr<double[]> value; // not a vector, which would write megabytes of zeros first
-  std::vector<double> pivot;       // by places
-
-private:
-  const double* column(int k) const { return value.get() + symbolic->column_begin[row_number(k)]; }
-
-  template <class Pack>
-  void solve_forward(int s, Pack* y) const {
-    const int begin = symbolic->supernode_begin[row_number(s)], end = begin + symbolic->columns(s);
-    for (int j = begin; j < end; ++j)
-      for (int i = j + 1; i < end; ++i) y[i] += column(j)[i - j - 1] * y[j];
-    int j = begin;
-    for (; j + 4 <= end; j += 4) add_below<4>(s, j, y);
-    for (; j < end; ++j) add_below<1>(s, j, y);
-  }
-
-  template <class Pack>
-  void solve_backward(int s, Pack* y) const {
-    const int begin = symbolic->supernode_begin[row_number(s)], end = begin + symbolic->columns(s);
-    for (int j = begin; j < end; ++j) y[j] /= pivot[row_number(j)];
-    int j = begin;
-    for (; j + 4 <= end; j += 4) add_from_below<4>(s, j, y);
-    for (; j < end; ++j) add_from_below<1>(s, j, y);
-    for (int k = end - 2; k >= begin; --k)
-      for (int i = k + 1; i < end; ++i) y[k] += column(k)[i - k - 1] * y[i];
-  }
-
-  // Some columns of a supernode from j on at once: below it they have entries in the same rows,
-  // which are scattered.
-  template <int columns, class Pack>
-  void add_below(int s, int j, Pack* y) const {
-    if (std::all_of(y + j, y + j + columns, [](const Pack& p) { return (p == 0).all(); })) return;
-    const int* const rows = symbolic->rows_below(s);
-    const auto below = columns_below<columns>(s, j);
-    std::array<Pack, columns> factor;
-    std::copy_n(y + j, columns, factor.begin());
-    for (std::ptrdiff_t i = 0; i < symbolic->rows_end(s) - rows; ++i) {
-      y[rows[i]] +=
-          sum_in_pairs<columns>([&](std::size_t m) { return Pack(below[m][i] * factor[m]); });
-    }
-  }
-  template <int columns, class Pack>
-  void add_from_below(int s, int j, Pack* y) const {
-    const int* const rows = symbolic->rows_below(s);
-    const auto below = columns_below<columns>(s, j);
-    std::array<Pack, columns> sum;
-    std::copy_n(y + j, columns, sum.begin());
-    for (std::ptrdiff_t i = 0; i < symbolic->rows_end(s) - rows; ++i) {
-      const Pack at = y[rows[i]];
-      for (std::size_t m = 0; m < columns; ++m) sum[m] += below[m][i] * at;
-    }
-    std::copy_n(sum.begin(), columns, y + j);
-  }
-  template <int columns>
-  std::array<const double*, columns> columns_below(int s, int j) const {
-    std::array<const double*, columns> result;
-    for (int m = 0; m < columns; ++m)
-      result[row_number(m)] = column(j + m + 1) - (symbolic->rows_end(s) - symbolic->rows_below(s));
-    return result;
-  }
-};
-
 /*
-Eliminates the rows of Laplacians with diagonals, of one matrix or of several with entries in the
-same places, by fronts (Duff and Reid 1983): the weights between the columns of a supernode and all
-rows where these have entries. The Schur complement of the rows below adds to the front of the
-parent. So computations use contiguous memory. By Grassmann, Taksar and Heyman, the diagonal of a
-front has the sums of its rows in place of the diagonal of the matrix: a pivot is the sum of a
+What elimination does with the weights, which are minus the entries, of Laplacians with diagonals:
+one matrix or several with entries in the same places. By Grassmann, Taksar and Heyman, the diagonal
+of a front has the sums of its rows in place of the diagonal of the matrix: a pivot is the sum of a
 column, and nothing is subtracted.
 */
 template <int matrices>
-class Multifrontal_elimination {
+class Laplacian_arithmetic {
 public:
   using Pack = Eigen::Array<double, matrices, 1>; // a number of each matrix
+  using Inverse = Pack;                           // of a pivot
+  using Multiple = Pack;
   using Factors = std::array<std::shared_ptr<Laplacian_factor>, matrices>;
 
   // \param unit the factor of the weights of the matrix \param diagonal a pack per row
-  Multifrontal_elimination(const Factors& factors, const Eigen::SparseMatrix<double>& laplacian,
-                           const Pack& unit, const Eigen::Array<double, matrices, -1>& diagonal)
-      : e_(*factors[0]->symbolic), factors_(factors), laplacian_(laplacian), unit_(unit),
-        diagonal_(diagonal), waiting_(row_number(e_.supernodes())) {}
+  Laplacian_arithmetic(const Factors& factors, const Eigen::SparseMatrix<double>& laplacian,
+                       const Pack& unit, const Eigen::Array<double, matrices, -1>& diagonal)
+      : factors_(factors), laplacian_(laplacian), unit_(unit), diagonal_(diagonal) {}
+
+  Pack diagonal(int row) const { return diagonal_.col(row); }
+  Pack weight(int number) const { return -laplacian_.valuePtr()[number] * unit_; }
+
+  // The multiple of an eliminated column that adds to the column where it has this weight.
+  static Multiple multiple(const Pack& weight, const Inverse& inverse) { return weight * inverse; }
+  static Pack times(const Pack& weight, const Multiple& m) { return weight * m; }
+  // \param diagonal of the eliminated column \param weight in the row of the diagonal
+  static Pack on_diagonal(const Pack& diagonal, const Pack&, const Multiple& m) {
+    return diagonal * m;
+  }
+
+  // Writes a column of the factor. \return whether its pivot is positive up to rounding
+  bool finish_column(int place, int, const Pack* column, int below, Inverse& inverse) {
+    Pack pivot = column[0], all = pivot.abs();
+    for (int i = 1; i <= below; ++i) {
+      pivot += column[i];
+      all += column[i].abs();
+    }
+    inverse = pivot.inverse();
+    for (std::size_t m = 0; m < matrices; ++m) {
+      const auto of_pack = static_cast<Eigen::Index>(m);
+      factors_[m]->pivot[row_number(place)] = pivot[of_pack];
+      double* value = factors_[m]->column(place);
+      for (int i = 1; i <= below; ++i) *value++ = column[i][of_pack] * inverse[of_pack];
+    }
+    return (pivot > 64 * std::numeric_limits<double>::epsilon() * all).all();
+  }
+
+private:
+  const Factors& factors_;
+  const Eigen::SparseMatrix<double>& laplacian_;
+  Pack unit_;
+  const Eigen::Array<double, matrices, -1>& diagonal_;
+};
+
+// The same for a Hermitian matrix, with its diagonal as it is. Packs are complex numbers, as pairs
+// of doubles.
+class Hermitian_arithmetic {
+public:
+  using Pack = Eigen::Array2d;
+  using Inverse = double;
+  struct Multiple {
+    double real;
+    Pack imaginary; // minus it, and it
+  };
+  using Number = std::complex<double>;
+  using Factor = Multifrontal_factor<Number>;
+
+  Hermitian_arithmetic(Factor& factor, const Eigen::SparseMatrix<Number>& matrix)
+      : factor_(factor), matrix_(matrix), diagonal_(matrix.diagonal().real()) {}
+
+  Pack diagonal(int row) const { return {diagonal_[row], 0}; }
+  Pack weight(int number) const {
+    const Number& a = matrix_.valuePtr()[number];
+    return {-a.real(), -a.imag()};
+  }
+
+  static Multiple multiple(const Pack& weight, Inverse inverse) { // its conjugate
+    const double imaginary = -weight[1] * inverse;
+    return {weight[0] * inverse, {-imaginary, imaginary}};
+  }
+  static Pack times(const Pack& weight, const Multiple& m) {
+    return weight * m.real + Pack(weight[1], weight[0]) * m.imaginary;
+  }
+  static Pack on_diagonal(const Pack&, const Pack& weight, const Multiple& m) {
+    return {-(weight[0] * m.real - weight[1] * m.imaginary[1]), 0};
+  }
+
+  bool finish_column(int place, int row, const Pack* column, int below, Inverse& inverse) {
+    const double pivot = column[0][0];
+    inverse = 1 / pivot;
+    factor_.pivot[row_number(place)] = pivot;
+    Eigen::Map<Eigen::Array2Xd>(factor_.column(place), 2, below) =
+        Eigen::Map<const Eigen::Array2Xd>(column->data() + 2, 2, below) * inverse;
+    return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal_[row];
+  }
+
+private:
+  Factor& factor_;
+  const Eigen::SparseMatrix<Number>& matrix_;
+  Eigen::VectorXd diagonal_;
+};
+
+/*
+Eliminates the rows of matrices by fronts (Duff and Reid 1983): the weights between the columns of a
+supernode and all rows where these have entries. The Schur complement of the rows below adds to the
+front of the parent. So computations use contiguous memory.
+*/
+template <class Arithmetic>
+class Multifrontal_elimination {
+public:
+  using Pack = typename Arithmetic::Pack;
+
+  Multifrontal_elimination(const Symbolic_factorization& symbolic, Arithmetic arithmetic)
+      : e_(symbolic), arithmetic_(std::move(arithmetic)), waiting_(row_number(e_.supernodes())) {}
+
+  // Eliminates all rows, in two threads if that is worth it and there are two processors; the
+  // result is the same. \throws Indefinite_matrix
+  void eliminate() {
+    using Symbolic = Symbolic_factorization;
+    const bool has_thread = e_.has_halves && std::thread::hardware_concurrency() > 1;
+    auto second =
+        std::async(has_thread ? std::launch::async | std::launch::deferred : std::launch::deferred,
+                   [this] { return eliminate(Symbolic::second_half); });
+    const int of_first = eliminate(Symbolic::first_half), of_second = second.get();
+    for (const int row : {of_first, of_second})
+      if (row >= 0) throw Indefinite_matrix(row);
+    if (const int row = eliminate(Symbolic::after_both); row >= 0) throw Indefinite_matrix(row);
+  }
+
+private:
+  using Inverse = typename Arithmetic::Inverse;
 
   // Eliminates the supernodes of a part; the two halves may run at the same time, before the
   // others.
   // \return the row of a pivot that is not positive, up to rounding, or -1
   int eliminate(Symbolic_factorization::Part part) {
     if (part == Symbolic_factorization::after_both) add_halves();
-    std::vector<Pack> inverse;
+    std::vector<Inverse> inverse;
     for (int s = 0; s < e_.supernodes(); ++s) {
       if (e_.part[row_number(s)] != part) continue;
       Front& front = assemble(s);
@@ -152,7 +175,6 @@ public:
     return -1;
   }
 
-private:
   // By columns, each from its diagonal on: weights, and on the diagonal sums of rows.
   struct Front {
     int height = 0;
@@ -188,10 +210,10 @@ private:
     for (int c = 0; c < e_.columns(s); ++c) {
       const std::size_t k = row_number(begin + c);
       Pack* const column = front.column(c);
-      column[c] += diagonal_.col(e_.row[k]);
+      column[c] += arithmetic_.diagonal(e_.row[k]);
       for (int i = e_.entry_begin[k]; i < e_.entry_begin[k + 1]; ++i) {
         const auto [place, number] = e_.entry[row_number(i)];
-        column[row_in_front(s, place)] -= laplacian_.valuePtr()[number] * unit_;
+        column[row_in_front(s, place)] += arithmetic_.weight(number);
       }
     }
     return front;
@@ -218,7 +240,7 @@ private:
   }
 
   // \return the row of a pivot that is not positive, or -1
-  int eliminate_columns(int s, Front& front, std::vector<Pack>& inverse) {
+  int eliminate_columns(int s, Front& front, std::vector<Inverse>& inverse) {
     const int columns = e_.columns(s), begin = e_.supernode_begin[row_number(s)];
     inverse.resize(row_number(columns));
     for (int c = 0; c < front.height; ++c) {
@@ -227,51 +249,35 @@ private:
       for (; j + 4 <= before; j += 4) add_multiples<4>(front, j, c, inverse);
       for (; j + 2 <= before; j += 2) add_multiples<2>(front, j, c, inverse);
       for (; j < before; ++j) add_multiples<1>(front, j, c, inverse);
-      if (c < columns && !finish_column(begin + c, front, c, inverse[row_number(c)]))
-        return e_.row[row_number(begin + c)];
+      const int row = c < columns ? e_.row[row_number(begin + c)] : -1;
+      if (row >= 0 && !arithmetic_.finish_column(begin + c, row, front.column(c) + c,
+                                                 front.height - c - 1, inverse[row_number(c)]))
+        return row;
     }
     return -1;
   }
 
   // Adds to column c the result of the elimination of columns from j on.
   template <int columns>
-  static void add_multiples(Front& front, int j, int c, const std::vector<Pack>& inverse) {
+  static void add_multiples(Front& front, int j, int c, const std::vector<Inverse>& inverse) {
     std::array<const Pack*, columns> from;
-    std::array<Pack, columns> factor;
+    std::array<typename Arithmetic::Multiple, columns> factor;
     for (int m = 0; m < columns; ++m) {
       from[row_number(m)] = front.column(j + m);
-      factor[row_number(m)] = from[row_number(m)][c] * inverse[row_number(j + m)];
+      factor[row_number(m)] =
+          Arithmetic::multiple(from[row_number(m)][c], inverse[row_number(j + m)]);
     }
     Pack* const to = front.column(c);
-    to[c] += sum_in_pairs<columns>(
-        [&](std::size_t m) { return Pack(from[m][j + static_cast<int>(m)] * factor[m]); });
+    to[c] += sum_in_pairs<columns>([&](std::size_t m) {
+      return Arithmetic::on_diagonal(from[m][j + static_cast<int>(m)], from[m][c], factor[m]);
+    });
     for (int i = c + 1; i < front.height; ++i)
-      to[i] += sum_in_pairs<columns>([&](std::size_t m) { return Pack(from[m][i] * factor[m]); });
-  }
-
-  // Writes a column of the factor. \return whether its pivot is positive
-  bool finish_column(int k, Front& front, int c, Pack& inverse) {
-    const Pack* const column = front.column(c);
-    Pack pivot = column[c], all = pivot.abs();
-    for (int i = c + 1; i < front.height; ++i) {
-      pivot += column[i];
-      all += column[i].abs();
-    }
-    inverse = pivot.inverse();
-    for (std::size_t m = 0; m < matrices; ++m) {
-      const auto of_pack = static_cast<Eigen::Index>(m);
-      factors_[m]->pivot[row_number(k)] = pivot[of_pack];
-      double* value = factors_[m]->value.get() + e_.column_begin[row_number(k)];
-      for (int i = c + 1; i < front.height; ++i) *value++ = column[i][of_pack] * inverse[of_pack];
-    }
-    return (pivot > 64 * std::numeric_limits<double>::epsilon() * all).all();
+      to[i] += sum_in_pairs<columns>(
+          [&](std::size_t m) { return Pack(Arithmetic::times(from[m][i], factor[m])); });
   }
 
   const Symbolic_factorization& e_;
-  const Factors& factors_;
-  const Eigen::SparseMatrix<double>& laplacian_;
-  Pack unit_;
-  const Eigen::Array<double, matrices, -1>& diagonal_;
+  Arithmetic arithmetic_;
   std::vector<Front> waiting_; // of supernodes, with Schur complements of children
 };
 

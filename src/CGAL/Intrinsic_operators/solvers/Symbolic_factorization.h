@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -28,7 +29,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Symbolic_factorization {
   // Permutes by approximate minimum degree. \throws std::invalid_argument if the pattern is not
   // symmetric
-  explicit Symbolic_factorization(const Eigen::SparseMatrix<double>& a);
+  template <class Scalar>
+  explicit Symbolic_factorization(const Eigen::SparseMatrix<Scalar>& a)
+      : Symbolic_factorization(a, minimum_degree_order(a)) {}
+  // \param order the rows, as they are eliminated
+  template <class Scalar>
+  Symbolic_factorization(const Eigen::SparseMatrix<Scalar>& a, std::vector<int> order);
 
   // An entry of the matrix, below the diagonal once permuted.
   struct Entry {
@@ -63,9 +69,13 @@ struct Symbolic_factorization {
   std::vector<int> rows_begin, rows; // places of the entries of the first column of each
   std::vector<Part> part;            // of each supernode
   bool has_halves = false;
+  Eigen::Index entries_of_matrix;
 
 private:
-  void find_entries(const Eigen::SparseMatrix<double>& a);
+  template <class Scalar>
+  static std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a);
+  template <class Scalar>
+  void find_entries(const Eigen::SparseMatrix<Scalar>& a);
   void find_supernodes();
   template <class Visit>
   bool for_each_row_below(int column, const Visit& visit) const;
@@ -79,7 +89,8 @@ private:
 
 // Whether there is an entry (c, r) for each (r, c); rows are sorted, so those of a column come in
 // order.
-inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
+template <class Scalar>
+bool has_symmetric_pattern(const Eigen::SparseMatrix<Scalar>& a) {
   const int *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   std::vector<int> next(begin, begin + a.outerSize());
   for (int c = 0; c < a.outerSize(); ++c)
@@ -91,13 +102,20 @@ inline bool has_symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
   return true;
 }
 
-inline Symbolic_factorization::Symbolic_factorization(const Eigen::SparseMatrix<double>& a)
-    : place(row_number(a.cols())) {
+template <class Scalar>
+std::vector<int>
+Symbolic_factorization::minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a) {
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.template selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + order.indices().size()};
+}
+
+template <class Scalar>
+Symbolic_factorization::Symbolic_factorization(const Eigen::SparseMatrix<Scalar>& a,
+                                               std::vector<int> order)
+    : row(std::move(order)), place(row.size()), entries_of_matrix(a.nonZeros()) {
   if (!has_symmetric_pattern(a))
     throw std::invalid_argument("the matrix must be symmetric; give both triangles of it");
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.selfadjointView<Eigen::Lower>(), order);
-  row.assign(order.indices().data(), order.indices().data() + order.indices().size());
   for (std::size_t k = 0; k < row.size(); ++k) place[row_number(row[k])] = static_cast<int>(k);
   find_entries(a);
   find_supernodes();
@@ -105,7 +123,8 @@ inline Symbolic_factorization::Symbolic_factorization(const Eigen::SparseMatrix<
 }
 
 // Reads the matrix from the first row to the last, since places are in random order.
-inline void Symbolic_factorization::find_entries(const Eigen::SparseMatrix<double>& a) {
+template <class Scalar>
+void Symbolic_factorization::find_entries(const Eigen::SparseMatrix<Scalar>& a) {
   entry_begin.assign(row.size() + 1, 0);
   const int *const begin = a.outerIndexPtr(), *const inner = a.innerIndexPtr();
   for (int c = 0; c < a.cols(); ++c) {
@@ -132,6 +151,16 @@ bool Symbolic_factorization::for_each_row_below(int column, const Visit& visit) 
   for (int c = child_[row_number(column)]; c >= 0; c = sibling_[row_number(c)])
     if (!std::all_of(rows_below(c) + 1, rows_end(c), visit)) return false;
   return true;
+}
+
+// Analyses a matrix, unless the analysis of one with entries in the same places is given. \throws
+// std::invalid_argument if the other one has another size
+template <class Scalar>
+void analyze(const Eigen::SparseMatrix<Scalar>& a,
+             std::shared_ptr<const Symbolic_factorization>& s) {
+  if (!s) s = std::make_shared<const Symbolic_factorization>(a);
+  if (s->row.size() != row_number(a.cols()) || s->entries_of_matrix != a.nonZeros())
+    throw std::invalid_argument("the analysis is that of another matrix");
 }
 
 // A column continues a supernode if it is the parent of the one before and adds no row.

@@ -25,6 +25,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 void Vector_sources::add(Eigen::Index vertex, double weight, double value) {
   if (!std::isfinite(value))
     throw std::invalid_argument("the values and vectors of sources must be finite");
+  has_different = has_different || (common && *common != value);
+  common = value;
   weights[vertex] += weight;
   lengths[vertex] += weight * value;
 }
@@ -44,15 +46,15 @@ Heat_transport::Heat_transport(Connection_graph graph, double time_factor)
 
 const Function_flow& Heat_transport::functions() const {
   if (!functions_)
-    functions_ =
-        std::make_shared<const Function_flow>(scaled_laplacian<double>(graph_, 0, time_), masses_);
+    functions_ = std::make_shared<const Function_flow>(scaled_laplacian<double>(graph_, 0, time_),
+                                                       masses_, analysis_);
   return *functions_;
 }
 
 const Vector_flow& Heat_transport::vectors() const {
   if (!vectors_)
     vectors_ = std::make_shared<const Vector_flow>(
-        scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_);
+        scaled_laplacian<std::complex<double>>(graph_, 1, time_), masses_, analysis_);
   return *vectors_;
 }
 
@@ -95,9 +97,15 @@ Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   if (sources.weights.size() == 0 || !(sources.weights.maxCoeff() > 0))
     throw std::invalid_argument("there must be a source; none is given");
   const std::vector<char> is_reached = reached(sources.weights);
+  Eigen::VectorXd result(sources.weights.size());
+  if (!sources.has_different) { // its mean by any weights, without heat
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+      result[i] =
+          is_reached[static_cast<std::size_t>(i)] != 0 ? *sources.common : unknown_vector.real();
+    return result;
+  }
   const std::vector<Heat<double>> heat = functions().all(
       {Heat<double>(sources.lengths), Heat<double>(sources.weights)}, {is_reached, is_reached});
-  Eigen::VectorXd result(sources.weights.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = heat[1].value[i] > 0 ? heat_ratio(heat[0], heat[1], i) : unknown_vector.real();
   return result;
@@ -205,7 +213,7 @@ Eigen::VectorXd Heat_transport::pins() const {
 // source.
 Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
                                           const Eigen::VectorXcd& radial) const {
-  if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins());
+  if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins(), analysis_);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(radial.size());
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];
