@@ -14,10 +14,13 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
+#include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
+#include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>

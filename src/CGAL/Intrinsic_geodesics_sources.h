@@ -13,9 +13,11 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.cpp>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_order.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/Edge_graph.cpp>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_along.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.cpp>
+#include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/batches.cpp>
