@@ -16,6 +16,8 @@ void run_delaunay(const Options& options);
 void run_transfer(const Options& options);
 /// makes curves geodesic, refines with them as constraints and writes files, as options say.
 void run_geodesic(const Options& options);
+/// cuts the surface open along curves, and writes it with labels, as options say.
+void run_cut(const Options& options);
 /// computes distances, by heat flow or exactly.
 void run_distance(const Options& options);
 /// maps a disk to the plane.

@@ -15,6 +15,7 @@ const std::string applications = "intrinsic-applications";
 } // namespace
 
 void run_geodesic(const Options& options) { become(applications, options.arguments); }
+void run_cut(const Options& options) { become(applications, options.arguments); }
 void run_distance(const Options& options) { become(applications, options.arguments); }
 void run_parametrize(const Options& options) { become(applications, options.arguments); }
 void run_transport(const Options& options) { become(applications, options.arguments); }

@@ -108,6 +108,14 @@ void add_geodesic(CLI::App& app, Options& options, Command& chosen) {
   command.callback([&chosen] { chosen = program::run_geodesic; });
 }
 
+void add_cut(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "cut", "cut the mesh open along curves or isolines, and label the pieces");
+  program::add_common_options(command, options);
+  program::add_cut_options(command, options);
+  command.callback([&chosen] { chosen = program::run_cut; });
+}
+
 void add_distance(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "distance", "compute distances from points and curves, by the flow of heat or exactly");
@@ -243,6 +251,7 @@ int run(int argc, char** argv) {
   add_laplacian(app, options, chosen);
   add_transfer(app, options, chosen);
   add_geodesic(app, options, chosen);
+  add_cut(app, options, chosen);
   add_distance(app, options, chosen);
   add_parametrize(app, options, chosen);
   add_transport(app, options, chosen);
@@ -258,7 +267,7 @@ int run(int argc, char** argv) {
     if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
       std::cerr << "intrinsic: there is no command \""
                 << program::legible(argv[1], program::longest_argument)
-                << "\"; use delaunay, refine, laplacian, transfer, geodesic, distance, "
+                << "\"; use delaunay, refine, laplacian, transfer, geodesic, cut, distance, "
                    "parametrize, transport, logmap, "
                    "field, eigen, edit, info or "
                    "study, or --help\n";
@@ -268,6 +277,7 @@ int run(int argc, char** argv) {
   }
   std::string misuse = program::misuse(options);
   if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
+  if (misuse.empty() && chosen == program::run_cut) misuse = program::cut_misuse(options);
   if (misuse.empty() && chosen == program::run_distance) misuse = program::distance_misuse(options);
   if (misuse.empty() && chosen == program::run_field) misuse = program::field_misuse(options);
   if (!misuse.empty()) {

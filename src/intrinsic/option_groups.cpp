@@ -3,6 +3,7 @@
 
 #include "option_groups.h"
 #include "geodesic/asked_curves.h"
+#include "levels.h"
 #include "support/file_formats.h"
 
 #include <algorithm>
@@ -42,7 +43,8 @@ bool are_same_file(const std::string& a, const std::string& b) {
 
 std::vector<std::string> outputs(const Options& o) {
   std::vector<std::string> names{o.output,        o.application.singularities, o.mass,  o.laplacian,
-                                 o.interpolation, o.input_interpolation,       o.stats, o.view};
+                                 o.interpolation, o.input_interpolation,       o.stats, o.view,
+                                 o.cut.labels};
   std::erase_if(names, [](const std::string& name) { return name.empty() || name == "-"; });
   return names;
 }
@@ -260,7 +262,8 @@ void add_correspondence_options(CLI::App& command, Options& options) {
       ->type_name("FILE");
 }
 
-void add_curve_options(CLI::App& command, Options& options) {
+// Curves that may be given together.
+void add_joined_curve_options(CLI::App& command, Options& options) {
   Geodesic_options& g = options.geodesic;
   const auto list = [&](const char* name, std::vector<std::string>& all, std::size_t least,
                         const char* what) {
@@ -270,12 +273,6 @@ void add_curve_options(CLI::App& command, Options& options) {
        "path through points, separated by commas: numbers of vertices, or face:b0:b1:b2; may be "
        "repeated");
   list("--loop", g.loops, 3, "closed curve through points; may be repeated");
-  command.add_option("--bezier", g.bezier, "Bezier curve with these control points; alone")
-      ->check(curve_points(2));
-  command
-      .add_option("--source", g.source,
-                  "geodesics from a point to all vertices, in one triangulation; alone")
-      ->check(curve_points(1));
   command
       .add_option(
           "--network", g.network,
@@ -292,6 +289,17 @@ void add_curve_options(CLI::App& command, Options& options) {
           "edges whose faces deviate by more than so many degrees from a plane become curves")
       ->check(between(0, 180));
   command.add_flag("--waypoints", g.has_waypoints, "curves stay at all points that are given");
+}
+
+void add_curve_options(CLI::App& command, Options& options) {
+  Geodesic_options& g = options.geodesic;
+  add_joined_curve_options(command, options);
+  command.add_option("--bezier", g.bezier, "Bezier curve with these control points; alone")
+      ->check(curve_points(2));
+  command
+      .add_option("--source", g.source,
+                  "geodesics from a point to all vertices, in one triangulation; alone")
+      ->check(curve_points(1));
   command.add_flag("--along-edges", g.is_along_edges,
                    "curves start as shortest paths along edges: faster, geodesic, but often "
                    "longer");
@@ -303,6 +311,53 @@ void add_curve_options(CLI::App& command, Options& options) {
       .add_option("--joint-angle", g.joint_angle,
                   "stop when all joints have at least this angle, in degrees")
       ->check(between(0, 180));
+}
+
+void add_cut_options(CLI::App& command, Options& options) {
+  add_joined_curve_options(command, options);
+  CLI::Option* const levels =
+      command
+          .add_option(
+              "--levels", options.cut.levels,
+              "cut along isolines: how many, evenly spaced, or a list of values with commas")
+          ->check(CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST"));
+  command
+      .add_option("--source", options.application.sources,
+                  "isolines of the exact distance from points, separated by commas")
+      ->needs(levels)
+      ->check(curve_points(1));
+  command
+      .add_option("--values", options.field,
+                  "isolines of a function: a text file with a number for each vertex of the mesh")
+      ->needs(levels)
+      ->type_name("FILE");
+  command.add_flag("--to-disk", options.cut.makes_disks,
+                   "make a disk of each component by a short cut along geodesics");
+  add_output_option(command, "-o", options.output, {Contents::cut_surface});
+  command
+      .add_option("--labels", options.cut.labels,
+                  "write on each line the component of a face, and the face of the mesh that it is "
+                  "in, to .txt")
+      ->check(file_of({Contents::values}));
+  command.add_option("--view", options.view, "write a page that shows the pieces")
+      ->type_name("FILE");
+}
+
+std::string cut_misuse(const Options& o) {
+  const Geodesic_options& g = o.geodesic;
+  const bool has_curves =
+      !g.paths.empty() || !g.loops.empty() || !g.network.empty() || has_constraints(o);
+  const int kinds =
+      (has_curves ? 1 : 0) + (o.cut.levels.empty() ? 0 : 1) + (o.cut.makes_disks ? 1 : 0);
+  if (kinds == 0)
+    return "there is nothing to cut along; name curves with --path, --loop, --network, --marked or "
+           "--sharp-angle, isolines with --levels, or give --to-disk";
+  if (kinds > 1)
+    return "curves, isolines and cuts to disks would divide each other; give either curves, "
+           "--levels or --to-disk";
+  if (!o.cut.levels.empty() && o.application.sources.empty() == o.field.empty())
+    return "--levels needs a function: give --source for distances, or --values, a file of numbers";
+  return {};
 }
 
 void add_curve_output_options(CLI::App& command, Options& options) {

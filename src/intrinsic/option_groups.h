@@ -29,6 +29,8 @@ void add_matrix_options(CLI::App& command, Options& options);
 void add_correspondence_options(CLI::App& command, Options& options);
 /// adds curves to be made geodesic, and where to stop.
 void add_curve_options(CLI::App& command, Options& options);
+/// adds curves and isolines to cut along, and the files of the cut surface.
+void add_cut_options(CLI::App& command, Options& options);
 /// adds the files of curves.
 void add_curve_output_options(CLI::App& command, Options& options);
 /// adds the options of all commands that solve a problem on the triangulation: refinement, files of
@@ -43,6 +45,8 @@ void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
 
 /// returns what is wrong with the options of the command `geodesic`, like `misuse()`.
 std::string geodesic_misuse(const Options& options);
+/// returns what is wrong with the options of the command `cut`, like `misuse()`.
+std::string cut_misuse(const Options& options);
 /// returns what is wrong with the options of the command `distance`, like `misuse()`.
 std::string distance_misuse(const Options& options);
 /// returns what is wrong with the options of the command `field`, like `misuse()`.

@@ -50,6 +50,13 @@ struct Geodesic_options {
   bool writes_subdivision = false;
 };
 
+/// Where a surface is cut open besides along curves, and the file of its labels.
+struct Cut_options {
+  std::string levels;       ///< how many isolines, or which, separated by commas; empty: none
+  bool makes_disks = false; ///< whether components become disks
+  std::string labels;       ///< file of the labels of faces; empty: none
+};
+
 /// Problems to be solved on the triangulation, and where results are written.
 struct Application_options {
   std::vector<std::string> sources; ///< points, separated by commas
@@ -113,6 +120,7 @@ struct Options {
   std::vector<std::string> arguments; ///< all that follows the name of the program
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
+  Cut_options cut;
 };
 
 /// tells whether the output is the common subdivision, not the intrinsic triangulation.

@@ -3,6 +3,7 @@
 
 #include "file_formats.h"
 
+#include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
@@ -31,7 +32,7 @@ constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
 
 // in the order of `Contents`
-constexpr std::array<Format, 9> formats{
+constexpr std::array<Format, 10> formats{
     {{"meshes", IT::mesh_extensions},
      {"lists of points", IT::point_set_extensions},
      {"the intrinsic triangulation", triangulation},
@@ -40,7 +41,8 @@ constexpr std::array<Format, 9> formats{
      {"points", IT::polyline_extensions},
      {"values", values},
      {"the common subdivision with values", with_values},
-     {"matrices in Matrix Market format", matrix}}};
+     {"matrices in Matrix Market format", matrix},
+     {"the surface cut open", IT::cut_surface_extensions}}};
 
 const Format& format(Contents contents) { return formats[static_cast<std::size_t>(contents)]; }
 

@@ -21,7 +21,8 @@ enum class Contents {
   points,
   values,
   valued_subdivision,
-  matrix
+  matrix,
+  cut_surface
 };
 
 /// returns whether files with the extension of a path may have such contents.
