@@ -56,8 +56,8 @@ class Cut(Cli_test):
         for face, component in zip(faces, components):
             sides = {points[v][1] > 3 for v in face if points[v][1] != 3}
             self.assertEqual(len(sides), 1)
-        labels = [tuple(map(int, line.split())) for line in open(self.path("l.txt"), encoding="ascii")
-                  if not line.startswith("#")]
+        with open(self.path("l.txt"), encoding="ascii") as file:
+            labels = [tuple(map(int, line.split())) for line in file if not line.startswith("#")]
         self.assertEqual([component for component, _ in labels], components)
         self.assertEqual(sorted(face for _, face in labels), list(range(98)))
 
