@@ -156,6 +156,23 @@ inline Walk walk_on(const gallery::Surface& s) {
   return {map, IT::Input_metric::from_squared_lengths(map, gallery::squared_lengths(s), 0)};
 }
 
+/// Flips edges until all are Delaunay; returns the number of ties.
+inline std::size_t make_delaunay(Walk& walk) {
+  std::size_t ties = 0;
+  for (bool is_done = false; !is_done;) {
+    is_done = true;
+    ties = 0;
+    for (const Map::Halfedge h : walk.inner_edges()) {
+      const CGAL::Sign s = walk.sign(h, IT::Delaunay_expression());
+      ties += s == CGAL::ZERO;
+      if (s != CGAL::NEGATIVE) continue;
+      walk.flip(h);
+      is_done = false;
+    }
+  }
+  return ties;
+}
+
 /// Expects that two diamonds have the same values, exactly.
 template <class FT>
 void expect_same(const IT::Diamond_values<FT>& x, const IT::Diamond_values<FT>& y) {

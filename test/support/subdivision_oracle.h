@@ -265,6 +265,8 @@ private:
 template <class T>
 class Mover {
 public:
+  using Vertex = typename T::vertex_descriptor;
+
   Mover(T& t, unsigned seed) : t_(t), random_(seed) {}
 
   double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
@@ -285,8 +287,11 @@ public:
     for (std::uint32_t k = below(3); k > 0; --k) h = view.next(h);
     return h;
   }
+  /// Whether weights are multiples of 1/4: on regular meshes points make ties, and lie on input edges.
+  bool is_simple = false;
   /// Weights inside, or on the first side.
   std::array<double, 3> weights(bool on_side) {
+    if (is_simple) return on_side ? std::array{0.5, 0.5, 0.} : std::array{0.25, 0.25, 0.5};
     double a = uniform(), b = uniform();
     if (on_side) return {0.9 - 0.8 * a, 0.1 + 0.8 * a, 0};
     if (a + b > 1) a = 1 - a, b = 1 - b;
@@ -301,37 +306,42 @@ public:
     if (kind < 2) {
       const auto n = insert(h, weights(kind == 1));
       if (n.status == IT::Move_status::done) inserted.push_back(n.vertex);
-      count(n.status);
+      count(0, n.status);
     } else if (kind == 2) {
-      count(t_.flip_edge({h}));
+      count(1, t_.flip_edge(t_.numbers().halfedge_at(h)));
     } else if (!inserted.empty()) {
       const std::uint32_t i = below(inserted.size());
       if (kind == 3) {
         const IT::Move_status s = t_.remove_vertex(inserted[i]);
         if (s == IT::Move_status::done) inserted.erase(inserted.begin() + i);
-        count(s);
+        count(2, s);
       } else {
         const auto n = reposition(inserted[i], h, weights(false));
         if (n.status == IT::Move_status::done) inserted[i] = n.vertex;
-        count(n.status);
+        count(3, n.status);
       }
     }
   }
   void move(bool by_area) {
     move(
-        by_area, [&](std::uint32_t h, const auto& w) { return t_.insert_vertex({h}, w); },
-        [&](IT::Gluing_map::Vertex v, std::uint32_t h, const auto& w) {
-          return t_.reposition_vertex(v, {h}, w);
+        by_area,
+        [&](std::uint32_t h, const auto& w) {
+          return t_.insert_vertex(t_.numbers().halfedge_at(h), w);
+        },
+        [&](Vertex v, std::uint32_t h, const auto& w) {
+          return t_.reposition_vertex(v, t_.numbers().halfedge_at(h), w);
         });
   }
 
-  std::vector<IT::Gluing_map::Vertex> inserted;
+  std::vector<Vertex> inserted;
   std::array<int, 10> statuses{}; // how often each `Move_status` came
+  std::array<int, 4> done{};      // insertions, flips, removals, repositions
   int moves = 0;
 
 private:
-  void count(IT::Move_status s) {
+  void count(std::size_t kind, IT::Move_status s) {
     ++statuses[static_cast<std::size_t>(s)];
+    done[kind] += s == IT::Move_status::done ? 1 : 0;
     ++moves;
   }
 

@@ -7,9 +7,14 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+
+#include "gallery.h"
 
 #include <boost/graph/graph_traits.hpp>
+#include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -258,5 +263,24 @@ bool is_valid_delta_complex(const Mesh& mesh) {
 }
 
 } // namespace CGAL::Intrinsic_triangulations
+
+namespace gallery {
+
+/// Expects the topology of a surface, in whichever triangulation.
+template <class Mesh>
+void expect_topology(const Mesh& mesh, const Surface& s) {
+  namespace IT = CGAL::Intrinsic_triangulations;
+  EXPECT_EQ(IT::euler_characteristic(mesh), s.euler_characteristic());
+  EXPECT_EQ(IT::boundary_loops(mesh).size(), s.expected.boundary_loops);
+  EXPECT_EQ(IT::connected_components(mesh).count, s.expected.components);
+  EXPECT_EQ(IT::genus(mesh).has_value(), s.expected.is_orientable);
+  EXPECT_EQ(IT::genus(mesh).value_or(0), s.expected.genus);
+  const std::vector<std::uint32_t> u = IT::umbrellas(mesh);
+  EXPECT_EQ(std::count(u.begin(), u.end(), 0U), s.expected.isolated_vertices);
+  EXPECT_EQ(std::count_if(u.begin(), u.end(), [](std::uint32_t n) { return n > 1; }),
+            s.expected.nonmanifold_vertices);
+}
+
+} // namespace gallery
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_VALIDITY_H

@@ -20,26 +20,17 @@ namespace IT = CGAL::Intrinsic_triangulations;
 namespace {
 
 template <class Mesh>
-void expect_topology(const Mesh& mesh, const gallery::Surface& s) {
+void expect_counts(const Mesh& mesh, const gallery::Surface& s) {
   SCOPED_TRACE(s.name);
   EXPECT_EQ(num_vertices(mesh), s.expected.vertices);
   EXPECT_EQ(num_edges(mesh), s.expected.edges);
   EXPECT_EQ(num_faces(mesh), s.expected.faces);
-  EXPECT_EQ(IT::euler_characteristic(mesh), s.euler_characteristic());
+  gallery::expect_topology(mesh, s);
   const IT::Face_components c = IT::connected_components(mesh);
-  EXPECT_EQ(c.count, s.expected.components);
   EXPECT_EQ(c.of_face.size(), s.expected.faces);
   EXPECT_EQ(*std::max_element(c.of_face.begin(), c.of_face.end()), s.expected.components - 1);
-  const std::vector<std::uint32_t> u = IT::umbrellas(mesh);
-  EXPECT_EQ(std::count(u.begin(), u.end(), 0U), s.expected.isolated_vertices);
-  EXPECT_EQ(std::count_if(u.begin(), u.end(), [](std::uint32_t n) { return n > 1; }),
-            s.expected.nonmanifold_vertices);
   EXPECT_EQ(IT::is_orientable(mesh), s.expected.is_orientable);
-  EXPECT_EQ(IT::genus(mesh).has_value(), s.expected.is_orientable);
-  EXPECT_EQ(IT::genus(mesh).value_or(0), s.expected.genus);
-  const auto loops = IT::boundary_loops(mesh);
-  EXPECT_EQ(loops.size(), s.expected.boundary_loops);
-  for (const typename boost::graph_traits<Mesh>::halfedge_descriptor h : loops)
+  for (const auto h : IT::boundary_loops(mesh))
     EXPECT_TRUE(face(h, mesh) == boost::graph_traits<Mesh>::null_face());
 }
 
@@ -53,12 +44,12 @@ TYPED_TEST(Topology, counts_of_the_oriented_gallery_are_those_known_on_every_mes
   for (const gallery::Surface& s : gallery::oriented()) {
     TypeParam mesh;
     IT::copy_gluing_map(IT::Gluing_map(s.gluing), mesh);
-    expect_topology(mesh, s);
+    expect_counts(mesh, s);
   }
 }
 
 TEST(Topology_of_gluing_maps, counts_of_the_whole_gallery_are_those_known) {
-  for (const gallery::Surface& s : gallery::all()) expect_topology(IT::Gluing_map(s.gluing), s);
+  for (const gallery::Surface& s : gallery::all()) expect_counts(IT::Gluing_map(s.gluing), s);
 }
 
 TEST(Topology_of_gluing_maps, empty_mesh_has_nothing) {
@@ -99,14 +90,14 @@ TEST(Orientation, gluing_made_inconsistent_by_reversing_faces_is_oriented_again)
     IT::validate(mixed);
     gallery::Surface turned = s;
     turned.gluing = mixed;
-    expect_topology(IT::Gluing_map(mixed), turned);
+    expect_counts(IT::Gluing_map(mixed), turned);
     const IT::Orientation_result r = IT::orient_faces(mixed);
     ASSERT_TRUE(r.is_orientable);
     IT::validate(mixed);
     const IT::Gluing_map map(mixed);
     EXPECT_TRUE(map.is_oriented());
     EXPECT_TRUE(IT::is_valid_delta_complex(map));
-    expect_topology(map, s);
+    expect_counts(map, s);
     EXPECT_EQ(r.reversed_faces[0], 0); // the first face of a component is kept
   }
 }

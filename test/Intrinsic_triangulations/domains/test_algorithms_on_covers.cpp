@@ -14,8 +14,6 @@
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
-#include <CGAL/Intrinsic_operators/operators/transfer.h>
-#include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
@@ -34,8 +32,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-
-#include <Eigen/SparseCholesky>
 
 #include <gtest/gtest.h>
 
@@ -198,55 +194,6 @@ TEST(Cover, has_mass_matrices_of_rows_by_way_of_its_subdivision) {
     const Eigen::SparseMatrix<double> direct = IT::galerkin_mass_matrix(t);
     ASSERT_EQ(product.rows(), direct.rows()) << name;
     EXPECT_LE((product - direct).norm(), 1e-10 * direct.norm()) << name;
-  }
-}
-
-TEST(Cover, transfers_linear_functions_of_a_flat_soup) {
-  const Mesh m = meshes::sheared_grid(4, 3, 1.5);
-  const auto t = delaunay<Integer>(m);
-  const IT::Common_subdivision s = IT::common_subdivision(t);
-  Eigen::VectorXd x(static_cast<int>(m.points.size()));
-  for (std::size_t v = 0; v < m.points.size(); ++v)
-    x[static_cast<int>(v)] = m.points[v][0] - 2 * m.points[v][1];
-  EXPECT_LE(IT::L2_distance(t, s, Eigen::VectorXd::Ones(x.size()), Eigen::VectorXd::Zero(x.size())),
-            std::sqrt(area(m)) * (1 + 1e-12));
-  const IT::L2_transfer to_input(t, s);
-  EXPECT_EQ(to_input(x).size(), x.size());
-}
-
-TEST(Cover, is_refined_to_25_degrees) {
-  for (const auto& [name, m] : soups_of_all_kinds()) {
-    auto t = delaunay<Integer>(m);
-    const auto r = IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
-    EXPECT_EQ(r.status, IT::Status::done) << name;
-    EXPECT_EQ(num_vertices(t.mesh()), t.input().number_of_vertices() + r.counts.inserted_vertices())
-        << name;
-    EXPECT_TRUE(IT::is_delaunay(t)) << name;
-    const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
-    EXPECT_EQ(l.rows(), static_cast<int>(t.number_of_vertices())) << name;
-    for (int c = 0; c < l.cols(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator i(l, c); i; ++i)
-        EXPECT_TRUE(i.row() == c || i.value() <= 0) << name;
-    EXPECT_NEAR(IT::lumped_mass_matrix(t).sum(), area(m), 1e-9 * area(m)) << name;
-  }
-}
-
-TEST(Cover, keeps_harmonic_functions_in_the_range_of_what_is_given) {
-  for (const auto& [name, m] : soups_of_all_kinds()) {
-    const auto t = delaunay<Integer>(m);
-    const auto n = static_cast<int>(m.points.size());
-    const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
-    Eigen::SparseMatrix<double> a = l;
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
-    // two values on the border, or anywhere
-    a.coeffRef(0, 0) += 1e6 * l.diagonal().maxCoeff();
-    a.coeffRef(n - 1, n - 1) += 1e6 * l.diagonal().maxCoeff();
-    b[n - 1] = 1e6 * l.diagonal().maxCoeff();
-    for (int v = 0; v < n; ++v)
-      if (l.coeff(v, v) == 0) a.coeffRef(v, v) += 1;
-    const Eigen::VectorXd u = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(a).solve(b);
-    EXPECT_GE(u.minCoeff(), -1e-12) << name;
-    EXPECT_LE(u.maxCoeff(), 1 + 1e-12) << name;
   }
 }
 

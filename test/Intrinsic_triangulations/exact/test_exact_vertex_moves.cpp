@@ -5,6 +5,7 @@
 #include "meshes.h"
 #include "places.h"
 #include "properties.h"
+#include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
@@ -49,96 +50,22 @@ std::vector<Halfedge> halfedges_with_face(const Exact& t) {
   return result;
 }
 
-/// A planar triangulation with the exact position of every vertex.
-class Planar {
-public:
-  explicit Planar(const meshes::Mesh& m) : t(m.input()) {
-    std::vector<Vertex> by_input(m.points.size());
-    for (const Vertex v : vertices(t.mesh())) by_input[t.input_vertex(v)] = v;
-    for (std::size_t i = 0; i < m.points.size(); ++i)
-      set(by_input[i], {Gmpq(m.points[i][0]), Gmpq(m.points[i][1])});
+using Planar = subdivision_oracle::Plane<Exact>;
+using subdivision_oracle::Mover;
+
+/// Random flips, insertions in faces, on edges and on the border, removals and repositions.
+void move_at_random(Planar& p, Mover<Exact>& mover, int moves) {
+  for (int i = 0; i < moves; ++i) {
+    mover.is_simple = i % 2 == 0;
+    p.t.flip_edge({mover.halfedge(false)});
+    mover.move(
+        false, [&](std::uint32_t h, const auto& w) { return p.insert(h, w); },
+        [&](Vertex v, std::uint32_t h, const auto& w) { return p.reposition(v, h, w); });
   }
+  EXPECT_LT(p.deviation, 0x1p-40 * 64); // heights of input faces are less than 64
+}
 
-  Exact t;
-  std::vector<Vertex> inserted;
-
-  const Position& at(Vertex v) const { return positions_[t.index(v)]; }
-  Position from(Halfedge h) const { return at(source(h, t.mesh())); }
-
-  void insert(Halfedge h, const std::array<double, 3>& weights) {
-    const auto w = IT::representable_weights(weights);
-    ASSERT_TRUE(w);
-    const Position p = combination(h, *w);
-    const auto n = t.insert_vertex(h, *w);
-    ASSERT_EQ(n.status, Move_status::done);
-    set_place(n.vertex, p);
-    inserted.push_back(n.vertex);
-    ++insertions;
-  }
-  std::size_t insertions = 0;
-
-  Move_status move(std::size_t i, Halfedge h, const std::array<double, 3>& weights) {
-    const auto w = IT::representable_weights(weights);
-    const Position p = combination(h, *w);
-    const auto n = t.reposition_vertex(inserted[i], h, *w);
-    if (n.status != Move_status::done) return n.status;
-    inserted[i] = n.vertex;
-    set_place(n.vertex, p);
-    ++insertions;
-    return n.status;
-  }
-
-  Move_status remove(std::size_t i) {
-    const Move_status s = t.remove_vertex(inserted[i]);
-    if (s == Move_status::done) {
-      inserted[i] = inserted.back();
-      inserted.pop_back();
-    }
-    return s;
-  }
-
-  /// Random flips, insertions in faces, on edges and on the border, and removals.
-  void step(std::mt19937& random) {
-    const auto all = halfedges_with_face(t);
-    const Halfedge h = all[random() % all.size()];
-    const double s = (1.0 + static_cast<double>(random() % 6)) / 8;
-    const double third = (1 - s) * static_cast<double>(1 + random() % 4) / 5;
-    switch (random() % 8) {
-    case 0:
-      return insert(h, {s, 1 - s - third, third});
-    case 1:
-      return insert(h, {1 - s, s, 0});
-    case 2:
-      if (!inserted.empty()) remove(random() % inserted.size());
-      return;
-    case 3:
-      if (!inserted.empty()) move(random() % inserted.size(), h, {third, 1 - s - third, s});
-      return;
-    default:
-      t.flip_edge(h);
-    }
-  }
-
-private:
-  Position combination(Halfedge h, const std::array<double, 3>& w) const {
-    return places::combination(IT::Intrinsic_view<Exact>(t), h.index, w, positions_);
-  }
-
-  // it was requested at p
-  void set_place(Vertex v, const Position& p) {
-    const IT::Surface_point& place = t.correspondence().location(t.index(v));
-    EXPECT_TRUE(places::is_exact(place));
-    set(v, places::combination(t.input(), place.halfedge, place.weights, positions_));
-    EXPECT_LT(places::distance(at(v), p), 0x1p-40 * 64); // heights of input faces are less than 64
-  }
-
-  void set(Vertex v, const Position& p) {
-    if (positions_.size() <= t.index(v)) positions_.resize(t.index(v) + 1);
-    positions_[t.index(v)] = p;
-  }
-
-  std::vector<Position> positions_;
-};
+Position at(const Planar& p, Vertex v) { return p.position[p.t.index(v)]; }
 
 IT::Indexed_face indexed_face(const Exact& t, Halfedge h) {
   const Halfedge n = next(h, t.mesh());
@@ -155,7 +82,7 @@ std::array<Gmpq, 4> from_positions(const Planar& p, Halfedge h) {
   const Gmpq scale = power_of_four(p.t.metric().scale_exponent());
   std::array<Position, 3> corners;
   for (Position& c : corners) {
-    c = p.from(h);
+    c = at(p, source(h, p.t.mesh()));
     h = next(h, p.t.mesh());
   }
   const auto difference = [&](std::size_t i, std::size_t j) {
@@ -208,17 +135,17 @@ void expect_true_values(const Planar& p) {
 
 TEST(Exact_vertex_moves, values_are_those_of_the_plane_after_random_moves) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
-    std::mt19937 random(seed);
     Planar p(seed % 2 == 0 ? meshes::grid(2, 3) : meshes::random_planar(12, 50, seed));
+    Mover<Exact> mover(p.t, seed);
     for (int i = 0; i < 12; ++i) {
-      for (int k = 0; k < 6; ++k) p.step(random);
+      move_at_random(p, mover, 4);
       expect_true_values(p);
       if (HasFailure()) {
         ADD_FAILURE() << "seed " << seed << " round " << i;
         return;
       }
     }
-    EXPECT_GT(p.insertions, 10U);
+    EXPECT_GT(mover.done[0], 10);
   }
 }
 
@@ -323,9 +250,10 @@ TEST(Exact_vertex_moves, a_vertex_on_an_edge_is_removed_by_a_flip_that_leaves_no
     // a diamond that is not convex at the vertex inserted, nor anywhere else on its edge
     Planar p(meshes::Mesh{{{0, 0, 0}, {1, 0, 0}, {-3, 1, 0}, {-2, -3, 0}}, {{0, 1, 2}, {1, 0, 3}}});
     const Halfedge h = properties::flippable_by_connectivity(p.t).at(0);
-    p.insert(h, {1 - s, s, 0});
+    const auto n = p.insert(h.index, {1 - s, s, 0});
+    ASSERT_EQ(n.status, Move_status::done);
     expect_true_values(p);
-    ASSERT_EQ(p.remove(0), Move_status::done);
+    ASSERT_EQ(p.t.remove_vertex(n.vertex), Move_status::done);
     expect_true_values(p);
     EXPECT_EQ(edges(p.t.mesh()).size(), 5U);
   }
@@ -364,16 +292,17 @@ struct Orientation {
 };
 
 TEST(Exact_vertex_moves, sides_of_unfolded_segments_are_told_exactly) {
-  std::mt19937 random(3);
   Planar p(meshes::grid(3, 3));
-  for (int i = 0; i < 60; ++i) p.step(random);
+  Mover<Exact> mover(p.t, 3);
+  move_at_random(p, mover, 40);
   int ties = 0;
   p.t.metric().statistics() = {};
   for (const Halfedge h : properties::flippable_by_connectivity(p.t)) {
     const Halfedge o = opposite(h, p.t.mesh());
     const std::array faces{indexed_face(p.t, h), indexed_face(p.t, o)};
-    const auto apex = [&](Halfedge x) { return p.at(target(next(x, p.t.mesh()), p.t.mesh())); };
-    const Position i = p.from(h), j = p.from(o), k = apex(h), m = apex(o);
+    const auto apex = [&](Halfedge x) { return at(p, target(next(x, p.t.mesh()), p.t.mesh())); };
+    const Position i = at(p, source(h, p.t.mesh())), j = at(p, source(o, p.t.mesh())), k = apex(h),
+                   m = apex(o);
     for (int n = 0; n <= 16; ++n) {
       const Gmpq w(n / 16.0);
       const Position q{i[0] + w * (j[0] - i[0]), i[1] + w * (j[1] - i[1])};

@@ -5,6 +5,7 @@
 #include "mesh_types.h"
 #include "meshes.h"
 #include "stored_triangulations.h"
+#include "subdivision_oracle.h"
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulation.h>
@@ -49,68 +50,17 @@ using stored::message_of;
 using stored::replaced;
 using stored::text;
 
-/// Makes moves of all kinds; weights are multiples of 1/8 now and then, which makes ties.
+/// Makes moves of all kinds, with simple weights now and then, which make ties; returns how many insertions, flips,
+/// removals and repositions were done.
 template <class T>
-class Random_moves {
-public:
-  Random_moves(T& t, unsigned seed) : t_(t), random_(seed) {}
-
-  void run(unsigned moves) {
-    for (unsigned i = 0; i < moves; ++i) step();
+std::array<int, 4> move_at_random(T& t, unsigned seed, int moves) {
+  subdivision_oracle::Mover<T> mover(t, seed);
+  for (int i = 0; i < moves; ++i) {
+    mover.is_simple = i % 2 == 0;
+    mover.move(false);
   }
-  /// how many of each kind were done: insertions, removals, flips
-  std::array<unsigned, 3> counts{};
-
-private:
-  using Halfedge = typename T::halfedge_descriptor;
-
-  void step() {
-    const Halfedge h = any_halfedge();
-    switch (random_() % 6) {
-    case 0:
-      add(t_.insert_vertex(h, weights()));
-      break;
-    case 1:
-      add(t_.split_edge(h, weights()[0]));
-      break;
-    case 2:
-      remove();
-      break;
-    default:
-      count(2, t_.flip_edge(h));
-    }
-  }
-
-  void add(const typename T::Insertion& n) { count(0, n.status); }
-
-  void remove() {
-    std::vector<typename T::vertex_descriptor> inserted;
-    for (const auto v : vertices(t_.mesh()))
-      if (t_.is_inserted(v)) inserted.push_back(v);
-    if (!inserted.empty()) count(1, t_.remove_vertex(inserted[random_() % inserted.size()]));
-  }
-
-  void count(std::size_t kind, Move_status s) { counts[kind] += s == Move_status::done ? 1 : 0; }
-
-  Halfedge any_halfedge() {
-    std::vector<Halfedge> all;
-    for (const auto f : faces(t_.mesh())) {
-      Halfedge h = halfedge(f, t_.mesh());
-      for (int k = 0; k < 3; ++k, h = next(h, t_.mesh())) all.push_back(h);
-    }
-    return all[random_() % all.size()];
-  }
-
-  std::array<double, 3> weights() {
-    if (random_() % 2 == 0) return {0.25, 0.25, 0.5};
-    std::uniform_real_distribution<double> weight(0.2, 0.4);
-    const double a = weight(random_), b = weight(random_);
-    return {a, b, 1 - a - b};
-  }
-
-  T& t_;
-  std::mt19937 random_;
-};
+  return mover.done;
+}
 
 /// New numbers of elements, without gaps.
 template <class Range, class Index>
@@ -207,14 +157,14 @@ using Triangulations = testing::Types<Exact, Double>;
 TYPED_TEST_SUITE(Stored_places, Triangulations);
 
 TYPED_TEST(Stored_places, Come_back_on_small_complexes) {
-  std::array<unsigned, 3> counts{};
+  std::array<int, 3> counts{};
+  unsigned seed = 5;
   bool has_gaps = false;
   for (const gallery::Surface& surface : gallery::oriented()) {
     SCOPED_TRACE(surface.name);
     TypeParam t(gallery::input(surface));
-    Random_moves<TypeParam> moves(t, 5);
-    moves.run(40);
-    for (std::size_t k = 0; k < 3; ++k) counts[k] += moves.counts[k];
+    const auto done = move_at_random(t, seed++, 80);
+    for (std::size_t k = 0; k < 3; ++k) counts[k] += done[k];
     has_gaps = has_gaps || t.mesh().has_garbage();
     TypeParam back = from_text<TypeParam>(text(t));
     expect_same(t, back);
@@ -225,9 +175,9 @@ TYPED_TEST(Stored_places, Come_back_on_small_complexes) {
     expect_same(t, back);
     expect_same_laplacian(t, back);
   }
-  EXPECT_GT(counts[0], 100U);
-  EXPECT_GT(counts[1], 20U);
-  EXPECT_GT(counts[2], 100U);
+  EXPECT_GT(counts[0], 100);
+  EXPECT_GT(counts[1], 100);
+  EXPECT_GT(counts[2], 20);
   EXPECT_TRUE(has_gaps);
 }
 
@@ -290,7 +240,7 @@ TYPED_TEST(Stored_places, Go_on_after_refinement_as_if_not_stored) {
 
 TYPED_TEST(Stored_places, Every_inserted_vertex_can_be_removed_from_what_is_read) {
   TypeParam t(meshes::rough_grid(4, 2).input());
-  Random_moves<TypeParam>(t, 8).run(60);
+  move_at_random(t, 8, 60);
   TypeParam back = from_text<TypeParam>(text(t));
   std::vector<typename TypeParam::vertex_descriptor> inserted;
   for (const auto v : vertices(back.mesh()))
@@ -312,9 +262,7 @@ TYPED_TEST_SUITE(Stored_places_on, All_meshes);
 TYPED_TEST(Stored_places_on, Any_mesh_type_come_back) {
   using T = IT::Intrinsic_triangulation<TypeParam, IT::Exact_euclidean_traits>;
   T t(meshes::rough_grid(3, 3).input());
-  Random_moves<T> moves(t, 5);
-  moves.run(60);
-  ASSERT_GT(moves.counts[1], 0U);
+  ASSERT_GT(move_at_random(t, 5, 60)[2], 0);
   T back = from_text<T>(text(t));
   expect_equal(text(back), text(t));
   Exact other = from_text<Exact>(text(t));
@@ -426,13 +374,12 @@ TYPED_TEST(Stored_correspondence, Comes_back_on_small_complexes) {
   for (const gallery::Surface& surface : gallery::oriented()) {
     SCOPED_TRACE(surface.name);
     TypeParam t(gallery::input(surface));
-    Random_moves<TypeParam> moves(t, 5);
-    moves.run(40);
+    move_at_random(t, 5, 40);
     TypeParam back = from_text<TypeParam>(text(t));
     expect_same(t, back);
     EXPECT_EQ(delaunay_signs(back), delaunay_signs(t));
     expect_same_laplacian(t, back);
-    Random_moves<TypeParam>(back, 6).run(20);
+    move_at_random(back, 6, 20);
     expect_same(back, from_text<TypeParam>(text(back)));
   }
 }

@@ -21,26 +21,10 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Answer;
+using random_history::make_delaunay;
 using random_history::Map;
 using random_history::Walk;
 using random_history::walk_on;
-
-// flips edges until all are Delaunay; returns the number of ties
-std::size_t make_delaunay(Walk& walk) {
-  std::size_t ties = 0;
-  for (bool is_done = false; !is_done;) {
-    is_done = true;
-    ties = 0;
-    for (const Map::Halfedge h : walk.inner_edges()) {
-      const CGAL::Sign s = walk.sign(h, IT::Delaunay_expression());
-      ties += s == CGAL::ZERO;
-      if (s != CGAL::NEGATIVE) continue;
-      walk.flip(h);
-      is_done = false;
-    }
-  }
-  return ties;
-}
 
 // over unfolded faces against repeating the flips, for all edges and expressions
 template <class Expression>

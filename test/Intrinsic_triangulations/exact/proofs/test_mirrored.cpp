@@ -30,24 +30,14 @@ meshes::Mesh ellipsoid(unsigned levels, double factor) {
 }
 
 Walk delaunay_walk(const meshes::Mesh& m) {
-  Map map = m.map();
-  IT::Input_metric input = IT::Input_metric::from_points(map, m.points, 0);
-  Walk walk(std::move(map), std::move(input));
-  for (bool is_done = false; !is_done;) {
-    is_done = true;
-    for (const Map::Halfedge h : walk.inner_edges())
-      if (walk.sign(h, IT::Delaunay_expression()) == CGAL::NEGATIVE) {
-        walk.flip(h);
-        is_done = false;
-      }
-  }
+  Walk walk = random_history::walk_on(m);
+  random_history::make_delaunay(walk);
   return walk;
 }
 
 bool is_mirrored(const Walk& walk, const IT::Unfolded_diamond& d) {
-  return IT::Mirrored_proof()(IT::Question{walk.input, d,
-                                           IT::recorded(IT::Delaunay_expression())}) ==
-         IT::Answer::zero;
+  return IT::Mirrored_proof()(IT::Question{
+             walk.input, d, IT::recorded(IT::Delaunay_expression())}) == IT::Answer::zero;
 }
 
 TEST(Mirrored_proof, proves_the_ties_of_a_symmetric_surface_and_no_others) {

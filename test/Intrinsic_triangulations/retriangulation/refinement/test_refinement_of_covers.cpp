@@ -5,6 +5,7 @@
 #include "properties.h"
 #include "soups.h"
 
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
@@ -148,6 +149,10 @@ TEST(Refinement_of_covers, inserts_all_copies_of_a_point_in_one_row) {
           t, parameters::minimum_angle(angle).maximum_circumradius(0.3 * size_of(m)));
       expect_good(t, r, angle, name);
       EXPECT_TRUE(IT::is_delaunay(t)) << name;
+      EXPECT_EQ(vertices(t.mesh()).size(),
+                t.input().number_of_vertices() + r.counts.inserted_vertices())
+          << name;
+      EXPECT_NEAR(IT::lumped_mass_matrix(t).sum(), meshes::area(m), 1e-9 * meshes::area(m)) << name;
       expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
     }
 }
