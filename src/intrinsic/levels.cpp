@@ -41,18 +41,18 @@ std::vector<double> list_of(std::string_view text) {
 } // namespace
 
 std::string levels_misuse(const std::string& text) {
-  if (const auto count = number_of_levels(text))
-    return *count >= 1 && *count <= most_levels
-               ? ""
-               : "there are no " + text + " levels; give a number from 1 to " +
-                     std::to_string(most_levels);
+  const std::string most = std::to_string(most_levels);
+  if (const auto count = number_of_levels(text)) {
+    if (*count >= 1 && *count <= most_levels) return {};
+    return std::string("there are too few or too many levels; give a number from 1 to ") + most;
+  }
   const std::vector<double> levels = list_of(text);
-  if (std::ranges::any_of(levels, [](double x) { return std::isnan(x); }))
-    return "\"" + std::string(internal::shown(text)) +
-           "\" is no list of levels; give how many there are, or numbers separated by commas";
   if (levels.size() > most_levels)
-    return "there are " + std::to_string(levels.size()) + " levels; give " +
-           std::to_string(most_levels) + " at most";
+    return std::string("there are too many levels; give ") + most + " at most";
+  for (const double x : levels)
+    if (std::isnan(x))
+      return std::string("\"") + internal::shown(text) +
+             "\" is no list of levels; give how many there are, or numbers separated by commas";
   return {};
 }
 

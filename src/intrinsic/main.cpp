@@ -119,7 +119,9 @@ void add_cut(CLI::App& app, Options& options, Command& chosen) {
 void add_distance(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "distance", "compute distances from points and curves, by the flow of heat or exactly");
-  program::add_application_options(command, options, true);
+  using program::Contents;
+  program::add_application_options(
+      command, options, true, {Contents::values, Contents::subdivision, Contents::full_matrix});
   program::add_time_option(command, options);
   program::add_distance_options(command, options);
   command.callback([&chosen] { chosen = program::run_distance; });

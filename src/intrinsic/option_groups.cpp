@@ -24,6 +24,10 @@ CLI::Validator curve_points(std::size_t least) {
                         "POINTS");
 }
 
+CLI::Validator levels() {
+  return CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST");
+}
+
 // what means nothing without refinement
 constexpr std::array refinement_options{"min-angle",       "max-circumradius",
                                         "max-edge-length", "size",
@@ -42,8 +46,16 @@ bool are_same_file(const std::string& a, const std::string& b) {
 }
 
 std::vector<std::string> outputs(const Options& o) {
-  std::vector<std::string> names{o.output,        o.application.singularities, o.mass,  o.laplacian,
-                                 o.interpolation, o.input_interpolation,       o.stats, o.view,
+  std::vector<std::string> names{o.output,
+                                 o.application.singularities,
+                                 o.application.isolines,
+                                 o.mass,
+                                 o.laplacian,
+                                 o.interpolation,
+                                 o.input_interpolation,
+                                 o.stats,
+                                 o.records,
+                                 o.view,
                                  o.cut.labels};
   std::erase_if(names, [](const std::string& name) { return name.empty() || name == "-"; });
   return names;
@@ -61,7 +73,7 @@ bool names_a_file_twice(const Options& o) {
 std::string overwritten_input(const Options& o) {
   const Application_options& a = o.application;
   for (const std::string& in : {o.input, o.constraints, o.metric, o.sizes, o.field,
-                                o.geodesic.network, a.vectors, a.handles})
+                                o.geodesic.network, a.vectors, a.handles, a.pairs, a.source_sets})
     for (const std::string& out : outputs(o))
       if (std::error_code ignored;
           !in.empty() && std::filesystem::is_regular_file(in, ignored) && are_same_file(in, out))
@@ -75,6 +87,18 @@ bool lacks_correspondence(const Options& o) {
 
 bool has_other_correspondence(const Options& o) {
   return o.adaptive.is_asked_for && !o.correspondence.empty() && o.correspondence != "integer";
+}
+
+void add_view_option(CLI::App& command, Options& options, const std::string& what) {
+  CLI::Option* const view =
+      command.add_option("--view", options.view, "write a page that shows " + what)
+          ->type_name("FILE");
+  command
+      .add_option("--view-limit", options.view_limit,
+                  "most megabytes of the page, which shows less if it needs more; default 30")
+      ->check(between(2, 2000))
+      ->type_name("MB")
+      ->needs(view);
 }
 
 // What is wrong with the file of curves.
@@ -136,6 +160,10 @@ void add_common_options(CLI::App& command, Options& options) {
           "planar (the planar polygon with the same sides and the nearest angles)")
       ->check(CLI::IsMember({"fan", "planar"}));
   command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
+      ->type_name("FILE");
+  command
+      .add_option("--records", options.records,
+                  "write all records of lists that statistics shorten to 1000, as JSON Lines")
       ->type_name("FILE");
   command
       .add_option("--time-limit", options.time_limit,
@@ -258,8 +286,7 @@ void add_correspondence_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
   add_output_option(command, "-o", options.output,
                     {Contents::subdivision, Contents::triangulation});
-  command.add_option("--view", options.view, "write a page that shows the triangulation")
-      ->type_name("FILE");
+  add_view_option(command, options, "the triangulation");
 }
 
 // Curves that may be given together.
@@ -375,8 +402,7 @@ void add_curve_output_options(CLI::App& command, Options& options) {
       "-o writes the common subdivision, with the number of the curve at its vertices, "
       "to " +
           extensions_of(Contents::subdivision));
-  command.add_option("--view", options.view, "write a page that shows the curves")
-      ->type_name("FILE");
+  add_view_option(command, options, "the curves");
 }
 
 // Adaptive refinement is about the first of them.
@@ -389,16 +415,16 @@ void add_source_option(CLI::App& command, Options& options) {
       ->check(curve_points(1));
 }
 
-void add_application_options(CLI::App& command, Options& options, bool has_sources) {
+void add_application_options(CLI::App& command, Options& options, bool has_sources,
+                             const std::vector<Contents>& outputs) {
   add_common_options(command, options);
-  add_output_option(command, "-o", options.output, {Contents::values, Contents::subdivision});
+  add_output_option(command, "-o", options.output, outputs);
   command
       .add_option("--on", options.application.on,
                   "where results are: subdivision (on the common subdivision, default), input, or "
                   "intrinsic (values only)")
       ->check(CLI::IsMember({"subdivision", "input", "intrinsic"}));
-  command.add_option("--view", options.view, "write a page that shows the result")
-      ->type_name("FILE");
+  add_view_option(command, options, "the result");
   CLI::Option* const refine = command.add_flag(
       "--refine", options.refines, "refine the triangulation, as the command refine does");
   add_constraint_options(command, options);
@@ -430,12 +456,67 @@ void add_distance_options(CLI::App& command, Options& options) {
                   "point is the first")
       ->check(curve_points(2));
   command.add_flag("--signed", a.is_signed, "distances on the left of curves are negative");
+  command
+      .add_option("--pairs", a.pairs,
+                  "text file: the numbers of two vertices on each line; their distances are found")
+      ->type_name("FILE");
+  command
+      .add_option("--sources", a.source_sets,
+                  "text file: on each line the vertices of a set; the distances from each set are "
+                  "found, a column of a matrix each")
+      ->type_name("FILE");
+  CLI::Option* const isolines =
+      command
+          .add_option("--isolines", a.isolines,
+                      "write the lines of equal distance, with the number of their level, to " +
+                          extensions_of(Contents::curves))
+          ->check(file_of({Contents::curves}));
+  command
+      .add_option("--levels", a.levels,
+                  "distances of these lines: how many, evenly spaced (default 10), or a list, "
+                  "separated by commas; a whole number alone is how many")
+      ->check(levels())
+      ->needs(isolines);
 }
+
+namespace {
+
+// What is wrong with options of batches of distances.
+std::string batch_misuse(const Options& o) {
+  const Application_options& a = o.application;
+  if (!a.pairs.empty() && !a.source_sets.empty())
+    return "--pairs and --sources have different results; give one of them";
+  if (!a.sources.empty() || !a.curves.empty() || !a.targets.empty() || a.is_signed)
+    return "--pairs and --sources say where distances start; give them without --source, "
+           "--targets, --curve and --signed";
+  if (o.adaptive.is_asked_for)
+    return "--adaptive refines about one point; give it with --source, or another criterion";
+  if (!o.view.empty() || !a.isolines.empty())
+    return "a page and isolines show one function; for one set give --source, not --pairs or "
+           "--sources";
+  if (!a.pairs.empty() && a.maximum_distance)
+    return "searches between pairs end where they arrive; leave --max-distance out";
+  if (!a.pairs.empty() && !o.output.empty() && !is_file_of(Contents::values, o.output))
+    return o.output + ": write distances of pairs to " + extensions_of(Contents::values);
+  if (!a.source_sets.empty() && !is_file_of(Contents::full_matrix, o.output))
+    return "--sources makes a matrix; write it with -o to " + extensions_of(Contents::full_matrix);
+  return {};
+}
+
+} // namespace
 
 std::string distance_misuse(const Options& o) {
   const Application_options& a = o.application;
-  if (a.sources.empty() && a.curves.empty())
-    return "distances need a source; give points with --source, or a curve with --curve";
+  if (a.sources.empty() && a.curves.empty() && !has_batch(a))
+    return "distances need a source; give points with --source, or a curve with --curve, or a file "
+           "with --pairs or --sources";
+  if (has_batch(a))
+    if (const std::string misuse = batch_misuse(o); !misuse.empty()) return misuse;
+  if (!has_batch(a) && !o.output.empty() && is_file_of(Contents::full_matrix, o.output))
+    return o.output +
+           ": a matrix has a column for each set of sources; give them with --sources, "
+           "or write values to " +
+           extensions_of(Contents::values);
   if (a.is_signed && (a.curves.empty() || !a.sources.empty()))
     return "only curves have sides; with --signed, give --curve and no --source";
   const bool is_exact = a.distance == "exact";

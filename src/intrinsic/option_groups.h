@@ -6,8 +6,10 @@
 
 #include "options.h"
 #include "support/command_line.h"
+#include "support/file_formats.h"
 
 #include <string>
+#include <vector>
 
 // Options that several commands have in common.
 
@@ -35,7 +37,9 @@ void add_cut_options(CLI::App& command, Options& options);
 void add_curve_output_options(CLI::App& command, Options& options);
 /// adds the options of all commands that solve a problem on the triangulation: refinement, files of
 /// results, and the points from which they start, if they do.
-void add_application_options(CLI::App& command, Options& options, bool has_sources = false);
+void add_application_options(CLI::App& command, Options& options, bool has_sources = false,
+                             const std::vector<Contents>& outputs = {Contents::values,
+                                                                     Contents::subdivision});
 /// adds the method, curves as sources, and the limits of the search.
 void add_distance_options(CLI::App& command, Options& options);
 /// adds how long heat flows.

@@ -66,6 +66,10 @@ struct Application_options {
   std::vector<std::string> targets; ///< points, separated by commas, at which the search may end
   /// where the search ends, in units of the input
   std::optional<double> maximum_distance = std::nullopt;
+  std::string pairs;              ///< file of two vertices on each line; empty: none
+  std::string source_sets;        ///< file of vertices that are sources together; empty: none
+  std::string isolines;           ///< file of lines of equal distance; empty: none
+  std::string levels = "10";      ///< how many, or which, separated by commas
   std::string on = "subdivision"; ///< `input`, `intrinsic` or `subdivision`
   double time_factor = 1;         ///< of the time step that a method chooses
   std::size_t count = 10;         ///< of eigenpairs
@@ -94,9 +98,11 @@ struct Options {
   std::string polygons = "fan";     ///< what is made of nonplanar ones: `fan` or `planar`
   std::string output;               ///< empty: none
   std::string view;                 ///< page that shows the triangulation; empty: none
+  double view_limit = 30;           ///< most megabytes of the page
   std::string mass;                 ///< empty: none
   std::string mass_kind = "lumped"; ///< `lumped` or `galerkin`
   std::string stats;                ///< empty: none; `-`: standard output
+  std::string records;              ///< file of all records of long lists in `stats`; empty: none
   std::string laplacian;            ///< empty: none
   std::string interpolation; ///< from the intrinsic triangulation to the subdivision; empty: none
   std::string input_interpolation;   ///< from the input to the subdivision; empty: none
@@ -125,6 +131,10 @@ struct Options {
 
 /// tells whether the output is the common subdivision, not the intrinsic triangulation.
 bool is_mesh_output(const Options& options);
+/// tells whether distances are asked for in batches: of pairs, or from many sets of sources.
+inline bool has_batch(const Application_options& o) {
+  return !o.pairs.empty() || !o.source_sets.empty();
+}
 /// tells whether edges of the input are kept.
 bool has_constraints(const Options& options);
 /// tells whether an output needs the common subdivision.

@@ -10,10 +10,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
+#include <iterator>
 #include <numbers>
+#include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -268,14 +273,64 @@ void print_summary_on_terminal(const Json& json) {
   if (isatty(STDERR_FILENO) != 0) print_summary(std::cerr, json);
 }
 
+namespace {
+
+// Calls a function with the lists of records, and the long lists of numbers, and their names.
+template <class Function>
+void for_each_list(Json& json, const std::string& name, const Function& function) {
+  for (auto& [key, value] : json.items()) {
+    const std::string full = name.empty() ? key : name + "." + key;
+    if (value.is_object()) for_each_list(value, full, function);
+    if (value.is_array() && !value.empty() &&
+        (value.front().is_object() || value.size() > most_records))
+      function(full, value);
+  }
+}
+
+// Writes each record as a line, with its list and its number there.
+void write_records(std::ostream& out, const std::string& list, const Json& records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    Json line = {{"list", list}, {"number", i}};
+    if (records[i].is_object())
+      line.update(records[i]);
+    else
+      line["value"] = records[i];
+    out << line.dump() << '\n';
+  }
+}
+
+// Writes all records to a file if options name one. Returns the statistics with the first records
+// of long lists, and how many there are.
+Json with_short_lists(const Json& json, const Options& options, Output_files& files) {
+  Json result = json;
+  Json sizes = Json::object();
+  for_each_list(result, "", [&](const std::string& name, Json& records) {
+    if (records.size() <= most_records) return;
+    sizes[name] = records.size();
+    records.erase(std::next(records.begin(), most_records), records.end());
+  });
+  if (!sizes.empty()) result["records"] = std::move(sizes);
+  if (options.records.empty()) return result;
+  files.write(options.records, [&](std::ostream& out) {
+    Json all = json;
+    for_each_list(all, "", [&](const std::string& name, const Json& records) {
+      write_records(out, name, records);
+    });
+  });
+  return result;
+}
+
+} // namespace
+
 void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch) {
   json["seconds"]["write"] = watch.lap();
   json["peak_rss_mib"] = peak_rss_mib();
   const bool to_standard_output = options.stats == "-";
+  const Json shown = with_short_lists(json, options, files);
   if (!options.stats.empty() && !to_standard_output)
-    files.open(options.stats) << json.dump(2) << '\n';
+    files.open(options.stats) << shown.dump(2) << '\n';
   files.commit();
-  if (to_standard_output && !(std::cout << json.dump(2) << std::endl))
+  if (to_standard_output && !(std::cout << shown.dump(2) << std::endl))
     throw std::runtime_error("standard output cannot be written; is the disk full?");
 }
 

@@ -298,8 +298,12 @@ void print_summary(std::ostream& out, const Json& json);
 /// prints the summary to standard error if that is a terminal.
 void print_summary_on_terminal(const Json& json);
 
+/// Lists have so many records in the statistics at most.
+inline constexpr std::size_t most_records = 1000;
+
 /*!
-\brief completes all outputs: adds the last measurements, writes the statistics, commits the files.
+\brief completes all outputs: adds the last measurements, writes the statistics and, if options name
+a file for them, all records, and commits the files.
 \param json the statistics
 \param options where they go
 \param files the files written so far

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -84,7 +85,11 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.texture = viewed.texture;
   view.has_edges = view.has_face_colors = !viewed.is_plain;
   view.curve_width = viewed.curve_width;
-  IT::write_html_view(out, s, points, view);
+  view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
+  const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
+  if (!report.is_complete())
+    std::cerr << options.view << ": " << report.description()
+              << "; --view-limit allows a larger page, and -o writes all to a file\n";
 }
 
 } // namespace program

@@ -3,6 +3,7 @@
 """The page of --view: what is in the file, and, where there is Chromium, what it shows."""
 
 import base64
+import json
 import os
 import re
 import shutil
@@ -146,6 +147,53 @@ class Page(View_test):
     def test_two_runs_write_the_same(self):
         mesh = self.write_off("grid.off", *grid(4))
         self.assertEqual(self.view(mesh), self.view(mesh))
+
+
+class Bound(View_test):
+    def test_pages_are_thinned_out_to_their_limit_and_say_so(self):
+        points, faces = icosphere(5)
+        mesh = self.write_off("sphere.off", points, faces)
+        whole = self.view(mesh)
+        self.assertNotIn("thinned out", whole)
+        self.assertGreater(len(whole), 2.5e6)
+        run = self.run_program("delaunay", mesh, "--view", self.path("thin.html"), "--view-limit", "2")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("thin.html: thinned out: ", run.err)
+        self.assertIn("--view-limit", run.err)
+        with open(self.path("thin.html"), encoding="utf-8") as file:
+            thin = file.read()
+        self.assertIn("thinned out", thin)
+        self.assertLess(len(thin.encode()), 2e6)
+        self.assertGreater(len(thin.encode()), 1.5e6)
+        triangle = self.data(thin, "triangles", "I")
+        self.assertEqual(max(triangle) + 1, len(self.data(thin, "kinds", "B")))
+        self.assertIn(f"{len(triangle) // 3} of {len(faces)} pieces", run.err)
+
+    def test_geodesics_to_all_vertices(self):
+        points, faces = icosphere(4)
+        points = [(x, 3 * y, z) for x, y, z in points]
+        mesh = self.write_off("long.off", points, faces)
+        run = self.run_program("geodesic", mesh, "--source", "0", "--view", self.path("view.html"),
+                               "--view-limit", "3", "--stats", "-", "--records",
+                               self.path("curves.jsonl"))
+        if run.code == 1 and "libjs-three" in run.err:
+            self.skipTest("the program was built without three.js")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertLess(os.path.getsize(self.path("view.html")), 3e6)
+        stats, n = run.json(), len(points) - 1
+        self.assertEqual(stats["records"], {"geodesic.curves": n})
+        self.assertEqual(len(stats["geodesic"]["curves"]), 1000)
+        with open(self.path("curves.jsonl"), encoding="utf-8") as file:
+            records = [json.loads(line) for line in file]
+        self.assertEqual([r.pop("number") for r in records], list(range(n)))
+        self.assertEqual({r.pop("list") for r in records}, {"geodesic.curves"})
+        self.assertEqual(records[:1000], stats["geodesic"]["curves"])
+        with open(self.path("view.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertEqual(self.data(page, "initial-curves", "f"), [])  # they are no other
+        sizes = self.data(page, "curves-sizes", "i")
+        self.assertEqual(len(self.data(page, "curves", "f")), 3 * sum(map(abs, sizes)))
+        self.assertEqual(len(self.data(page, "curves-labels", "i")), len(sizes))
 
 
 class Arguments(Cli_test):

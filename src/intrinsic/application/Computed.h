@@ -15,7 +15,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,10 @@ struct Computed {
   std::vector<char> is_torn{}; ///< per vertex: where a page shows no checkerboard; empty: nowhere
   std::optional<Direction_field> directions{};
   Marks marks{};
+  /// Values of the first function at which isolines are written.
+  std::vector<double> levels{};
+  /// Computes and writes what has no value per vertex, and reports it; none: all has.
+  std::function<void(std::ostream&, Json&)> write{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.
   Eigen::MatrixXd displacements{};
 };

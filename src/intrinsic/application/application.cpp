@@ -10,6 +10,7 @@
 #include "cut.h"
 #include "direction_lines.h"
 
+#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
@@ -270,6 +271,23 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
     });
 }
 
+/// writes isolines of the first function as polylines in space, and counts them.
+template <class Triangulation>
+void write_isolines(std::ostream& out, const Loaded<Triangulation>& loaded,
+                    const Computed& computed, const Options& options, Json& json) {
+  expect_points(loaded, options);
+  const Triangulation& t = loaded.triangulation;
+  const Eigen::VectorXd& values = computed.functions.front().values;
+  const std::vector<IT::Polyline> lines = IT::polylines(
+      t,
+      IT::isolines(t, std::span(values.data(), static_cast<std::size_t>(values.size())),
+                   computed.levels),
+      input_points(loaded));
+  json[computed.command]["isolines"] = lines.size();
+  IT::write_polylines(out, std::filesystem::path(options.application.isolines).extension().string(),
+                      lines, "level");
+}
+
 /// writes what was computed.
 template <class Triangulation>
 void write_results(const Loaded<Triangulation>& loaded, const Computed& computed,
@@ -292,7 +310,15 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
           computed.marks.points, "index");
     });
   }
-  if (!options.output.empty() && !is_mesh_output(options))
+  if (!options.application.isolines.empty())
+    files.write(options.application.isolines,
+                [&](std::ostream& out) { write_isolines(out, loaded, computed, options, json); });
+  if (computed.write && !options.output.empty()) {
+    watch.lap();
+    files.write(options.output,
+                [&](std::ostream& out) { computed.write(out, json[computed.command]); });
+    json["seconds"]["solve"] = watch.lap();
+  } else if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
       write_functions(out, computed, axes_in_space(loaded, computed),
                       is_on_input ? loaded.triangulation.input().number_of_rows()

@@ -2,20 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
+#include "../levels.h"
 #include "../status_name.h"
+#include "../support/Number_rows.h"
+#include "Column_writer.h"
 #include "application.h"
+#include "vertex_sets.h"
 
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <numeric>
+#include <ostream>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,22 +52,39 @@ Curve along_edges(const Triangulation& t, const Vertices& points, const std::str
   return curve;
 }
 
-Computed computed_distances(Eigen::VectorXd distances, const Application_options& o) {
-  Computed computed{"distance", {}, {}};
-  std::size_t unreached = 0;
+// The least and the greatest of finite distances, or 0, and how many are not finite.
+struct Range {
   double least = 0, greatest = 0;
-  for (const double d : distances) {
+  std::size_t unreached = 0;
+
+  void add(double d) {
     if (!std::isfinite(d)) ++unreached;
     if (std::isfinite(d) && d > greatest) greatest = d;
     if (d < least) least = d;
   }
+};
+
+template <class Numbers>
+Range range_of(const Numbers& distances) {
+  Range range;
+  for (const double d : distances) range.add(d);
+  return range;
+}
+
+Computed computed_distances(Eigen::VectorXd distances, const Application_options& o) {
+  Computed computed{"distance", {}, {}};
+  const Range range = range_of(distances);
   computed.json = {{"method", o.distance},
                    {"sources", o.sources.size()},
                    {"curves", o.curves.size()},
                    {"signed", o.is_signed},
-                   {"min", least},
-                   {"max", greatest},
-                   {"unreached_vertices", unreached}};
+                   {"min", range.least},
+                   {"max", range.greatest},
+                   {"unreached_vertices", range.unreached}};
+  if (!o.isolines.empty()) {
+    computed.levels = levels_of(o.levels, range.least, range.greatest);
+    computed.json["levels"] = computed.levels;
+  }
   computed.functions.push_back({"distance", std::move(distances)});
   computed.isolines = 25;
   return computed;
@@ -113,11 +140,131 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   return computed;
 }
 
+// Distances from sources to all vertices, by their rows.
+template <class Triangulation>
+class Distance_columns {
+public:
+  Distance_columns(const Triangulation& t, const Application_options& o) : t_(t), options_(o) {
+    if (o.distance == "heat")
+      heat_ = std::make_shared<IT::Heat_distance<Triangulation>>(
+          t, IT::parameters::time_factor(o.time_factor));
+  }
+
+  // Finds a column for each set, one after another. Returns whether all searches arrived.
+  IT::Status find(std::span<const Vertices> sets, std::span<double> out) const {
+    if (!heat_)
+      return IT::polyhedral_distances(
+          t_, sets, out,
+          IT::parameters::maximum_distance(
+              options_.maximum_distance.value_or(std::numeric_limits<double>::infinity())));
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      std::ranges::copy(heat_->distances(sets[i]), &out[i * rows()]);
+    return IT::Status::done;
+  }
+  std::size_t rows() const { return t_.number_of_vertices(); }
+  // adds the time of the flow
+  void report(Json& json) const {
+    if (heat_) json["time"] = heat_->time();
+  }
+
+private:
+  const Triangulation& t_;
+  const Application_options& options_;
+  std::shared_ptr<IT::Heat_distance<Triangulation>> heat_;
+};
+
+// Writes the distances of the vertices of the file, a column for each set of sources.
+template <class Triangulation>
+Computed distance_matrix(const Triangulation& t, const Options& options) {
+  const std::size_t rows = t.input().number_of_rows();
+  const Vertex_sets asked = read_vertex_sets(options.application.source_sets, rows, false);
+  Computed computed{"distance", {}, {}};
+  computed.json = {{"method", options.application.distance}, {"sets", asked.rows.size()}};
+  computed.write = [&t, &options, rows, sets = vertices_of(t, asked)](std::ostream& out,
+                                                                      Json& json) {
+    constexpr std::size_t most_numbers = std::size_t{1} << 25; // 256 MiB in memory at a time
+    const Distance_columns<Triangulation> columns(t, options.application);
+    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t step = std::max(most_numbers / columns.rows(), threads);
+    Column_writer file(out, options.output, rows, sets.size());
+    std::vector<double> block;
+    Range range;
+    IT::Status status = IT::Status::done;
+    for (std::size_t i = 0; i < sets.size(); i += step) {
+      const auto part = std::span(sets).subspan(i, std::min(step, sets.size() - i));
+      block.resize(part.size() * columns.rows());
+      if (const IT::Status s = columns.find(part, block); s != IT::Status::done) status = s;
+      for (std::size_t k = 0; k < part.size(); ++k) {
+        const auto column = std::span(block).subspan(k * columns.rows(), rows);
+        for (const double d : column) range.add(d);
+        file.write(column);
+      }
+    }
+    file.finish();
+    columns.report(json);
+    json["status"] = program::name(status);
+    json["min"] = range.least;
+    json["max"] = range.greatest;
+    json["unreached"] = range.unreached;
+  };
+  return computed;
+}
+
+// By heat: a solution for each vertex that is the first of a pair.
+template <class Triangulation>
+std::vector<double> heat_of_pairs(const Triangulation& t, const Vertices& from, const Vertices& to,
+                                  const Distance_columns<Triangulation>& columns) {
+  std::vector<std::size_t> order(from.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return t.index(from[i]); });
+  std::vector<double> result(from.size()), column(columns.rows());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t i = order[k];
+    const std::vector<Vertices> source{{from[i]}};
+    if (k == 0 || from[i] != from[order[k - 1]]) columns.find(source, column);
+    result[i] = column[t.input_vertex(to[i])];
+  }
+  return result;
+}
+
+template <class Triangulation>
+Computed distances_of_pairs(const Triangulation& t, const Options& options) {
+  const Application_options& o = options.application;
+  Vertices from, to;
+  for (const Vertices& pair :
+       vertices_of(t, read_vertex_sets(o.pairs, t.input().number_of_rows(), true))) {
+    from.push_back(pair[0]);
+    to.push_back(pair[1]);
+  }
+  const Distance_columns<Triangulation> columns(t, o);
+  const std::vector<double> distances =
+      o.distance == "exact" ? IT::pair_distances(t, from, to) : heat_of_pairs(t, from, to, columns);
+  const Range range = range_of(distances);
+  Computed computed{"distance", {}, {}};
+  computed.json = {{"method", o.distance}, {"pairs", from.size()}};
+  columns.report(computed.json);
+  computed.json["min"] = range.least;
+  computed.json["max"] = range.greatest;
+  computed.json["unreached"] = range.unreached;
+  computed.json["distances"] = Json::array();
+  for (const double d : distances) computed.json["distances"].push_back(finite_or_null(d));
+  computed.write = [distances](std::ostream& out, Json&) {
+    Number_rows numbers(out);
+    for (const double d : distances) {
+      numbers.put(d);
+      numbers.end_row();
+    }
+  };
+  return computed;
+}
+
 } // namespace
 
 void run_distance(const Options& options) {
   run_application(options, [&](const auto& t, const Sources& sources, const Points&) {
     const Application_options& o = options.application;
+    if (!o.pairs.empty()) return distances_of_pairs(t, options);
+    if (!o.source_sets.empty()) return distance_matrix(t, options);
     return o.distance == "exact" ? exact_distances(t, sources, o) : heat_distances(t, sources, o);
   });
 }

@@ -70,7 +70,8 @@ public:
     progress.show("finding paths");
     Curve_builder<Triangulation> builder(loaded_, options_, network_);
     builder.run();
-    if (!options_.view.empty()) initial_ = polylines();
+    const bool is_geodesic_tree = !options_.geodesic.source.empty(); // nothing is shortened
+    if (!options_.view.empty() && !is_geodesic_tree) initial_ = polylines();
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
       const bool is_lone = c < builder.initial().size();
       initial_length_.push_back(is_lone ? builder.initial()[c].length : network_.length(c));

@@ -30,9 +30,10 @@ constexpr std::array<std::string_view, 1> triangulation{"idt"};
 constexpr std::array<std::string_view, 1> values{"txt"};
 constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
+constexpr std::array<std::string_view, 2> full_matrix{"npy", "mtx"};
 
 // in the order of `Contents`
-constexpr std::array<Format, 10> formats{
+constexpr std::array<Format, 11> formats{
     {{"meshes", IT::mesh_extensions},
      {"lists of points", IT::point_set_extensions},
      {"the intrinsic triangulation", triangulation},
@@ -42,6 +43,7 @@ constexpr std::array<Format, 10> formats{
      {"values", values},
      {"the common subdivision with values", with_values},
      {"matrices in Matrix Market format", matrix},
+     {"a matrix", full_matrix},
      {"the surface cut open", IT::cut_surface_extensions}}};
 
 const Format& format(Contents contents) { return formats[static_cast<std::size_t>(contents)]; }

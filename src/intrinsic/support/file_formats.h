@@ -22,6 +22,7 @@ enum class Contents {
   values,
   valued_subdivision,
   matrix,
+  full_matrix,
   cut_surface
 };
 

@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_COLUMN_WRITER_H
+#define INTRINSIC_APPLICATION_COLUMN_WRITER_H
+
+#include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
+
+#include <cstddef>
+#include <ostream>
+#include <span>
+#include <string>
+
+namespace program {
+
+/// Writes a full matrix column by column, so that it need not be in memory: in NumPy's format to
+/// `.npy`, else as an array in Matrix Market format.
+class Column_writer {
+public:
+  /// writes what comes before the numbers.
+  Column_writer(std::ostream& out, const std::string& path, std::size_t rows, std::size_t columns);
+  /// writes the next column.
+  void write(std::span<const double> column);
+  /// writes what is left. \throws std::runtime_error if the stream has failed
+  void finish();
+
+private:
+  CGAL::Intrinsic_triangulations::internal::Output_buffer out_;
+  bool is_binary_;
+};
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_COLUMN_WRITER_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_APPLICATION_VERTEX_SETS_H
+#define INTRINSIC_APPLICATION_VERTEX_SETS_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace program {
+
+/// The vertices on each line of a file.
+struct Vertex_sets {
+  std::string path;
+  std::vector<std::vector<std::uint32_t>> rows; ///< the vertices as the mesh numbers them
+  std::vector<std::size_t> lines;               ///< of the file, from 1
+
+  /// \throws std::runtime_error naming file and line of a set
+  [[noreturn]] void refuse(std::size_t set, const std::string& what) const;
+};
+
+/*!
+\brief reads a text file with numbers of vertices on each line.
+\param path the file
+\param vertices how many there are
+\param are_pairs whether each line has two
+\throws std::runtime_error naming the line of what is no vertex, or of too few or too many
+*/
+Vertex_sets read_vertex_sets(const std::string& path, std::size_t vertices, bool are_pairs);
+
+/// returns the vertices of a triangulation in sets that a file lists.
+/// \throws std::runtime_error naming the line of a vertex without faces
+template <class Triangulation>
+std::vector<std::vector<typename Triangulation::vertex_descriptor>>
+vertices_of(const Triangulation& t, const Vertex_sets& sets) {
+  namespace IT = CGAL::Intrinsic_triangulations;
+  std::vector<std::vector<typename Triangulation::vertex_descriptor>> result(sets.rows.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    for (const std::uint32_t row : sets.rows[i]) {
+      const auto v = IT::vertex_of_row(t, row);
+      if (halfedge(v, t.mesh()).index == IT::Gluing::none)
+        sets.refuse(i,
+                    "vertex " + std::to_string(row) + " is isolated: no face has it; leave it out");
+      result[i].push_back(v);
+    }
+  return result;
+}
+
+} // namespace program
+
+#endif // INTRINSIC_APPLICATION_VERTEX_SETS_H
