@@ -52,15 +52,18 @@ Curve along_edges(const Triangulation& t, const Vertices& points, const std::str
   return curve;
 }
 
-// The least and the greatest of finite distances, or 0, and how many are not finite.
+// The least and the greatest of finite distances, and how many are not finite.
 struct Range {
-  double least = 0, greatest = 0;
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
   std::size_t unreached = 0;
 
   void add(double d) {
-    if (!std::isfinite(d)) ++unreached;
-    if (std::isfinite(d) && d > greatest) greatest = d;
-    if (d < least) least = d;
+    if (!std::isfinite(d)) {
+      ++unreached;
+      return;
+    }
+    least = std::min(least, d);
+    greatest = std::max(greatest, d);
   }
 };
 
@@ -78,8 +81,8 @@ Computed computed_distances(Eigen::VectorXd distances, const Application_options
                    {"sources", o.sources.size()},
                    {"curves", o.curves.size()},
                    {"signed", o.is_signed},
-                   {"min", range.least},
-                   {"max", range.greatest},
+                   {"min", finite_or_null(range.least)},
+                   {"max", finite_or_null(range.greatest)},
                    {"unreached_vertices", range.unreached}};
   if (!o.isolines.empty()) {
     computed.levels = levels_of(o.levels, range.least, range.greatest);
@@ -203,8 +206,8 @@ Computed distance_matrix(const Triangulation& t, const Options& options) {
     file.finish();
     columns.report(json);
     json["status"] = program::name(status);
-    json["min"] = range.least;
-    json["max"] = range.greatest;
+    json["min"] = finite_or_null(range.least);
+    json["max"] = finite_or_null(range.greatest);
     json["unreached"] = range.unreached;
   };
   return computed;
@@ -243,8 +246,8 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options) {
   Computed computed{"distance", {}, {}};
   computed.json = {{"method", o.distance}, {"pairs", from.size()}};
   columns.report(computed.json);
-  computed.json["min"] = range.least;
-  computed.json["max"] = range.greatest;
+  computed.json["min"] = finite_or_null(range.least);
+  computed.json["max"] = finite_or_null(range.greatest);
   computed.json["unreached"] = range.unreached;
   computed.json["distances"] = Json::array();
   for (const double d : distances) computed.json["distances"].push_back(finite_or_null(d));
