@@ -84,7 +84,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.isolines = viewed.isolines;
   view.texture = viewed.texture;
   view.has_edges = view.has_face_colors = !viewed.is_plain;
-  view.curve_width = viewed.curve_width;
+  constexpr std::size_t many = 1000; // curves, which would cover the surface
+  view.curve_width = viewed.curves.size() > many ? 1 : viewed.curve_width;
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
   const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
   if (!report.is_complete())
