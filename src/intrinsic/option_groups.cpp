@@ -24,7 +24,7 @@ CLI::Validator curve_points(std::size_t least) {
                         "POINTS");
 }
 
-CLI::Validator levels() {
+CLI::Validator level_list() {
   return CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST");
 }
 
@@ -347,7 +347,7 @@ void add_cut_options(CLI::App& command, Options& options) {
           .add_option(
               "--levels", options.cut.levels,
               "cut along isolines: how many, evenly spaced, or a list of values with commas")
-          ->check(CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST"));
+          ->check(level_list());
   command
       .add_option("--source", options.application.sources,
                   "isolines of the exact distance from points, separated by commas")
@@ -366,8 +366,7 @@ void add_cut_options(CLI::App& command, Options& options) {
                   "write on each line the component of a face, and the face of the mesh that it is "
                   "in, to .txt")
       ->check(file_of({Contents::values}));
-  command.add_option("--view", options.view, "write a page that shows the pieces")
-      ->type_name("FILE");
+  add_view_option(command, options, "the pieces");
 }
 
 std::string cut_misuse(const Options& o) {
@@ -475,7 +474,7 @@ void add_distance_options(CLI::App& command, Options& options) {
       .add_option("--levels", a.levels,
                   "distances of these lines: how many, evenly spaced (default 10), or a list, "
                   "separated by commas; a whole number alone is how many")
-      ->check(levels())
+      ->check(level_list())
       ->needs(isolines);
 }
 
