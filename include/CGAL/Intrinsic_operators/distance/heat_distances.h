@@ -87,8 +87,9 @@ and calls with parts of the sets share `heat`.
 \complexity that of the solutions. Sets with more than twenty sources need a factorization each.
   Memory: about 50 numbers per vertex and thread
 */
-template <class Triangulation, std::ranges::random_access_range SourceSets,
+template <NumberedTriangulation Triangulation, std::ranges::random_access_range SourceSets,
           std::floating_point Number, NamedParameters NP = parameters::Parameters<>>
+  requires MeasuredTriangulation<Triangulation>
 Status heat_distances(const Heat_distance<Triangulation>& heat, const SourceSets& sets,
                       std::span<Number> out, const NP& np = parameters::default_values()) {
   using namespace internal::tags;
