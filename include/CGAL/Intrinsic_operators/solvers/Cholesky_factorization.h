@@ -102,11 +102,13 @@ public:
   explicit Cholesky_factorization(const Matrix& a)
       : size_(a.rows()), factor_(internal::make_cholesky_factor(a)) {}
 
+  /// \cond
   // Uses the analysis of a matrix with entries in the same places, or sets it if there is none.
   // \param a the matrix, compressed, both triangles of it
   Cholesky_factorization(const Matrix& a, internal::Shared_analysis& analysis) requires
       std::same_as<Scalar, std::complex<double>>
       : size_(a.rows()), factor_(internal::make_cholesky_factor(a, analysis)) {}
+  /// \endcond
 
   /// returns the number of rows.
   Eigen::Index size() const { return size_; }

@@ -51,9 +51,11 @@ public:
   */
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal);
 
+  /// \cond
   // Uses the analysis of a matrix with entries in the same places, or sets it if there is none.
   Laplacian_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
                           internal::Shared_analysis& analysis);
+  /// \endcond
 
   /*!
   \brief factors `L + D` and `m L + E` at once, which takes far less than twice the time of one.
