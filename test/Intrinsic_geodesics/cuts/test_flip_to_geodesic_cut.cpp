@@ -10,10 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 
 #include "meshes.h"
+#include "operator_test_meshes.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -49,18 +49,8 @@ void expect_disk(const Triangulation& t, const IT::Marked_edges<Triangulation>& 
 
 // A torus in space with random bumps.
 meshes::Mesh rough_torus(std::uint32_t n, unsigned seed) {
-  meshes::Mesh s;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> d(-0.3, 0.3);
-  for (std::uint32_t v = 0; v < n * n; ++v) {
-    const double a = 2 * 3.14159265358979 * (v % n) / n, b = 2 * 3.14159265358979 * (v / n) / n;
-    const double r = 1 + d(random), out = 3 + r * std::cos(b);
-    s.points.push_back({out * std::cos(a), out * std::sin(a), r * std::sin(b)});
-    const std::uint32_t right = v - v % n + (v + 1) % n, up = n * n;
-    s.triangles.push_back({v, right, (right + n) % up});
-    s.triangles.push_back({v, (right + n) % up, (v + n) % up});
-  }
-  return s;
+  const operator_test::Shape s = operator_test::rough_torus(n, 0.3, seed);
+  return {s.points, s.triangles};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "html_pages.h"
 #include "subdivisions.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <set>
 #include <span>
@@ -26,13 +26,8 @@ namespace {
 
 using Points = subdivisions::Points;
 
-IT::Html_view simple_view() {
-  IT::Html_view view;
-  view.title = "A grid";
-  view.three = "var THREE = {};";
-  view.trackball_controls = "THREE.TrackballControls = null;";
-  return view;
-}
+using html_pages::numbers;
+using html_pages::simple_view;
 
 struct Page {
   std::string text;
@@ -43,25 +38,6 @@ Page page(const IT::Common_subdivision& s, const Points& points, const IT::Html_
   std::ostringstream out;
   const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
   return {out.str(), report};
-}
-
-template <class T>
-std::vector<T> numbers(const std::string& html, const std::string& id) {
-  static const std::string digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t tag = html.find(" id=\"" + id + "\"");
-  EXPECT_NE(tag, std::string::npos) << id;
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int n = 0;
-  for (std::size_t i = html.find('>', tag) + 1; html[i] != '<' && html[i] != '='; ++i) {
-    bits = (bits << 6) | static_cast<std::uint32_t>(digits.find(html[i]) & 63);
-    n += 6;
-    if (n >= 8) bytes += static_cast<char>((bits >> (n -= 8)) & 255);
-  }
-  std::vector<T> result(bytes.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
-  return result;
 }
 
 // circles about the middle of the unit square, in space on its plane

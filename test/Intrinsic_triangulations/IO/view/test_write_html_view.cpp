@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "base64.h"
+#include "html_pages.h"
 #include "refusals.h"
 #include "subdivisions.h"
 
@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -34,12 +33,12 @@ namespace {
 
 using Points = subdivisions::Points;
 
+using html_pages::encoded;
+using html_pages::numbers;
+
 IT::Html_view simple_view() {
-  IT::Html_view view;
-  view.title = "A grid";
+  IT::Html_view view = html_pages::simple_view();
   view.description = "two lines\nof text";
-  view.three = "var THREE = {};";
-  view.trackball_controls = "THREE.TrackballControls = null;";
   return view;
 }
 
@@ -52,23 +51,6 @@ std::string page(const IT::Common_subdivision& s, const Points& points,
 
 Points points_of(const IT::Common_subdivision& grid, std::uint32_t n) {
   return IT::positions(grid, subdivisions::grid_points(n));
-}
-
-// what stands between the tags of the data of that name
-std::string encoded(const std::string& html, const std::string& id) {
-  const std::size_t tag = html.find(" id=\"" + id + "\"");
-  EXPECT_NE(tag, std::string::npos) << id;
-  const std::size_t begin = html.find('>', tag) + 1;
-  return html.substr(begin, html.find('<', begin) - begin);
-}
-
-template <class T>
-std::vector<T> numbers(const std::string& html, const std::string& id) {
-  const std::string bytes = base64::decoded(encoded(html, id));
-  EXPECT_EQ(bytes.size() % sizeof(T), 0u) << id;
-  std::vector<T> result(bytes.size() / sizeof(T));
-  if (!result.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
-  return result;
 }
 
 std::size_t occurrences(const std::string& text, const std::string& word) {
