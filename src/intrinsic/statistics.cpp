@@ -276,8 +276,8 @@ void print_summary_on_terminal(const Json& json) {
 namespace {
 
 // Calls a function with the lists of records, and the long lists of numbers, and their names.
-template <class Function>
-void for_each_list(Json& json, const std::string& name, const Function& function) {
+template <class Any_json, class Function>
+void for_each_list(Any_json& json, const std::string& name, const Function& function) {
   for (auto& [key, value] : json.items()) {
     const std::string full = name.empty() ? key : name + "." + key;
     if (value.is_object()) for_each_list(value, full, function);
@@ -312,8 +312,7 @@ Json with_short_lists(const Json& json, const Options& options, Output_files& fi
   if (!sizes.empty()) result["records"] = std::move(sizes);
   if (options.records.empty()) return result;
   files.write(options.records, [&](std::ostream& out) {
-    Json all = json;
-    for_each_list(all, "", [&](const std::string& name, const Json& records) {
+    for_each_list(json, "", [&](const std::string& name, const Json& records) {
       write_records(out, name, records);
     });
   });

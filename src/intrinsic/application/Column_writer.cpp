@@ -3,21 +3,24 @@
 
 #include "Column_writer.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 
+#include <array>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 namespace program {
 
-namespace internal = CGAL::Intrinsic_triangulations::internal;
+namespace {
+
+constexpr std::array<std::string_view, 1> matrix_market{"mtx"};
+
+} // namespace
 
 Column_writer::Column_writer(std::ostream& out, const std::string& path, std::size_t rows,
                              std::size_t columns)
-    : out_(out),
-      is_binary_(internal::plain_extension(std::filesystem::path(path).extension().string()) !=
-                 "mtx") {
+    : out_(out), is_binary_(!CGAL::Intrinsic_triangulations::has_extension(path, matrix_market)) {
   const std::string m = std::to_string(rows), n = std::to_string(columns);
   if (!is_binary_) {
     out_.text("%%MatrixMarket matrix array real general\n% distances: a row per vertex, a column "

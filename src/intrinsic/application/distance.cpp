@@ -5,6 +5,7 @@
 #include "../levels.h"
 #include "../status_name.h"
 #include "../support/Number_rows.h"
+#include "../support/Range.h"
 #include "Column_writer.h"
 #include "application.h"
 #include "vertex_sets.h"
@@ -14,13 +15,13 @@
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -52,28 +53,6 @@ Curve along_edges(const Triangulation& t, const Vertices& points, const std::str
   return curve;
 }
 
-// The least and the greatest of finite distances, and how many are not finite.
-struct Range {
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  std::size_t unreached = 0;
-
-  void add(double d) {
-    if (!std::isfinite(d)) {
-      ++unreached;
-      return;
-    }
-    least = std::min(least, d);
-    greatest = std::max(greatest, d);
-  }
-};
-
-template <class Numbers>
-Range range_of(const Numbers& distances) {
-  Range range;
-  for (const double d : distances) range.add(d);
-  return range;
-}
-
 Computed computed_distances(Eigen::VectorXd distances, const Application_options& o) {
   Computed computed{"distance", {}, {}};
   const Range range = range_of(distances);
@@ -83,7 +62,7 @@ Computed computed_distances(Eigen::VectorXd distances, const Application_options
                    {"signed", o.is_signed},
                    {"min", finite_or_null(range.least)},
                    {"max", finite_or_null(range.greatest)},
-                   {"unreached_vertices", range.unreached}};
+                   {"unreached_vertices", range.infinite}};
   if (!o.isolines.empty()) {
     computed.levels = levels_of(o.levels, range.least, range.greatest);
     computed.json["levels"] = computed.levels;
@@ -148,21 +127,16 @@ template <class Triangulation>
 class Distance_columns {
 public:
   Distance_columns(const Triangulation& t, const Application_options& o) : t_(t), options_(o) {
-    if (o.distance == "heat")
-      heat_ = std::make_shared<IT::Heat_distance<Triangulation>>(
-          t, IT::parameters::time_factor(o.time_factor));
+    if (o.distance == "heat") heat_.emplace(t, IT::parameters::time_factor(o.time_factor));
   }
 
   // Finds a column for each set, one after another. Returns whether all searches arrived.
   IT::Status find(std::span<const Vertices> sets, std::span<double> out) const {
-    if (!heat_)
-      return IT::polyhedral_distances(
-          t_, sets, out,
-          IT::parameters::maximum_distance(
-              options_.maximum_distance.value_or(std::numeric_limits<double>::infinity())));
-    for (std::size_t i = 0; i < sets.size(); ++i)
-      std::ranges::copy(heat_->distances(sets[i]), &out[i * rows()]);
-    return IT::Status::done;
+    if (heat_) return IT::heat_distances(*heat_, sets, out);
+    return IT::polyhedral_distances(
+        t_, sets, out,
+        IT::parameters::maximum_distance(
+            options_.maximum_distance.value_or(std::numeric_limits<double>::infinity())));
   }
   std::size_t rows() const { return t_.number_of_vertices(); }
   // adds the time of the flow
@@ -173,7 +147,7 @@ public:
 private:
   const Triangulation& t_;
   const Application_options& options_;
-  std::shared_ptr<IT::Heat_distance<Triangulation>> heat_;
+  std::optional<IT::Heat_distance<Triangulation>> heat_;
 };
 
 // Writes the distances of the vertices of the file, a column for each set of sources.
@@ -208,7 +182,7 @@ Computed distance_matrix(const Triangulation& t, const Options& options) {
     json["status"] = program::name(status);
     json["min"] = finite_or_null(range.least);
     json["max"] = finite_or_null(range.greatest);
-    json["unreached"] = range.unreached;
+    json["unreached"] = range.infinite;
   };
   return computed;
 }
@@ -248,7 +222,7 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options) {
   columns.report(computed.json);
   computed.json["min"] = finite_or_null(range.least);
   computed.json["max"] = finite_or_null(range.greatest);
-  computed.json["unreached"] = range.unreached;
+  computed.json["unreached"] = range.infinite;
   computed.json["distances"] = Json::array();
   for (const double d : distances) computed.json["distances"].push_back(finite_or_null(d));
   computed.write = [distances](std::ostream& out, Json&) {

@@ -29,7 +29,8 @@ struct Vertex_sets {
 \param path the file
 \param vertices how many there are
 \param are_pairs whether each line has two
-\throws std::runtime_error naming the line of what is no vertex, or of too few or too many
+\throws std::runtime_error naming the line of a word that is not the number of a vertex, or of too
+few or too many numbers
 */
 Vertex_sets read_vertex_sets(const std::string& path, std::size_t vertices, bool are_pairs);
 

@@ -3,6 +3,7 @@
 
 #include "../commands.h"
 #include "../levels.h"
+#include "../support/Range.h"
 #include "../support/text_lines.h"
 #include "geodesic.h"
 
@@ -15,11 +16,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <ostream>
 #include <stdexcept>
@@ -53,20 +52,17 @@ template <class Triangulation>
 auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json& json) {
   Triangulation& t = loaded.triangulation;
   const std::vector<double> values = values_of_rows(t, loaded, options);
-  double least = std::numeric_limits<double>::infinity(), greatest = -least;
-  for (const double x : values)
-    if (std::isfinite(x)) {
-      least = std::min(least, x);
-      greatest = std::max(greatest, x);
-    }
-  const std::vector<double> levels = levels_of(options.cut.levels, least, greatest);
+  const Range range = range_of(values);
+  const std::vector<double> levels = levels_of(options.cut.levels, range.least, range.greatest);
   const std::vector<IT::Isoline> lines = IT::isolines(t, values, levels);
-  json["isolines"] = {
-      {"levels", levels}, {"lines", lines.size()}, {"min", least}, {"max", greatest}};
+  json["isolines"] = {{"levels", levels},
+                      {"lines", lines.size()},
+                      {"min", range.least},
+                      {"max", range.greatest}};
   if (lines.empty())
     throw std::runtime_error(options.input + ": no isoline has one of the levels, as values are " +
-                             "from " + std::to_string(least) + " to " + std::to_string(greatest) +
-                             "; choose levels between");
+                             "from " + std::to_string(range.least) + " to " +
+                             std::to_string(range.greatest) + "; choose levels between");
   return naming_file(options.input, [&] { return IT::insert_isolines(t, lines); });
 }
 

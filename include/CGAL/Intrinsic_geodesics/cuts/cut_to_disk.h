@@ -56,7 +56,8 @@ Where a surface has vertices at which fans of faces meet without a common edge, 
 apart, as `cut_open()` does.
 \param s the surface
 \param through vertices that the cut passes through, any number of them; each once or more
-\param roots how many other roots are tried; at least one if there is no border and no given vertex
+\param roots the number of further roots to try; without a border and given vertices it tries one
+  at least
 \return nonzero for both sides of each edge to cut, which `cut_open()` takes
 \throws Invalid_input if sizes disagree, a length is negative or not finite, a vertex does not exist
   or has no face, or sides that must not be cut surround a vertex or the like

@@ -58,6 +58,9 @@ bool for_each_in_threads(std::size_t size, std::size_t threads,
                          const std::function<std::function<void(std::size_t)>()>& make_worker,
                          const std::function<bool(std::size_t)>& progress);
 
+// Throws std::invalid_argument unless there is place for a number per row and column.
+void expect_columns(std::size_t rows, std::size_t columns, std::size_t places);
+
 // Calls a function with a `Polyhedral_distance` that its thread has alone, and each number below
 // `size`. Takes `number_of_threads` and `visitor`. Returns whether all calls were made.
 template <class Distance, class NP, class Function>
@@ -110,11 +113,7 @@ Status polyhedral_distances(const Triangulation& t, const SourceSets& sets, std:
   using namespace internal::tags;
   internal::expect_names<number_of_threads, maximum_distance, targets, maximum_number, visitor>(np);
   const std::size_t columns = std::ranges::size(sets), rows = t.number_of_vertices();
-  if (out.size() != rows * columns)
-    throw std::invalid_argument("distances of " + std::to_string(rows) + " vertices from " +
-                                std::to_string(columns) + " sets of sources need place for " +
-                                std::to_string(rows * columns) + " numbers, not " +
-                                std::to_string(out.size()));
+  internal::expect_columns(rows, columns, out.size());
   const Polyhedral_distance<Triangulation> surface(t);
   const auto limits =
       parameters::maximum_distance(

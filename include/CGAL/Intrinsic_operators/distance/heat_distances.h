@@ -19,8 +19,6 @@
 #include <functional>
 #include <ranges>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -97,11 +95,7 @@ Status heat_distances(const Heat_distance<Triangulation>& heat, const SourceSets
   const Triangulation& t = internal::Heat_batch::triangulation(heat);
   const internal::Heat_batch batch(heat);
   const std::size_t columns = std::ranges::size(sets), rows = t.number_of_vertices();
-  if (out.size() != rows * columns)
-    throw std::invalid_argument("distances of " + std::to_string(rows) + " vertices from " +
-                                std::to_string(columns) + " sets of sources need place for " +
-                                std::to_string(rows * columns) + " numbers, not " +
-                                std::to_string(out.size()));
+  internal::expect_columns(rows, columns, out.size());
   if (batch.is_stopped) return Status::cancelled;
   std::vector<internal::Source_places> places;
   for (const auto& set : sets)

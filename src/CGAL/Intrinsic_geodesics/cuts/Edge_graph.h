@@ -47,7 +47,7 @@ public:
   // The length of the path to a node, and the last edge of it; `none` for a root.
   double distance(std::uint32_t node) const { return distance_[node]; }
   std::uint32_t last_edge(std::uint32_t node) const { return last_edge_[node]; }
-  // The node before a node that is no root.
+  // The parent of a node in the tree. \pre the node is not a root
   std::uint32_t before(std::uint32_t node) const {
     const auto& [i, j] = edges_[last_edge_[node]].ends;
     return i == node ? j : i;

@@ -9,6 +9,8 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -43,6 +45,14 @@ bool for_each_in_threads(std::size_t size, std::size_t threads,
   others.clear(); // joins
   if (thrown) std::rethrow_exception(thrown);
   return done == size;
+}
+
+void expect_columns(std::size_t rows, std::size_t columns, std::size_t places) {
+  if (places != rows * columns)
+    throw std::invalid_argument("distances of " + std::to_string(rows) + " vertices from " +
+                                std::to_string(columns) + " sets of sources need place for " +
+                                std::to_string(rows * columns) + " numbers, not " +
+                                std::to_string(places));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
