@@ -14,6 +14,7 @@ const std::string applications = "intrinsic-applications";
 
 } // namespace
 
+void run_delaunay_elsewhere(const Options& options) { become(applications, options.arguments); }
 void run_geodesic(const Options& options) { become(applications, options.arguments); }
 void run_cut(const Options& options) { become(applications, options.arguments); }
 void run_distance(const Options& options) { become(applications, options.arguments); }

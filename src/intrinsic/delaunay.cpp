@@ -10,9 +10,8 @@
 
 namespace program {
 
-// Not here, to compile in little memory.
-void run_delaunay_with_crossings(const Options& options);
-void run_delaunay_with_signposts(const Options& options);
+// with correspondences that the program `intrinsic-applications` has
+void run_delaunay_elsewhere(const Options& options);
 
 void run_delaunay(const Options& options) {
   const bool is_stored = is_triangulation_file(options.input);
@@ -22,10 +21,8 @@ void run_delaunay(const Options& options) {
   const bool tells_constraints = is_stored && has_constraints(options);
   if (!tells_constraints && (asked == "none" || !is_needed))
     run_delaunay_with<IT::No_correspondence>(options);
-  else if (options.correspondence == "crossings")
-    run_delaunay_with_crossings(options);
-  else if (options.correspondence == "signposts")
-    run_delaunay_with_signposts(options);
+  else if (asked == "crossings" || asked == "signposts")
+    run_delaunay_elsewhere(options);
   else
     run_delaunay_with<IT::Integer_coordinates>(options);
 }

@@ -8,7 +8,18 @@
 
 namespace program {
 
-void run_delaunay(const Options& options) { become("intrinsic", options.arguments); }
+// Here, so that the first program compiles faster: few users ask for these two correspondences.
+void run_delaunay_with_crossings(const Options& options);
+void run_delaunay_with_signposts(const Options& options);
+
+void run_delaunay(const Options& options) {
+  if (options.correspondence == "crossings")
+    run_delaunay_with_crossings(options);
+  else if (options.correspondence == "signposts")
+    run_delaunay_with_signposts(options);
+  else
+    become("intrinsic", options.arguments);
+}
 void run_transfer(const Options& options) { become("intrinsic", options.arguments); }
 void run_info(const Options& options) { become("intrinsic", options.arguments); }
 void run_study(const Options& options) { become("intrinsic", options.arguments); }

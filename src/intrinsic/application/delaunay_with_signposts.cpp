@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "delaunay.h"
+#include "../delaunay.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 
