@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/Plane_pieces.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+namespace {
+
+// The sides of a triangle of given lengths. The greatest may be longer than the others together by
+// rounding of the lengths.
+std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, std::uint32_t f) {
+  const double* l = s.length.data() + 3 * std::size_t{f};
+  const double longest = std::max({l[0], l[1], l[2]}), least = std::min({l[0], l[1], l[2]});
+  const int e = longest > 0 && std::isfinite(longest) ? std::ilogb(longest) : 0;
+  std::array<double, 3> squares;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double scaled = std::ldexp(l[k], -e);
+    squares[k] = scaled * scaled;
+  }
+  double area = squared_quadruple_area(squares[0], squares[1], squares[2]);
+  if (!(least > 0) || !std::isfinite(longest) || !(area >= -1e-14 * squares[0]))
+    throw Invalid_input::about(Element_kind::face, f,
+                               " has sides of which no triangle consists; give lengths that are "
+                               "finite and satisfy the triangle inequality");
+  area = std::sqrt(std::max(area, 0.));
+  std::array<std::complex<double>, 3> result;
+  const Plane_sides sides = planar_sides(squares[0], squares[1], squares[2], area);
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = {std::ldexp(sides[k].x, e), std::ldexp(sides[k].y, e)};
+  return result;
+}
+
+// The triangles of a surface that was cut open as pieces.
+Plane_pieces triangles_as_pieces(const Gluing& g, std::vector<std::complex<double>> sides) {
+  Plane_pieces p;
+  p.number_of_vertices = g.number_of_vertices;
+  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f) p.begin.push_back(3 * f + 3);
+  p.vertex = g.origin;
+  p.glue = g.glue;
+  p.side = std::move(sides);
+  p.turn.assign(p.side.size(), 1);
+  for (std::size_t h = 0; h < p.glue.size(); ++h)
+    if (p.glue[h] != Gluing::none) p.turn[h] = turn_across(p.side[h], p.side[p.glue[h]]);
+  return p;
+}
+
+// The seams of a layout, one after another.
+class Seam_finder {
+public:
+  Seam_finder(const Flat_layout& layout, const Developed_pieces& developed,
+              const std::vector<std::complex<double>>& sides, std::span<const std::uint32_t> cones)
+      : layout_(layout), developed_(developed), sides_(sides),
+        is_cone_(layout.surface.gluing.number_of_vertices, 0),
+        border_from_(layout.surface.gluing.number_of_vertices, Gluing::none),
+        partner_(sides.size(), Gluing::none) {
+    const Gluing& g = layout.surface.gluing;
+    for (const auto& [h, p] : layout.surface.seams) {
+      partner_[h] = Gluing::partner(p);
+      partner_[Gluing::partner(p)] = h;
+    }
+    for (std::uint32_t h = 0; h < g.glue.size(); ++h)
+      if (g.glue[h] == Gluing::none) border_from_[g.origin[h]] = h;
+    for (const std::uint32_t v : cones) is_cone_[v] = 1;
+  }
+
+  std::vector<Layout_seam> run() {
+    std::vector<char> is_done(sides_.size(), 0);
+    std::vector<Layout_seam> result;
+    for (const bool is_last : {false, true}) // closed seams have no first side
+      for (std::uint32_t h = 0; h < sides_.size(); ++h) {
+        if (partner_[h] == Gluing::none || is_done[h] != 0) continue;
+        if (!is_last && continues(next_of_partner(h), h)) continue;
+        Layout_seam& seam = result.emplace_back();
+        for (std::uint32_t i = h;;) {
+          seam.sides.push_back(i);
+          seam.partners.push_back(partner_[i]);
+          is_done[i] = is_done[partner_[i]] = 1;
+          const std::uint32_t n = next_on_border(i);
+          if (!continues(i, n) || is_done[n] != 0) break;
+          i = n;
+        }
+        find_motion(seam);
+      }
+    return result;
+  }
+
+private:
+  const Gluing& gluing() const { return layout_.surface.gluing; }
+  std::uint32_t end(std::uint32_t h) const { return gluing().origin[Gluing::next(h)]; }
+  std::uint32_t next_on_border(std::uint32_t h) const { return border_from_[end(h)]; }
+  // the side before `h` in its seam, if there is one: its partner follows that of `h`
+  std::uint32_t next_of_partner(std::uint32_t h) const {
+    return partner_[next_on_border(partner_[h])];
+  }
+  // Whether two sides are of one seam: partners follow each other, too, and no cone is between.
+  bool continues(std::uint32_t h, std::uint32_t n) const {
+    return h != Gluing::none && n != Gluing::none && partner_[h] != Gluing::none &&
+           partner_[n] != Gluing::none && n != partner_[h] && next_on_border(h) == n &&
+           next_on_border(partner_[n]) == partner_[h] &&
+           is_cone_[layout_.surface.original_vertex[end(h)]] == 0;
+  }
+
+  std::complex<double> place(std::uint32_t v) const {
+    const auto row = static_cast<Eigen::Index>(v);
+    return {layout_.positions(row, 0), layout_.positions(row, 1)};
+  }
+  std::complex<double> side(std::uint32_t h) const {
+    return developed_.rotation[h / 3] * sides_[h];
+  }
+
+  void find_motion(Layout_seam& seam) const {
+    std::complex<double> turn = 0, shift = 0;
+    for (std::size_t i = 0; i < seam.sides.size(); ++i)
+      turn -= side(seam.partners[i]) * std::conj(side(seam.sides[i]));
+    turn /= std::abs(turn);
+    for (std::size_t i = 0; i < seam.sides.size(); ++i)
+      shift += place(end(seam.partners[i])) - turn * place(gluing().origin[seam.sides[i]]);
+    shift /= static_cast<double>(seam.sides.size());
+    seam.rotation = std::arg(turn);
+    seam.translation = {shift.real(), shift.imag()};
+  }
+
+  const Flat_layout& layout_;
+  const Developed_pieces& developed_;
+  const std::vector<std::complex<double>>& sides_;
+  std::vector<char> is_cone_;
+  std::vector<std::uint32_t> border_from_; // of a vertex: the side on the border that starts there
+  std::vector<std::uint32_t> partner_;     // of a side that is cut
+};
+
+void check_orientation(const Gluing& g) {
+  for (std::uint32_t h = 0; h < g.glue.size(); ++h)
+    if (Gluing::is_reversed(g.glue[h])) fail_orientation(g, h, {});
+}
+
+} // namespace
+
+std::complex<double> turn_across(std::complex<double> side, std::complex<double> partner) {
+  const std::complex<double> turn = -side * std::conj(partner);
+  return turn / std::abs(turn);
+}
+
+std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s) {
+  std::vector<std::complex<double>> result;
+  result.reserve(s.length.size());
+  for (std::uint32_t f = 0; f < s.gluing.number_of_faces(); ++f)
+    for (const std::complex<double>& side : sides_of_triangle(s, f)) result.push_back(side);
+  return result;
+}
+
+Eigen::MatrixX2d rows_of_points(const std::vector<std::complex<double>>& points) {
+  Eigen::MatrixX2d result(static_cast<Eigen::Index>(points.size()), 2);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) << points[i].real(), points[i].imag();
+  return result;
+}
+
+static double seam_error(const Flat_layout& layout) {
+  if (layout.positions.rows() == 0) return 0;
+  const double extent =
+      (layout.positions.colwise().maxCoeff() - layout.positions.colwise().minCoeff()).norm();
+  const auto place = [&](std::uint32_t h) {
+    const auto row = static_cast<Eigen::Index>(layout.surface.gluing.origin[h]);
+    return std::complex<double>(layout.positions(row, 0), layout.positions(row, 1));
+  };
+  double largest = 0;
+  for (const Layout_seam& seam : layout.seams) {
+    const std::complex<double> turn = std::polar(1., seam.rotation),
+                               shift(seam.translation[0], seam.translation[1]);
+    for (std::size_t i = 0; i < seam.sides.size(); ++i) {
+      const std::uint32_t h = seam.sides[i], p = seam.partners[i];
+      for (const auto& [from, to] : {std::array{h, Gluing::next(p)}, {Gluing::next(h), p}})
+        largest = std::max(largest, std::abs(turn * place(from) + shift - place(to)));
+    }
+  }
+  return extent > 0 ? largest / extent : largest;
+}
+
+} // namespace internal
+
+Flat_layout lay_out_in_plane(const Surface_to_cut& s, std::span<const std::uint32_t> cones,
+                             std::size_t roots) {
+  internal::check_orientation(s.gluing);
+  Flat_layout result;
+  result.surface = cut_open(s.gluing, cut_to_disk(s, cones, roots));
+  const std::vector<std::complex<double>> sides = internal::sides_of_triangles(s);
+  const internal::Developed_pieces developed =
+      internal::develop(internal::triangles_as_pieces(result.surface.gluing, sides));
+  result.positions = internal::rows_of_points(developed.position);
+  result.largest_side_error = developed.largest_error;
+  result.seams = internal::Seam_finder(result, developed, sides, cones).run();
+  result.largest_seam_error = internal::seam_error(result);
+  return result;
+}
+
+Map_certificate certify_map(const Flat_layout& layout) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const std::vector<std::uint32_t>& origin = layout.surface.gluing.origin;
+  for (std::size_t h = 0; h < origin.size(); h += 3)
+    triangles.push_back({origin[h], origin[h + 1], origin[h + 2]});
+  return certify_map(triangles, layout.positions);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
