@@ -11,6 +11,8 @@ the plane, editing), and `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfu
 Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
+#include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>

@@ -31,7 +31,7 @@ Complex place(const IT::Flat_layout& layout, std::uint32_t h) {
   return {layout.positions(v, 0), layout.positions(v, 1)};
 }
 
-// Distances in the plane are lengths, and the motion of each seam takes its sides to their partners.
+// Distances in the plane are lengths, and motions take sides of seams to their partners.
 void expect_isometric(const flat::Surface& s, const IT::Flat_layout& layout, double error) {
   IT::validate(layout.surface.gluing);
   const double extent =

@@ -70,7 +70,8 @@ The layout is an immersion: parts may overlap.
 \param cones the vertices inside where angles do not sum to 2 pi
 \param roots how many roots the search for a short cut tries
 \return the layout. Where the surface is not flat at a vertex that is not a cone, the errors tell.
-\throws Invalid_input if the surface is not oriented, if no triangle has the sides of a face, and as `cut_to_disk()` does
+\throws Invalid_input if the surface is not oriented, if no triangle has the sides of a face, and as
+  `cut_to_disk()` does
 \pre `validate(s.gluing)` does not throw
 \complexity those of `cut_to_disk()` and of a sparse factorization
 */
