@@ -30,6 +30,7 @@
 #include <concepts>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -83,6 +84,7 @@ public:
   using face_descriptor = typename boost::graph_traits<Mesh>::face_descriptor;
 
   using Metric_values<Intrinsic_triangulation, Mesh, Metric>::is_locally_delaunay;
+  using Metric_values<Intrinsic_triangulation, Mesh, Metric>::delaunay_sign;
 
   using Const_session = Predicate_session<Intrinsic_triangulation>; ///< decides many predicates
   using Session = Move_session<Intrinsic_triangulation>;            ///< makes many moves, too
@@ -116,22 +118,16 @@ public:
       : Intrinsic_triangulation(Intrinsic_input(mesh, mollification)) {}
   CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_INPUT(Intrinsic_triangulation)
 
-  /*!
-  \brief restores a triangulation from its parts, as they were written to a file.
-  \param map the connectivity, with the numbers that the other parts use
-  \param metric values for its edges and faces
-  \param input what it was built from; all other vertices are inserted ones
-  \pre there is no correspondence, or `map` is the connectivity of `input`
-  */
+  /// restores a triangulation from its parts, as they were written to a file.
+  /// \param map the connectivity, with the numbers that the other parts use
+  /// \param metric values for its edges and faces
+  /// \param input what it was built from; all other vertices are inserted ones
+  /// \pre there is no correspondence, or `map` is the connectivity of `input`
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Kept_input> input);
 
-  /*!
-  \brief restores a triangulation, possibly with inserted vertices, from its parts.
-  \param map the connectivity, with the numbers that the other parts use
-  \param metric values for its edges and faces
-  \param input what it was built from
-  \param coordinates how `map` lies on `input`, from which the correspondence is restored
-  */
+  /// restores a triangulation, possibly with inserted vertices, from its parts.
+  /// \param map, metric, input see the other constructor
+  /// \param coordinates how `map` lies on `input`, from which the correspondence is restored
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
                           const Integer_coordinates& coordinates) requires
       internal::Restorable<Correspondence_, Intrinsic_triangulation>
@@ -214,7 +210,7 @@ public:
   Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
 
   /// returns the predicates for cases that the metric leaves open: see `Exact_ladder`.
-  auto exact_values() const requires internal::Defined_by_places<Metric> {
+  auto exact_values() const requires internal::Decides_by_input<Metric> {
     return internal::Exact_values<Intrinsic_triangulation>(*this, places_, exact_memory_);
   }
 
@@ -243,6 +239,16 @@ public:
   \return `done`, or why the edge cannot be flipped; nothing has changed then
   */
   Move_status flip_edge(halfedge_descriptor h) { return Session(*this).flip_edge(h); }
+
+  /*!
+  \brief sets the factors by which vertices scale the metric, at first one: moves horocycles.
+  \param factors one positive number per row, see `input_vertex()`: they define the metric exactly
+  \throws Invalid_input if their number is another one, or naming a vertex with a wrong factor
+  \complexity linear
+  */
+  void scale_vertices(std::span<const double> factors) requires internal::Scales_vertices<Metric> {
+    internal::Mover<Intrinsic_triangulation>(*this).scale_vertices(factors);
+  }
 
   /*!
   \brief inserts a vertex in a face, or on an edge if one weight is zero.
@@ -301,11 +307,11 @@ private:
   friend Session;
   /// \endcond
 
-  static constexpr bool decides_by_input = internal::Defined_by_places<Metric>;
+  static constexpr bool decides_by_input = internal::Decides_by_input<Metric>;
   // where the vertices are on the input, if they define the metric
-  using Places = std::conditional_t<internal::Defined_by_places<Metric>,
-                                    internal::Vertex_places<Intrinsic_triangulation>,
-                                    internal::No_vertex_places<Intrinsic_triangulation>>;
+  using Places =
+      std::conditional_t<decides_by_input, internal::Vertex_places<Intrinsic_triangulation>,
+                         internal::No_vertex_places<Intrinsic_triangulation>>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric, Kept_input>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}

@@ -27,6 +27,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -111,6 +112,19 @@ struct Lengths_only {
 template <IntrinsicMetric Metric>
 void use(Metric&) {}
 void misuse(Lengths_only& metric) { use(metric); }
+
+#elif defined CASE_EuclideanMetric
+// An ideal hyperbolic metric has no lengths.
+// case EuclideanMetric: EuclideanMetric<
+using Hyperbolic = Intrinsic_triangulation<Gluing_map, Ideal_hyperbolic_traits<double>>;
+double misuse(const Hyperbolic& t) { return t.length(Gluing_map::Edge{0}); }
+
+#elif defined CASE_IndexedTriangulation
+// A mesh has no numbers of elements.
+// case IndexedTriangulation: satisfaction of .IndexedTriangulation<
+template <IndexedTriangulation Triangulation>
+void use(const Triangulation&) {}
+void misuse(const Gluing_map& mesh) { use(mesh); }
 
 #elif defined CASE_IntrinsicTriangulation
 // What has neither a mesh nor a metric has no Delaunay triangulation.

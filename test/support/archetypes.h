@@ -30,27 +30,40 @@ namespace archetypes {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 /// Can be copied only if the concept requires it.
-struct Metric {
+struct Flips {
   using FT = double;
   struct Scope {};
   static constexpr bool is_exact = false;
 
-  Metric() = default;
-  Metric(Metric&&) = default;
-  Metric& operator=(Metric&&) = default;
-  Metric(const Metric&) = delete;
-  Metric& operator=(const Metric&) = delete;
-  Metric(const IT::Gluing_map&, const IT::Input_metric&) {}
+  Flips() = default;
+  Flips(Flips&&) = default;
+  Flips& operator=(Flips&&) = default;
+  Flips(const Flips&) = delete;
+  Flips& operator=(const Flips&) = delete;
+  Flips(const IT::Gluing_map&, const IT::Input_metric&) {}
 
   bool is_locally_delaunay(const IT::Diamond&) const { return true; }
+  struct Flipped {};
+  std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
+  void store_flip(const IT::Diamond&, const Flipped&) {}
+  int scale_exponent() const { return 0; }
+};
+
+/// A model of `IntrinsicMetric`, and no more.
+struct Flipping_metric : Flips {
+  using Flips::Flips;
+  CGAL::Sign delaunay_sign(const IT::Diamond&) const { return CGAL::POSITIVE; }
+  bool is_flippable(const IT::Diamond&) const { return true; }
+};
+
+/// A model of `EuclideanMetric`, and no more.
+struct Metric : Flips {
+  using Flips::Flips;
   template <class Expression>
   CGAL::Sign sign(const IT::Diamond&, const Expression&) const {
     return CGAL::POSITIVE;
   }
-  struct Flipped {};
-  std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
   std::optional<Flipped> compute_flip_to_zero_area(const IT::Diamond&) const { return Flipped(); }
-  void store_flip(const IT::Diamond&, const Flipped&) {}
   double cotangent_weight(const IT::Diamond&) const { return 0; }
   double cotangent_weight(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) const {
     return 0;
@@ -61,9 +74,12 @@ struct Metric {
   double quadruple_area(std::uint32_t) const { return 1; }
   double approximate_squared_length(std::uint32_t) const { return 1; }
   double approximate_quadruple_area(std::uint32_t) const { return 1; }
-  int scale_exponent() const { return 0; }
 };
 
+struct Flipping_traits {
+  using FT = double;
+  using Metric = archetypes::Flipping_metric;
+};
 struct Traits {
   using FT = double;
   using Metric = archetypes::Metric;

@@ -195,24 +195,31 @@ public:
   Wrapped::face_descriptor face_at(std::uint32_t i) const { return t_.numbers().face_at(i); }
 };
 
-/// A model of `NumberedTriangulation` with a metric that may be more than that.
-template <class Metric_>
-class Numbered : public Has_mesh {
+/// A model of `IndexedTriangulation`.
+class Indexed_triangulation : public Has_mesh {
 public:
-  using Metric = Metric_;
-
-  explicit Numbered(Wrapped& t) : Has_mesh(t), metric_(t) {}
+  explicit Indexed_triangulation(Wrapped& t) : Has_mesh(t) {}
 
   using Has_mesh::index;
   std::uint32_t index(vertex_descriptor v) const { return t_.index(v); }
   std::uint32_t index(face_descriptor f) const { return t_.index(f); }
-  double area(face_descriptor f) const { return t_.area(f); }
   bool is_inserted(vertex_descriptor v) const { return t_.is_inserted(v); }
-  const Metric& metric() const { return metric_; }
   std::uint32_t input_vertex(vertex_descriptor v) const { return t_.input_vertex(v); }
   std::uint32_t number_of_vertices() const { return t_.number_of_vertices(); }
   const IT::Input& input() const { return t_.input(); }
   Numbers numbers() const { return Numbers(t_); }
+};
+
+/// A model of `NumberedTriangulation` with a metric that may be more than that.
+template <class Metric_>
+class Numbered : public Indexed_triangulation {
+public:
+  using Metric = Metric_;
+
+  explicit Numbered(Wrapped& t) : Indexed_triangulation(t), metric_(t) {}
+
+  double area(face_descriptor f) const { return t_.area(f); }
+  const Metric& metric() const { return metric_; }
 
 private:
   Metric metric_;

@@ -44,7 +44,7 @@ public:
   };
 
   /// returns the sign of an expression in the values of faces, which decides on which side of a
-  /// curve a point lies; see \ref ::IntrinsicMetric.
+  /// curve a point lies; see \ref ::EuclideanMetric.
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
                   const Expression& expression) const;

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class IntrinsicTriangulationTraits concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class IntrinsicTriangulationTraits metric_concepts.h <CGAL/Intrinsic_triangulations/triangulation/metric_concepts.h>
 \cgalConcept
 
 The concept `IntrinsicTriangulationTraits` chooses the arithmetic of an intrinsic triangulation: the

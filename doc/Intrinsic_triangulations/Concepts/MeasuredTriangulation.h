@@ -27,7 +27,7 @@ areas and cotangents. Measures of shapes and matrices need these. The concept re
 
 \cgalHeading{Invariants}
 
-Those of \ref ::IntrinsicMetric on values. Rows of different vertices differ and are below
+Those of \ref ::EuclideanMetric on values. Rows of different vertices differ and are below
 `number_of_vertices()`.
 
 \cgalHeading{Complexity}

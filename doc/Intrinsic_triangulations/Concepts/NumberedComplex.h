@@ -34,7 +34,7 @@ are doubles in scaled units.
 
 \cgalHeading{Invariants}
 
-Those of \ref ::MutableDeltaComplex on connectivity and of \ref ::IntrinsicMetric on values.
+Those of \ref ::MutableDeltaComplex on connectivity and of \ref ::EuclideanMetric on values.
 
 \cgalHeading{Complexity}
 

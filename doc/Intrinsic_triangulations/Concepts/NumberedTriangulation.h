@@ -10,7 +10,9 @@
 The concept `NumberedTriangulation` describes a triangulation that finds its elements and their
 values by numbers, and whose input names its elements. \itc{Intrinsic_view} reads it.
 
-\cgalHasModel{\itc{Intrinsic_triangulation}}
+\cgalRefines{\ref ::IndexedTriangulation}
+
+\cgalHasModel{\itc{Intrinsic_triangulation} with traits whose metric is a model of \ref ::EuclideanMetric}
 
 \cgalHeading{Which operation needs what}
 
@@ -19,7 +21,6 @@ values by numbers, and whose input names its elements. \itc{Intrinsic_view} read
 | \itf{surface_point}, \itf{face_location}, \itf{point_in_space} | `mesh`, `numbers`, `input` |
 | \itf{trace_geodesic} | also values of `Metric` |
 | \itf{constrained_input_edges}, \itc{Marked_edges} | `index`, `input`; a correspondence if there is one |
-| \itf{delaunay_tessellation} | also what \itf{check_delaunay} needs of \ref ::IntrinsicTriangulation |
 | \itf{subdivision_areas}, \itf{subdivision_mass_matrix}, \itc{L2_transfer}, \itf{L2_distance}, \itc{Face_vector_transfer} | also `area` |
 | \itf{copy_to_input} | `input` |
 
@@ -33,14 +34,6 @@ Constant time for everything.
 */
 class NumberedTriangulation {
 public:
-  /// The connectivity: the part of \ref ::MutableDeltaComplex that reads.
-  typedef unspecified_type Mesh;
-  /// Vertex of the mesh.
-  typedef unspecified_type vertex_descriptor;
-  /// Halfedge of the mesh.
-  typedef unspecified_type halfedge_descriptor;
-  /// Edge of the mesh.
-  typedef unspecified_type edge_descriptor;
   /// Face of the mesh.
   typedef unspecified_type face_descriptor;
 
@@ -55,30 +48,8 @@ public:
     int scale_exponent() const;
   };
 
-  /// returns the connectivity.
-  const Mesh& mesh() const;
-  /// returns the number of a vertex.
-  std::uint32_t index(vertex_descriptor v) const;
-  /// returns the number of an edge.
-  std::uint32_t index(edge_descriptor e) const;
-  /// returns the number of a face.
-  std::uint32_t index(face_descriptor f) const;
   /// returns the area of a face, in the units of the input.
   double area(face_descriptor f) const;
-  /// returns the row of a vertex in matrices: its number in the user's mesh, or one that follows
-  /// those.
-  std::uint32_t input_vertex(vertex_descriptor v) const;
-  /// returns the number of vertices, which is that of rows.
-  std::uint32_t number_of_vertices() const;
-  /// returns what defines the surface that the triangulation was built from, for the names of its
-  /// elements.
-  const CGAL::Intrinsic_triangulations::Input_definition& input() const;
-  /// tells whether a vertex was inserted.
-  bool is_inserted(vertex_descriptor v) const;
   /// returns the metric.
   const Metric& metric() const;
-  /// returns the numbers of elements, by `vertex(v)`, `halfedge(h)`, `face(f)`; the elements with
-  /// given numbers, by `vertex_at(i)`, `halfedge_at(i)`, `face_at(i)`; and bounds:
-  /// `vertex_capacity(mesh)`, `edge_capacity(mesh)`, `face_capacity(mesh)`.
-  unspecified_type numbers() const;
 };

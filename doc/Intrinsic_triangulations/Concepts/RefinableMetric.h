@@ -4,16 +4,16 @@
 // Read by doxygen only.
 
 /*!
-\class RefinableMetric concepts.h <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+\class RefinableMetric metric_concepts.h <CGAL/Intrinsic_triangulations/triangulation/metric_concepts.h>
 \cgalConcept
 
 The concept `RefinableMetric` describes a metric that follows the insertion and removal of vertices.
 A triangulation with another metric can only flip: its `insert_vertex()` and `remove_vertex()` do
 not compile.
 
-\cgalRefines{\ref ::IntrinsicMetric}
+\cgalRefines{\ref ::EuclideanMetric}
 
-\cgalHasModel{all metrics of the package: \itc{Euclidean_metric}\, \itc{Exact_euclidean_metric}}
+\cgalHasModel{all Euclidean metrics of the package: \itc{Euclidean_metric}\, \itc{Exact_euclidean_metric}}
 
 \cgalHeading{What defines an inserted vertex}
 

@@ -40,7 +40,7 @@ public:
   /// Halfedge of the mesh.
   typedef unspecified_type halfedge_descriptor;
 
-  /// returns the sign of an expression in the values of faces; see \ref ::IntrinsicMetric.
+  /// returns the sign of an expression in the values of faces; see \ref ::EuclideanMetric.
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,
                   const Expression& expression) const;

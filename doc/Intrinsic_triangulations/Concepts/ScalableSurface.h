@@ -15,7 +15,7 @@ if it ever had any, say nothing of its edges.
 \cgalHeading{Operations}
 
 `mesh()`; `approximate_squared_length(edge)` and `scale_exponent()` of `metric()`, as
-\ref ::IntrinsicMetric describes them. Those that read it also take `index(edge)` and the types
+\ref ::EuclideanMetric describes them. Those that read it also take `index(edge)` and the types
 `Mesh` and `edge_descriptor`.
 
 \cgalHeading{Complexity}

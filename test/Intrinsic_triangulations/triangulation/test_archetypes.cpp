@@ -37,6 +37,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
@@ -71,6 +72,7 @@ using With_signposts =
     IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, IT::Signposts>;
 using Without_insertions = IT::Intrinsic_triangulation<IT::Gluing_map, archetypes::Traits>;
 using Integer_only = IT::Integer_only_triangulation<>;
+using Hyperbolic = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic_traits<double>>;
 
 // ---- RefinableMetric
 
@@ -114,12 +116,21 @@ static_assert(IT::MeasuredTriangulation<Without_insertions>);
 static_assert(!IT::MeasuredTriangulation<Integer_only>);
 static_assert(!IT::MeasuredTriangulation<archetypes::Triangulation>);
 
+// ---- IndexedTriangulation
+
+static_assert(IT::IndexedTriangulation<archetypes::Indexed_triangulation>);
+static_assert(IT::IndexedTriangulation<Exact>);
+static_assert(IT::IndexedTriangulation<Hyperbolic>);
+static_assert(!IT::IndexedTriangulation<archetypes::Measured_triangulation>);
+
 // ---- NumberedTriangulation
 
 static_assert(IT::NumberedTriangulation<archetypes::Numbered_triangulation>);
 static_assert(IT::NumberedTriangulation<Exact>);
 static_assert(IT::NumberedTriangulation<Inexact>);
 static_assert(!IT::NumberedTriangulation<Integer_only>);
+static_assert(!IT::NumberedTriangulation<Hyperbolic>);
+static_assert(!IT::NumberedTriangulation<archetypes::Indexed_triangulation>);
 static_assert(!IT::NumberedTriangulation<archetypes::Measured_triangulation>);
 
 // ---- RefinableTriangulation

@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
@@ -47,14 +49,25 @@ private:
 };
 struct Metric_without_input : archetypes::Metric {};
 
+static_assert(IT::IntrinsicMetric<archetypes::Flipping_metric>);
 static_assert(IT::IntrinsicMetric<archetypes::Metric>);
+static_assert(IT::IntrinsicMetric<IT::Ideal_hyperbolic_metric<double>>);
 static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<double>>);
 static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<long double>>);
 static_assert(IT::IntrinsicMetric<IT::Exact_euclidean_metric>);
 static_assert(!IT::IntrinsicMetric<Metric_that_cannot_flip>);
 static_assert(!IT::IntrinsicMetric<Metric_without_scope>);
 static_assert(!IT::IntrinsicMetric<Metric_without_input>);
+static_assert(!IT::IntrinsicMetric<archetypes::Flips>);
 static_assert(!IT::IntrinsicMetric<double>);
+
+// ---- EuclideanMetric
+
+static_assert(IT::EuclideanMetric<archetypes::Metric>);
+static_assert(IT::EuclideanMetric<IT::Euclidean_metric<double>>);
+static_assert(IT::EuclideanMetric<IT::Exact_euclidean_metric>);
+static_assert(!IT::EuclideanMetric<archetypes::Flipping_metric>);
+static_assert(!IT::EuclideanMetric<IT::Ideal_hyperbolic_metric<double>>);
 
 // ---- IntrinsicTriangulationTraits
 
@@ -74,6 +87,8 @@ static_assert(!IT::IntrinsicTriangulationTraits<double>);
 
 using Archetypical =
     IT::Intrinsic_triangulation<IT::Gluing_map, archetypes::Traits, archetypes::Correspondence>;
+using Flipping = IT::Intrinsic_triangulation<IT::Gluing_map, archetypes::Flipping_traits,
+                                             archetypes::Correspondence>;
 
 struct Triangulation_without_sessions {
   using Mesh = IT::Gluing_map;
@@ -86,6 +101,7 @@ struct Triangulation_without_sessions {
 
 static_assert(IT::IntrinsicTriangulation<archetypes::Triangulation>);
 static_assert(IT::IntrinsicTriangulation<Archetypical>);
+static_assert(IT::IntrinsicTriangulation<Flipping>);
 static_assert(IT::IntrinsicTriangulation<IT::Intrinsic_triangulation<>>);
 static_assert(IT::IntrinsicTriangulation<
               IT::Intrinsic_triangulation<Surface_mesh, IT::Euclidean_traits<double>>>);
@@ -134,6 +150,15 @@ TEST(Concepts, owner_asks_no_more_of_metric_and_correspondence_than_their_concep
   EXPECT_EQ(t.flip_edge({0}), IT::Move_status::done);
   EXPECT_EQ(t.squared_length(e), 1.0);
   EXPECT_EQ(t.area({0}), 0.25);
+}
+
+TEST(Concepts, flips_and_tessellations_need_neither_lengths_nor_areas) {
+  Flipping t(gallery::input(gallery::flat_torus(3, 3)));
+  EXPECT_TRUE(IT::is_delaunay(t));
+  EXPECT_EQ(IT::flip_to_delaunay(t).flips, 0U);
+  EXPECT_EQ(t.flip_edge({0}), IT::Move_status::done);
+  IT::Gluing_map cells;
+  EXPECT_EQ(IT::delaunay_tessellation(t, cells).number_of_cells, 18U);
 }
 
 TEST(Concepts, correspondence_hears_of_each_flip_before_and_after_and_of_no_refused_one) {

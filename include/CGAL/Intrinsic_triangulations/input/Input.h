@@ -146,7 +146,7 @@ public:
   /*!
   \brief takes the parts of the surface, and keeps the lengths and areas of a metric if these are
   doubles.
-  \tparam Metric a model of `IntrinsicMetric`
+  \tparam Metric a model of `EuclideanMetric`
   \param mesh the connectivity
   \param parts all else
   \param values the metric of the surface

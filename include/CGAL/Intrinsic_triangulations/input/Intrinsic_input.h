@@ -153,18 +153,17 @@ struct Prepared_input {
   Metric metric;
 };
 
-// Treatment of degenerate faces: never `automatic` or `nearly_degenerate`.
-template <class Metric>
+// Treatment of degenerate faces, if `automatic` treats them: never `automatic` or
+// `nearly_degenerate`.
+template <class Is_bad>
 Mollification needed_mollification(Mollification asked, const Gluing_map& mesh,
-                                   const Input_definition::Parts& parts, const Metric& metric) {
+                                   const Input_definition::Parts& parts, const Is_bad& is_bad) {
   if (asked == Mollification::nearly_degenerate)
     return has_nearly_degenerate_face(mesh, edge_lengths(mesh, parts.metric))
                ? Mollification::lengths
                : Mollification::none;
   if (asked != Mollification::automatic) return asked;
-  return parts.report.degenerate_faces > 0 && has_irremovable_degeneracy(mesh, metric)
-             ? Mollification::squared_lengths
-             : Mollification::none;
+  return is_bad() ? Mollification::squared_lengths : Mollification::none;
 }
 
 // the number of the user's faces whose triangles were reversed
@@ -191,21 +190,46 @@ Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Molli
 // are no faces, sizes do not match, or an option is out of range.
 Input_definition::Parts scaled_and_ordered(Intrinsic_input& in);
 
+// The metric has areas, so that there are degenerate faces.
+template <class Metric>
+concept Has_areas = requires(const Metric& m, std::uint32_t f) {
+  m.is_degenerate(f);
+};
+
+// The metric of the input, mollified if needed, which the report says. Without areas only an edge
+// without length is degenerate.
+template <class Metric>
+Metric prepared_metric(const Intrinsic_input& in, Input_definition::Parts& parts) {
+  const auto mollified = [&](Mollification kind) {
+    parts.report.mollification = mollify(in.mesh, parts.metric, kind, in.mollification_amount);
+    return Metric(in.mesh, parts.metric);
+  };
+  if constexpr (Has_areas<Metric>) {
+    Metric metric(in.mesh, parts.metric);
+    for (std::uint32_t f = 0; f < in.mesh.number_of_faces(); ++f)
+      if (metric.is_degenerate(f)) ++parts.report.degenerate_faces;
+    const Mollification needed = needed_mollification(in.mollification, in.mesh, parts, [&] {
+      return parts.report.degenerate_faces > 0 && has_irremovable_degeneracy(in.mesh, metric);
+    });
+    if (needed != Mollification::none) metric = mollified(needed);
+    return metric;
+  } else {
+    const Mollification needed = needed_mollification(
+        in.mollification, in.mesh, parts, [&] { return has_edge_without_length(parts.metric); });
+    return needed == Mollification::none ? Metric(in.mesh, parts.metric) : mollified(needed);
+  }
+}
+
 template <class Metric, class Kept>
 Prepared_input<Metric, Kept> prepare(Intrinsic_input&& in) {
   Input_definition::Parts parts = scaled_and_ordered(in);
   Gluing_map& mesh = in.mesh;
-  Metric metric(mesh, parts.metric);
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-    if (metric.is_degenerate(f)) ++parts.report.degenerate_faces;
-  const Mollification needed = needed_mollification(in.mollification, mesh, parts, metric);
-  if (needed != Mollification::none) {
-    parts.report.mollification = mollify(mesh, parts.metric, needed, in.mollification_amount);
-    metric = Metric(mesh, parts.metric);
-  }
+  Metric metric = prepared_metric<Metric>(in, parts);
   std::shared_ptr<const Kept> input;
-  if constexpr (std::is_same_v<Kept, Input>)
+  if constexpr (std::is_same_v<Kept, Input> && Has_areas<Metric>)
     input = std::make_shared<const Input>(mesh, std::move(parts), metric);
+  else if constexpr (std::is_same_v<Kept, Input>)
+    input = std::make_shared<const Input>(mesh, std::move(parts));
   else
     input = std::make_shared<const Input_definition>(std::move(parts));
   return {std::move(input), std::move(mesh), std::move(metric)};

@@ -47,6 +47,9 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
   return false;
 }
 
+// Tells whether the input has a side of length zero, exactly. Linear.
+bool has_edge_without_length(const Input_metric& input);
+
 // The default amount added to squared lengths, in scaled units, where the mean edge is near 1. A
 // zero length becomes 1.5e-11 of the mean edge, so that lengths agree with those in space to 1e-10.
 // In proper faces doubles do not show the difference; a face without area gets one of about 1e-11,

@@ -40,7 +40,7 @@ with them.
 It is exact iff `FT` is. With an inexact type, rounding decides near ties, a flip is refused unless
 the new areas are certainly positive, and a cap on the number of flips ends algorithms.
 \tparam FT_ a CGAL number type: a field, with square root unless all areas of the input are rational
-\cgalModels{IntrinsicMetric}
+\cgalModels{EuclideanMetric}
 */
 template <FieldNumber FT_>
 class Euclidean_metric {

@@ -38,7 +38,7 @@ There are no locks: not even predicates of one metric may run in two threads at 
 
 All members except the constructors and `Scope` require a live `Scope`, which sets the rounding mode
 of interval arithmetic.
-\cgalModels{IntrinsicMetric}
+\cgalModels{EuclideanMetric}
 */
 class Exact_euclidean_metric : public Enclosed_values {
 public:

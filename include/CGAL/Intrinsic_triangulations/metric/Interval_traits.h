@@ -31,7 +31,7 @@ grown wide. A flip is refused unless intervals show that the new areas are posit
 
 All members except the constructors and `Scope` require a live `Scope`, which sets the rounding mode
 of interval arithmetic.
-\cgalModels{IntrinsicMetric}
+\cgalModels{EuclideanMetric}
 */
 class Interval_metric : public Euclidean_metric<Interval_nt<false>> {
   using Base = Euclidean_metric<Interval_nt<false>>;

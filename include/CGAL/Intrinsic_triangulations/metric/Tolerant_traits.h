@@ -22,7 +22,7 @@ ties back and forth. The result may have edges that are not Delaunay; `sign()` a
 `check_delaunay()` have no tolerance and count them, up to the precision of `FT`.
 \tparam FT_ see `Euclidean_metric`
 \tparam Tolerance the tolerance, a positive `std::ratio`; without one, take `Euclidean_metric`
-\cgalModels{IntrinsicMetric}
+\cgalModels{EuclideanMetric}
 */
 template <FieldNumber FT_, class Tolerance>
   requires std::ratio_greater_v<Tolerance, std::ratio<0>>

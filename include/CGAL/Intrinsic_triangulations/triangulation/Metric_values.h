@@ -100,8 +100,7 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
       const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
       const auto h = halfedge(e, mesh);
       const typename Triangulation::Metric::Scope scope;
-      t.sharpen_length(
-          indexed_face_from(t, face(h, mesh) != null ? h : opposite(h, mesh)));
+      t.sharpen_length(indexed_face_from(t, face(h, mesh) != null ? h : opposite(h, mesh)));
     }
   return t.metric().approximate_squared_length(i);
 }
@@ -121,7 +120,7 @@ public:
   /// returns the sign of an expression in the values of a diamond, exact with exact traits.
   /// \tparam Expression a model of `DiamondExpression`
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) const {
+  Sign sign(const Diamond& d, const Expression& expression) const requires EuclideanMetric<Metric> {
     if constexpr (by_input)
       return metric().sign(d, expression, self().exact_values());
     else
@@ -130,7 +129,8 @@ public:
   /// returns the sign of an expression in the values of faces, exact with exact traits.
   /// \tparam Expression a model of `FaceExpression`
   template <class Expression>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+  Sign sign(std::span<const Indexed_face> faces,
+            const Expression& expression) const requires EuclideanMetric<Metric> {
     if constexpr (by_input)
       return metric().sign(faces, expression, self().exact_values());
     else
@@ -143,9 +143,29 @@ public:
     else
       return metric().is_locally_delaunay(d);
   }
+  /// returns the sign of pi minus the angles opposite the edge of a diamond.
+  Sign delaunay_sign(const Diamond& d) const {
+    if constexpr (EuclideanMetric<Metric>)
+      return sign(d, Delaunay_expression());
+    else if constexpr (by_input)
+      return metric().delaunay_sign(d, self().exact_values());
+    else
+      return metric().delaunay_sign(d);
+  }
+  /// tells whether the diamond is strictly convex, so that its edge can be flipped.
+  bool is_flippable(const Diamond& d) const {
+    if constexpr (EuclideanMetric<Metric>)
+      return sign(d, Convexity_at_source_expression()) == POSITIVE &&
+             sign(d, Convexity_at_target_expression()) == POSITIVE;
+    else if constexpr (by_input)
+      return metric().is_flippable(d, self().exact_values());
+    else
+      return metric().is_flippable(d);
+  }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
   /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.
-  double cotangent_weight(const Diamond& d, double tolerance = 0x1p-40) const {
+  double cotangent_weight(const Diamond& d,
+                          double tolerance = 0x1p-40) const requires EuclideanMetric<Metric> {
     if constexpr (by_input) {
       if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
       const auto exact = self().exact_values();
@@ -158,14 +178,14 @@ public:
   }
   /// makes stored values of faces as accurate as possible; those of all faces, once single ones
   /// have taken as long.
-  void sharpen(std::span<const Indexed_face> faces) const {
+  void sharpen(std::span<const Indexed_face> faces) const requires EuclideanMetric<Metric> {
     if constexpr (by_input) {
       if (self().exact_values().asks_for_faces()) sharpen_all();
       metric().sharpen(faces, self().exact_values());
     }
   }
   /// makes the stored length of the first side of a face as accurate as possible; see above.
-  void sharpen_length(const Indexed_face& face) const {
+  void sharpen_length(const Indexed_face& face) const requires EuclideanMetric<Metric> {
     if constexpr (by_input) {
       if (self().exact_values().asks_for_faces()) sharpen_all();
       metric().sharpen_length(face, self().exact_values());
@@ -174,12 +194,14 @@ public:
 
   /// returns the squared length of an edge as a double, in the units of the input; with exact
   /// traits to 1e-12 of it.
-  double squared_length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
+  double squared_length(typename boost::graph_traits<Mesh>::edge_descriptor e) const requires
+      EuclideanMetric<Metric> {
     return std::ldexp(internal::accurate_squared_length(self(), e), -2 * metric().scale_exponent());
   }
   /// returns the length of an edge as a double, in the units of the input; as accurate as
   /// `squared_length()`, which may overflow.
-  double length(typename boost::graph_traits<Mesh>::edge_descriptor e) const {
+  double length(typename boost::graph_traits<Mesh>::edge_descriptor e) const requires
+      EuclideanMetric<Metric> {
     return std::ldexp(std::sqrt(internal::accurate_squared_length(self(), e)),
                       -metric().scale_exponent());
   }
@@ -187,13 +209,13 @@ public:
   /// relative error is at most the tolerance, and at most 2^-41 where that takes more than the
   /// stored values.
   double area(typename boost::graph_traits<Mesh>::face_descriptor f,
-              double tolerance = internal::usual_width) const {
+              double tolerance = internal::usual_width) const requires EuclideanMetric<Metric> {
     return std::ldexp(internal::accurate_quadruple_area(self(), f, tolerance),
                       -2 * metric().scale_exponent() - 2);
   }
 
 private:
-  void sharpen_all() const {
+  void sharpen_all() const requires EuclideanMetric<Metric> {
     std::vector<Indexed_face> wide;
     for (const auto f : faces(self().mesh()))
       if (const auto face = internal::indexed_face(self(), f); !metric().is_narrow(face))
@@ -203,7 +225,7 @@ private:
   }
 
   // of all edges whose stored values are too inaccurate
-  void find_weights() const {
+  void find_weights() const requires EuclideanMetric<Metric> {
     const auto& mesh = self().mesh();
     const auto null = boost::graph_traits<Mesh>::null_face();
     std::vector<Diamond> diamonds;
@@ -218,7 +240,7 @@ private:
     self().exact_values().find_weights(diamonds);
   }
 
-  static constexpr bool by_input = internal::Defined_by_places<Metric>;
+  static constexpr bool by_input = internal::Decides_by_input<Metric>;
 
   const Triangulation& self() const { return static_cast<const Triangulation&>(*this); }
   const Metric& metric() const { return self().metric(); }

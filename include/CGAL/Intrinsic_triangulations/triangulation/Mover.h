@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -23,6 +24,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -153,6 +155,15 @@ public:
     places_.after_undoing(t_, move);
     t_.exact_memory_.after(move);
     correspondence_.after(t_, move);
+  }
+
+  // Not a move of the correspondence. Metrics allocate memory for the first factors only.
+  void scale_vertices(std::span<const double> factors) requires Scales_vertices<Metric> {
+    check_vertex_factors(factors, t_.number_of_vertices());
+    [[maybe_unused]] const typename Metric::Scope scope;
+    for (const typename Graph_traits::edge_descriptor e : edges(mesh_))
+      metric_.scale(t_.index(e), factors[t_.input_vertex(source(e, mesh_))],
+                    factors[t_.input_vertex(target(e, mesh_))]);
   }
 
   // \param place on the input, if known; the weights approximate it

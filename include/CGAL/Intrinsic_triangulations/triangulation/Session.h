@@ -53,17 +53,12 @@ public:
            t_.is_locally_delaunay(t_.diamond(h));
   }
   /// see `Intrinsic_triangulation::delaunay_sign()`
-  Sign delaunay_sign(halfedge_descriptor h) const {
-    return t_.sign(t_.diamond(h), Delaunay_expression());
-  }
+  Sign delaunay_sign(halfedge_descriptor h) const { return t_.delaunay_sign(t_.diamond(h)); }
   /// see `Intrinsic_triangulation::flip_status()`
   Move_status flip_status(halfedge_descriptor h) const {
     const Move_status s = combinatorial_flip_status(h);
     if (s != Move_status::done) return s;
-    const Diamond d = t_.diamond(h);
-    const bool convex = t_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
-                        t_.sign(d, Convexity_at_target_expression()) == POSITIVE;
-    return convex ? Move_status::done : Move_status::not_convex;
+    return t_.is_flippable(t_.diamond(h)) ? Move_status::done : Move_status::not_convex;
   }
   /*!
   \brief returns the cotangent weight of an edge: half the sum of the cotangents of the angles
@@ -77,7 +72,8 @@ public:
   functions that change by one along the edge; statistics of many edges need less than the default
   \pre the faces at the edge have an area
   */
-  double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const {
+  double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const requires
+      EuclideanMetric<typename Triangulation::Metric> {
     const auto null = boost::graph_traits<Mesh>::null_face();
     halfedge_descriptor h = halfedge(e, t_.mesh());
     if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());
@@ -96,13 +92,15 @@ public:
   \pre no border is in between
   \complexity linear in the number of faces in between, quadratic if it is nearly pi or beyond
   */
-  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const {
+  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const requires
+      EuclideanMetric<typename Triangulation::Metric> {
     internal::Wedge wedge;
     internal::find_wedge(t_, h, g, wedge);
     return compare_angle_to_pi(wedge);
   }
   /// \cond
-  Comparison_result compare_angle_to_pi(const internal::Wedge& wedge) const {
+  Comparison_result compare_angle_to_pi(const internal::Wedge& wedge) const requires
+      EuclideanMetric<typename Triangulation::Metric> {
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>)
       if (const auto c = internal::certain_comparison_to_pi(t_.metric(), wedge)) return *c;
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
@@ -239,13 +237,17 @@ public:
   Call `remove_degree_three_vertex()` next.
   \pre the diamond is a triangle with the source of `h` on a side
   */
-  Move_status flip_to_zero_area(halfedge_descriptor h) { return Mover(t_).flip_to_zero_area(h); }
+  Move_status flip_to_zero_area(halfedge_descriptor h) requires
+      EuclideanMetric<typename Triangulation::Metric> {
+    return Mover(t_).flip_to_zero_area(h);
+  }
   /*!
   \brief removes an inserted vertex that has three edges.
   \param h the side opposite the vertex of one of its faces, which will be the remaining face
   \return `done`, or `not_removable` and nothing has changed
   */
-  Move_status remove_degree_three_vertex(halfedge_descriptor h) {
+  Move_status remove_degree_three_vertex(halfedge_descriptor h) requires
+      RefinableMetric<typename Triangulation::Metric> {
     return Mover(t_).remove_from_face(h);
   }
   /*!
@@ -253,7 +255,8 @@ public:
   \param h the halfedge to the vertex along the border that has a face
   \return `done`, or `not_removable` and nothing has changed
   */
-  Move_status remove_border_vertex(halfedge_descriptor h) {
+  Move_status remove_border_vertex(halfedge_descriptor h) requires
+      RefinableMetric<typename Triangulation::Metric> {
     return Mover(t_).remove_from_border(h);
   }
   /*!

@@ -51,7 +51,8 @@ failures of all candidates.
   template <internal::Not_a_surface<Class> Other>                                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
       "BGL cannot number the vertices and faces of this mesh: for OpenMesh include "               \
-      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h, for a Polyhedron_3 "\
+      "CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h, for a "             \
+      "Polyhedron_3 "                                                                              \
       "Polyhedron_3_adaptor.h there; for a Domain or Point_cloud pass its input; read a file by "  \
       "read_triangle_soup(name)")                                                                  \
   explicit Class(const Other&, Mollification = Mollification::automatic);

@@ -4,30 +4,21 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
-#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/metric_concepts.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <concepts>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
-#include <vector>
 
 /*!
 \file
@@ -36,128 +27,6 @@ which operation needs which function.
 */
 
 namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-// The argument of a metric that decides by the input: see `Exact_values`.
-struct Any_exact_values {
-  using FT = Interval_nt<false>;
-  Sign sign(const Diamond&, const Recorded_diamond_expression&, Diamond_values<FT>&,
-            Predicate_statistics&) const;
-  Sign sign(std::span<const Indexed_face>, const Recorded_face_expression&,
-            std::vector<Face_values<FT>>&, Predicate_statistics&) const;
-  unsigned for_each_enclosure(std::span<const Indexed_face>, unsigned, const auto& visit) const;
-  FT first_squared_length(const Indexed_face&, unsigned) const;
-  double nonzero_weight(const Diamond&, Predicate_statistics&) const;
-};
-
-// Decides predicates, with exact values if they are given.
-template <class Metric, class... Exact>
-concept Decides = requires(const Metric& c, const Diamond& d, const Exact&... exact) {
-  { c.is_locally_delaunay(d, exact...) } -> std::same_as<bool>;
-  { c.sign(d, Delaunay_expression(), exact...) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_source_expression(), exact...) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_target_expression(), exact...) } -> std::same_as<Sign>;
-  { c.cotangent_weight(d, exact...) } -> std::convertible_to<double>;
-};
-
-template <class Metric>
-concept Decides_by_input = Decides<Metric, Any_exact_values>;
-
-} // namespace internal
-
-/*!
-\brief requires the storage of a metric that decides predicates.
-
-Syntax of \ref ::IntrinsicMetric, which describes its meaning.
-*/
-template <class Metric>
-concept IntrinsicMetric =
-    (internal::Decides<Metric> || internal::Decides_by_input<Metric>)&&std::default_initializable<
-        Metric>&& std::movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
-        constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
-            Metric& m, const Metric& c, const Diamond& d, std::uint32_t i) {
-  typename Metric::FT;
-  { Metric::is_exact } -> std::convertible_to<bool>;
-  { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
-  { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
-  m.store_flip(d, *c.compute_flip(d));
-  { c.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
-  { c.is_degenerate(i) } -> std::same_as<bool>;
-  { c.is_zero_length(i) } -> std::same_as<bool>;
-  { c.squared_length(i) } -> std::convertible_to<typename Metric::FT>;
-  { c.quadruple_area(i) } -> std::convertible_to<typename Metric::FT>;
-  { c.approximate_squared_length(i) } -> std::same_as<double>;
-  { c.approximate_quadruple_area(i) } -> std::same_as<double>;
-  { c.scale_exponent() } -> std::same_as<int>;
-};
-
-namespace internal {
-
-// Returns the values that a flip will replace, and restores them.
-template <class Metric>
-concept Remembers_flips = requires(Metric& m, const Metric& c, const Diamond& d) {
-  { c.before_flip(d) } -> std::same_as<typename Metric::Before_flip>;
-  m.undo_flip(d, c.before_flip(d));
-};
-
-template <class Metric>
-struct Known_before_flip {
-  using type = void*; // nothing
-};
-template <Remembers_flips Metric>
-struct Known_before_flip<Metric> {
-  using type = typename Metric::Before_flip;
-};
-template <class Metric>
-using Before_flip_of = typename Known_before_flip<Metric>::type;
-
-// Computes the values of an insertion from stored ones.
-template <class Metric>
-concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
-                                       const Border_star& border,
-                                       const std::array<double, 3>& weights, double parameter) {
-  { m.insert_in_face(star, weights) } -> std::same_as<bool>;
-  { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
-};
-
-// Receives the values of an insertion from the places of vertices on the input, and decides by
-// those.
-template <class Metric>
-concept Defined_by_places = Decides_by_input<Metric> &&
-    requires(Metric& m, const Vertex_star& star, const Border_star& border,
-             const Vertex_move_values<typename Metric::FT>& values) {
-  m.insert_in_face(star, values);
-  m.insert_in_border_edge(border, values);
-};
-
-} // namespace internal
-
-/*!
-\brief requires a metric that follows the insertion and removal of vertices.
-
-Syntax of \ref ::RefinableMetric, which describes its meaning.
-*/
-template <class Metric>
-concept RefinableMetric = IntrinsicMetric<Metric> &&
-    (internal::Measures_insertions<Metric> ||
-     internal::Defined_by_places<Metric>)&&requires(Metric& m, const Vertex_star& star,
-                                                    const Border_star& border) {
-  m.remove_from_face(star);
-  m.remove_from_border_edge(border);
-};
-
-/*!
-\brief requires the arithmetic of an intrinsic triangulation.
-
-Syntax of \ref ::IntrinsicTriangulationTraits, which describes its meaning.
-*/
-template <class Traits>
-concept IntrinsicTriangulationTraits = requires {
-  typename Traits::FT;
-  typename Traits::Metric;
-}
-&&IntrinsicMetric<typename Traits::Metric>&&
-    std::same_as<typename Traits::FT, typename Traits::Metric::FT>;
 
 /*!
 \brief requires an observer of the moves of an intrinsic triangulation.
@@ -253,17 +122,17 @@ concept IntrinsicTriangulation = internal::Has_triangulated_mesh<Triangulation> 
 };
 
 /*!
-\brief requires elements with numbers, values by number, and names on the input: a triangulation
-that `Intrinsic_view` can read.
+\brief requires elements with numbers, and names on the input.
 
-Syntax of \ref ::NumberedTriangulation, which describes its meaning.
+Syntax of \ref ::IndexedTriangulation, which describes its meaning.
 */
 template <class Triangulation>
-concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
-    internal::Has_approximate_values<Triangulation> && internal::Has_matrix_rows<Triangulation> &&
+concept IndexedTriangulation = internal::Has_triangulated_mesh<Triangulation> &&
+    internal::Has_matrix_rows<Triangulation> &&
     requires(const Triangulation& t, typename Triangulation::vertex_descriptor v,
              typename Triangulation::halfedge_descriptor h,
              typename Triangulation::face_descriptor f, std::uint32_t i) {
+  { t.index(f) } -> std::same_as<std::uint32_t>;
   { t.is_inserted(v) } -> std::same_as<bool>;
   { t.numbers().vertex(v) } -> std::same_as<std::uint32_t>;
   { t.numbers().halfedge(h) } -> std::same_as<std::uint32_t>;
@@ -272,6 +141,16 @@ concept NumberedTriangulation = internal::Has_triangulated_mesh<Triangulation> &
   { t.numbers().halfedge_at(i) } -> std::same_as<typename Triangulation::halfedge_descriptor>;
   { t.numbers().face_at(i) } -> std::same_as<typename Triangulation::face_descriptor>;
 };
+
+/*!
+\brief requires elements with numbers, values by number, and names on the input: a triangulation
+whose lengths and areas `Intrinsic_view` can read.
+
+Syntax of \ref ::NumberedTriangulation, which describes its meaning.
+*/
+template <class Triangulation>
+concept NumberedTriangulation =
+    IndexedTriangulation<Triangulation> && internal::Has_approximate_values<Triangulation>;
 
 /*!
 \brief requires of a triangulation what measures and assembly of matrices need.

@@ -5,6 +5,8 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/mollification.h>
 
+#include <CGAL/Gmpq.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
+
+bool has_edge_without_length(const Input_metric& input) {
+  for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+    for (unsigned k = 0; k < 3; ++k)
+      if (!(input.squared_length<double>(f, k) > 0x1p-900) && // else rounding cannot hide it
+          input.squared_length<Gmpq>(f, k) == Gmpq(0))
+        return true;
+  return false;
+}
 
 std::vector<double> edge_lengths(const Gluing_map& mesh, const Input_metric& input) {
   std::vector<double> lengths(mesh.number_of_edges(), 0);

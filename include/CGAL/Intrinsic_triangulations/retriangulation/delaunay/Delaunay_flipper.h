@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -81,6 +82,8 @@ private:
   double squared_length(Halfedge h) const {
     if constexpr (requires { t_.metric().approximate_squared_length(0U); })
       return t_.metric().approximate_squared_length(t_.index(edge(h, t_.mesh())));
+    else if constexpr (requires { t_.metric().approximate_lambda(0U); })
+      return std::pow(t_.metric().approximate_lambda(t_.index(edge(h, t_.mesh()))), 2);
     else
       return 0;
   }

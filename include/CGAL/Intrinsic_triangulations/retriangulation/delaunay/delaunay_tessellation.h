@@ -131,7 +131,7 @@ joined across edges whose opposite angles sum to exactly pi (§4.1 of the course
 It is the same for all Delaunay triangulations of a surface (Bobenko and Springborn 2007). Its cells
 are polygons inscribed in empty circles. Two cells may share several sides, and one cell may have a
 side twice: the result is a Delta-complex. Its sides have the lengths of intrinsic edges.
-\tparam Triangulation a model of `IntrinsicTriangulation` and `NumberedTriangulation`; with inexact
+\tparam Triangulation a model of `IntrinsicTriangulation` and `IndexedTriangulation`; with inexact
   traits some edges whose angles sum to pi are kept, by rounding
 \tparam Mesh a model of `MutableFaceGraph`: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, OpenMesh's
 polygon meshes
@@ -143,7 +143,7 @@ polygon meshes
 \complexity linear
 */
 template <IntrinsicTriangulation Triangulation, class Mesh>
-  requires NumberedTriangulation<Triangulation>
+  requires IndexedTriangulation<Triangulation>
       Delaunay_tessellation delaunay_tessellation(const Triangulation& t, Mesh& mesh) {
     return internal::Tessellation_builder<Triangulation, Mesh>(t, mesh).build();
   }
