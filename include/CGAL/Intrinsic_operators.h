@@ -13,6 +13,8 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>

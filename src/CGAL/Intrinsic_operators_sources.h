@@ -11,9 +11,13 @@ their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
+#include <CGAL/Intrinsic_operators/conformal/Piece_gluer.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Sphere_centring.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.cpp>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.cpp>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>

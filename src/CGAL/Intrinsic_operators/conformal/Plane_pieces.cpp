@@ -93,14 +93,15 @@ private:
   double largest_error(const std::vector<Complex>& z) const {
     double largest = 0;
     for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
-      largest = std::max(largest, std::abs(z[b] - z[a] - side) / p_.extent(i));
+      const double extent = p_.extent(i);
+      if (extent > 0) largest = std::max(largest, std::abs(z[b] - z[a] - side) / extent);
     });
     return largest;
   }
 
   // 1 / length^2; sides that are points but for rounding count as a millionth of their piece.
   double weight(Complex side, std::uint32_t i) const {
-    const double length = std::max(std::abs(side), 1e-6 * p_.extent(i)) / unit_;
+    const double length = std::max({std::abs(side) / unit_, 1e-6 * p_.extent(i) / unit_, 1e-50});
     return 1 / (length * length);
   }
 
