@@ -23,6 +23,7 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
+#include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>

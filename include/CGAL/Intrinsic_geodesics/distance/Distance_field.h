@@ -96,6 +96,7 @@ struct Arrival {
   std::uint32_t side = Gluing::none;   ///< a corner
   std::uint32_t source = Gluing::none; ///< number of the source: a vertex, or one in a face
   Kind kind = Kind::none;
+  std::uint32_t origin = Gluing::none; ///< index of the true source where the path begins
 
   /// returns the corner of a vertex to which a path comes straight: the apex seen from the side.
   std::uint32_t corner() const { return Corner_table::previous(side); }
@@ -117,6 +118,7 @@ struct Distance_field {
   std::vector<Distance_and_arrival> vertices; ///< per vertex
   std::vector<Point_in_face>
       face_sources; ///< sources in faces: the i-th has the number of vertices plus i
+  std::vector<std::uint32_t> origins; ///< the index of each source in a face among all sources
   std::vector<std::uint32_t>
       sources_by_face;    ///< the indices of sources in faces, in the order of their faces
   Stored_windows windows; ///< what looks into faces, if it is kept: points in faces need it
@@ -131,12 +133,18 @@ struct Distance_field {
     vertices.assign(vertices.size(), {});
     windows = {};
     face_sources.clear();
+    origins.clear();
     sources_by_face.clear();
     radius = 0;
   }
   /// returns how far the source of a window is from the nearest true one.
   double offset(std::uint32_t source) const {
     return source < vertices.size() ? vertices[source].distance : 0;
+  }
+  /// returns the index of the true source where the shortest path to the source of a window begins.
+  std::uint32_t origin(std::uint32_t source) const {
+    return source < vertices.size() ? vertices[source].arrival.origin
+                                    : origins[source - vertices.size()];
   }
   /// returns how many windows to look through at most; only very thin bodies have more.
   std::uint64_t default_cap() const { return 4000000 + 500 * std::uint64_t{table.corners.size()}; }

@@ -6,8 +6,11 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance_visitor.h>
+#include <CGAL/Intrinsic_geodesics/distance/Shortest_path.h>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -30,36 +33,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief is a shortest path over the faces of a triangulation.
-*/
-struct Shortest_path {
-  /// `done`; `stalled` if no source can be reached within the search; `inaccurate` or `cap` if
-  /// rounding has led astray: the end of the path is there, its beginning is missing.
-  Status status = Status::done;
-  /// The source, a point on each edge that is crossed, the vertices that it goes through, and the
-  /// end. The piece that begins at a point lies in the face of its halfedge. Where a path on a
-  /// cover passes from one copy of a vertex to another, there are both.
-  std::vector<Surface_point> points;
-  /// Its length, in the units of the input: the distance.
-  double length = 0;
-};
-
-/*!
-\brief observes the search for distances; the default visitor does nothing.
-*/
-struct Polyhedral_distance_visitor {
-  /*!
-  \brief is called now and then, about every 65536 windows.
-  \param windows number of windows so far
-  \param distance distances up to this one are final, in the units of the input
-  \return whether to go on
-  */
-  bool progress([[maybe_unused]] std::uint64_t windows, [[maybe_unused]] double distance) {
-    return true;
-  }
-};
 
 /*!
 \brief finds the distances of all points of a triangulated surface from sources, and the shortest
@@ -119,6 +92,8 @@ public:
   explicit Polyhedral_distance(const Triangulation& t)
       : Polyhedral_distance(t, internal::corner_table(t)) {}
 
+  /// returns the triangulation.
+  const Triangulation& triangulation() const { return *t_; }
   /// returns an object for the same surface that has no sources, such as for another thread.
   Polyhedral_distance without_sources() const { return Polyhedral_distance(*t_, field_.table); }
 
@@ -146,6 +121,30 @@ public:
         spread_windows(field_, sources_, limits, [&](std::uint64_t windows, double distance) {
           return observed.progress(windows, distance * field_.table.unit);
         });
+    return status_;
+  }
+
+  /*!
+  \brief adds a source: the search goes on from there, only where the new source is nearer.
+  \tparam Source a vertex, or a `Surface_point`
+  \param source the source; its index is the number of sources before
+  \return `status()`
+  \pre the search before, if there was one, is done; the new one goes as far as it went
+  \complexity that of a search of the places that are nearer to the new source, and linear in the
+    number of faces
+  */
+  template <class Source>
+  Status add_source(const Source& source) {
+    internal::Propagation_limits limits;
+    limits.radius = sources_.size() == 0 ? limits.radius : field_.radius;
+    internal::Places added;
+    for_each_place(source, [&](const auto& p) {
+      added.add(p, sources_.size());
+      sources_.add(p);
+    });
+    field_.windows = {};
+    const auto go_on = [](std::uint64_t, double) { return true; };
+    std::tie(status_, number_of_windows_) = spread_windows(field_, added, limits, go_on);
     return status_;
   }
 
@@ -188,6 +187,18 @@ public:
       Number& least = out[t_->input_vertex(v)];
       least = std::min(least, static_cast<Number>(distance(v)));
     }
+  }
+
+  /// returns the number of sources.
+  std::uint32_t number_of_sources() const { return sources_.size(); }
+  /// returns the index of the nearest source of a vertex, by the order in which sources were given;
+  /// one of them if several are as near, `Gluing::none` if the search did not reach it.
+  std::uint32_t nearest_source(vertex_descriptor v) const { return source_at(t_->index(v)); }
+  /// returns the index of the nearest source of a point. \complexity that of `distance()`
+  std::uint32_t nearest_source(const Surface_point& p) const {
+    std::uint32_t result = Gluing::none;
+    for_each_place(p, [&](const auto& place) { result = source_at(place); });
+    return result;
   }
 
   /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number
@@ -237,6 +248,14 @@ private:
   double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
   double distance_of(const internal::Point_in_face& p) const {
     return in_units(field_with_windows().at(p).distance);
+  }
+
+  std::uint32_t source_at(std::uint32_t v) const { return in_reach(field_.vertices[v]); }
+  std::uint32_t source_at(const internal::Point_in_face& p) const {
+    return in_reach(field_with_windows().at(p));
+  }
+  std::uint32_t in_reach(const internal::Distance_and_arrival& found) const {
+    return found.distance <= field_.radius ? found.arrival.origin : Gluing::none;
   }
 
   double in_units(double scaled_distance) const {

@@ -15,15 +15,28 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-/// Vertices and points in faces, such as sources and targets.
+/// Vertices and points in faces, such as sources and targets. Their indices are by the order in
+/// which they were added.
 struct Places {
-  std::vector<std::uint32_t> vertices; ///< by their numbers
-  std::vector<Point_in_face> points;   ///< others
+  /// A vertex or a point in a face.
+  template <class Place>
+  struct Numbered {
+    Place place;
+    std::uint32_t index;
+  };
+  std::vector<Numbered<std::uint32_t>> vertices; ///< by their numbers
+  std::vector<Numbered<Point_in_face>> points;   ///< others
 
+  /// returns how many there are.
+  std::uint32_t size() const { return static_cast<std::uint32_t>(vertices.size() + points.size()); }
   /// adds a vertex.
-  void add(std::uint32_t v) { vertices.push_back(v); }
+  void add(std::uint32_t v) { add(v, size()); }
   /// adds a point in a face.
-  void add(const Point_in_face& p) { points.push_back(p); }
+  void add(const Point_in_face& p) { add(p, size()); }
+  /// adds a vertex with an index.
+  void add(std::uint32_t v, std::uint32_t index) { vertices.push_back({v, index}); }
+  /// adds a point in a face with an index.
+  void add(const Point_in_face& p, std::uint32_t index) { points.push_back({p, index}); }
 };
 
 /// What stops a propagation early.
@@ -34,8 +47,9 @@ struct Propagation_limits {
 };
 
 /*!
-\brief spreads windows from sources over the surface of a field without sources.
-\param field the surface; distances and windows are written there
+\brief spreads windows from sources over the surface of a field.
+\param field the surface; distances and windows are written there. Where it has distances already,
+  as from other sources, windows go on only where they are nearer
 \param sources where the distance is 0
 \param limits when to stop
 \param progress is called now and then, with the number of windows and the distance reached, and

@@ -72,6 +72,7 @@ Distance_and_arrival Distance_field::at(const Point_in_face& p) const {
     go_straight(side, corner, v, vertices[v].distance + planar_distance(q, corner));
     look_through(side, q, best);
   }
+  if (best.arrival.source != Gluing::none) best.arrival.origin = origin(best.arrival.source);
   return best;
 }
 

@@ -65,8 +65,8 @@ class Window_propagation {
 public:
   // Sources are added before `run()`, vertices first.
   explicit Window_propagation(Distance_field& field);
-  void add_source(std::uint32_t v);
-  void add_source(const Point_in_face& p);
+  void add_source(const Places::Numbered<std::uint32_t>& v);
+  void add_source(const Places::Numbered<Point_in_face>& numbered);
   Status run(const Propagation_limits& limits,
              const std::function<bool(std::uint64_t, double)>& progress);
   std::uint64_t number_of_windows() const { return count_; }
@@ -128,11 +128,12 @@ Window_propagation::Window_propagation(Distance_field& field)
     : field_(field), table_(field.table), queue_(field.table.corners.size()),
       split_(field.table.corners.size()), is_final_(field.vertices.size(), 0) {}
 
-void Window_propagation::add_source(std::uint32_t v) {
-  reach(v, 0, {{0, 0}, Gluing::none, v, Arrival::Kind::at_source});
+void Window_propagation::add_source(const Places::Numbered<std::uint32_t>& v) {
+  reach(v.place, 0, {{0, 0}, Gluing::none, v.place, Arrival::Kind::at_source, v.index});
 }
 
-void Window_propagation::add_source(const Point_in_face& p) {
+void Window_propagation::add_source(const Places::Numbered<Point_in_face>& numbered) {
+  const Point_in_face& p = numbered.place;
   const auto source =
       static_cast<std::uint32_t>(field_.vertices.size() + field_.face_sources.size());
   const std::uint32_t face = p.side / 3;
@@ -143,6 +144,7 @@ void Window_propagation::add_source(const Point_in_face& p) {
                                                  }),
                                 static_cast<std::uint32_t>(field_.face_sources.size()));
   field_.face_sources.push_back(p);
+  field_.origins.push_back(numbered.index);
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
     const Plane_vector<double> q = field_.turned_to(side, p.point, p.side);
     const Face_corner& c = table_.corners[side];
@@ -158,6 +160,8 @@ void Window_propagation::reach(std::uint32_t v, double distance, const Arrival& 
   Distance_and_arrival& known = field_.vertices[v];
   if (!(distance < known.distance) || is_final_[v] != 0) return; // the latter by rounding
   known = {distance, arrival};
+  if (arrival.kind != Arrival::Kind::at_source)
+    known.arrival.origin = field_.origin(arrival.source);
   if (distance <= radius_) queue_.push_vertex(distance, v);
 }
 
@@ -412,9 +416,9 @@ bool Window_propagation::knows_targets(const Propagation_limits& limits) const {
   if (vertices.empty() && points.empty()) return false;
   const double least = queue_.least();
   return std::all_of(vertices.begin(), vertices.end(),
-                     [&](std::uint32_t v) { return field_.vertices[v].distance <= least; }) &&
+                     [&](const auto& v) { return field_.vertices[v.place].distance <= least; }) &&
          std::all_of(points.begin(), points.end(),
-                     [&](const Point_in_face& p) { return field_.at(p).distance <= least; });
+                     [&](const auto& p) { return field_.at(p.place).distance <= least; });
 }
 
 Status Window_propagation::run(const Propagation_limits& limits,
@@ -452,8 +456,8 @@ std::pair<Status, std::uint64_t>
 spread_windows(Distance_field& field, const Places& sources, const Propagation_limits& limits,
                const std::function<bool(std::uint64_t, double)>& progress) {
   Window_propagation propagation(field);
-  for (const std::uint32_t v : sources.vertices) propagation.add_source(v);
-  for (const Point_in_face& p : sources.points) propagation.add_source(p);
+  for (const auto& v : sources.vertices) propagation.add_source(v);
+  for (const auto& p : sources.points) propagation.add_source(p);
   const Status status = propagation.run(limits, progress);
   return {status, propagation.number_of_windows()};
 }
