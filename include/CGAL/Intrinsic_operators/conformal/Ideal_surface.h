@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A face of an ideal triangulation: side k runs from corner k to the next one.
+struct Ideal_face {
+  std::array<int, 3> rows;      // of the corners
+  std::array<double, 3> lambda; // of the sides, scaled
+};
+
+// The same with the vertices in place of their rows, and enclosed values.
+struct Enclosed_ideal_face {
+  std::array<std::uint32_t, 3> vertices;
+  std::array<Interval_nt<false>, 3> lambda;
+};
+
+// The components of a surface by its rows.
+struct Ideal_components {
+  std::vector<std::uint32_t> of_row; // `Gluing::none` for isolated vertices
+  std::vector<std::size_t> faces;    // how many each component has, on all sheets
+};
+
+// An ideal triangulation as solvers see it. All vectors go by rows but `row_of_vertex()`.
+class Ideal_surface {
+public:
+  virtual ~Ideal_surface() = default;
+  // the row of each vertex, several of them on a double
+  virtual const std::vector<std::uint32_t>& row_of_vertex() const = 0;
+  virtual std::size_t number_of_rows() const = 0;
+  // how many copies of each face there are
+  virtual std::uint32_t sheets() const = 0;
+  // Sets scale factors and flips to ideal Delaunay. \return the number of flips
+  virtual std::size_t scale(std::span<const double> factors) = 0;
+  // Replaces faces by those of now.
+  virtual void read(std::vector<Ideal_face>& faces) const = 0;
+  // Nothing if the arithmetic does not enclose values. \pre rounding is upwards
+  virtual std::optional<std::vector<Enclosed_ideal_face>> enclosures() const = 0;
+};
+
+// \param rows how many there are
+Ideal_components components_of(const std::vector<Ideal_face>& faces, std::size_t rows);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_OF_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_OF_H
+
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A triangulation with ideal hyperbolic traits, as solvers see it.
+template <class Triangulation>
+class Ideal_surface_of final : public Ideal_surface {
+public:
+  // \throws Invalid_input if there is a border
+  explicit Ideal_surface_of(Triangulation& t)
+      : t_(t), row_(t.numbers().vertex_capacity(t.mesh()), Gluing::none) {
+    expect_closed();
+    for (const auto v : vertices(t.mesh())) row_[t.index(v)] = t.input_vertex(v);
+  }
+
+  const std::vector<std::uint32_t>& row_of_vertex() const override { return row_; }
+  std::size_t number_of_rows() const override { return t_.number_of_vertices(); }
+  std::uint32_t sheets() const override { return t_.input().names().sheets; }
+
+  std::size_t scale(std::span<const double> factors) override {
+    t_.scale_vertices(factors);
+    return flip_to_delaunay(t_).flips;
+  }
+
+  void read(std::vector<Ideal_face>& faces_of_now) const override {
+    faces_of_now.clear();
+    faces_of_now.reserve(num_faces(t_.mesh()));
+    for_each_face([&](const auto& vertices, const auto& sides) {
+      Ideal_face& f = faces_of_now.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        f.rows[k] = static_cast<int>(row_[vertices[k]]);
+        f.lambda[k] = t_.metric().approximate_lambda(sides[k]);
+      }
+    });
+  }
+
+  std::optional<std::vector<Enclosed_ideal_face>> enclosures() const override {
+    if constexpr (requires { t_.metric().enclosed_lambda(std::uint32_t()); }) {
+      std::vector<Enclosed_ideal_face> result;
+      result.reserve(num_faces(t_.mesh()));
+      for_each_face([&](const auto& vertices, const auto& sides) {
+        Enclosed_ideal_face& f = result.emplace_back();
+        f.vertices = vertices;
+        for (std::size_t k = 0; k < 3; ++k) f.lambda[k] = t_.metric().enclosed_lambda(sides[k]);
+      });
+      return result;
+    } else
+      return std::nullopt;
+  }
+
+private:
+  // Calls `visit(vertices, sides)` with the numbers of the corners of each face and of its edges,
+  // side k from corner k.
+  template <class Visit>
+  void for_each_face(const Visit& visit) const {
+    const auto& mesh = t_.mesh();
+    for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+      std::array<std::uint32_t, 3> corners, sides;
+      auto h = halfedge(f, mesh);
+      for (std::size_t k = 0; k < 3; ++k, h = next(h, mesh)) {
+        corners[k] = t_.index(source(h, mesh));
+        sides[k] = t_.index(edge(h, mesh));
+      }
+      visit(corners, sides);
+    }
+  }
+
+  void expect_closed() const {
+    for (const typename Triangulation::halfedge_descriptor h : halfedges(t_.mesh()))
+      if (CGAL::is_border(h, t_.mesh())) {
+        const std::uint32_t row = t_.input_vertex(source(h, t_.mesh()));
+        throw Invalid_input(
+            Element_kind::vertex, row,
+            "vertex " + std::to_string(row) +
+                " is on a border; close the surface: make_domain() with Domain_kind::closed");
+      }
+  }
+
+  Triangulation& t_;
+  std::vector<std::uint32_t> row_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_OF_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_ANGLES_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_ANGLES_H
+
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface_of.h>
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// A full turn at each row; rows on the mirror of a doubled surface are free. \throws Invalid_input
+Prescribed_angles flat_angles(const Ideal_surface& surface);
+
+// Places cones in each component. \throws Invalid_input if that many cannot have its curvature
+void place_cones(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles);
+
+} // namespace internal
+
+/*!
+\brief prescribes a flat surface: a full turn at each vertex; the border, if there is one, is free.
+
+The scale factor of a free vertex stays 1, so that the map is as isometric there as it can be
+(Springborn, Schröder and Pinkall, Conformal equivalence of triangle meshes, 2008).
+
+\tparam Triangulation see `conformal_metric()`
+\param t the triangulation, the double of a surface with border
+\throws Invalid_input if `t` has a border
+\complexity linear
+*/
+template <class Triangulation>
+Prescribed_angles flat_angles(Triangulation& t) {
+  return internal::flat_angles(internal::Ideal_surface_of<Triangulation>(t));
+}
+
+/*!
+\brief places cones where a flat metric is distorted most, and prescribes a full turn elsewhere.
+
+One after another: the linear problem \f$L u = K^T - K\f$ is solved, where K is the curvature of the
+surface, and \f$K^T\f$ that of the cones so far, with the rest spread over the surface; the next cone
+is where |u| is largest (Ben-Chen, Gotsman and Bunin, Conformal flattening by curvature prescription
+and metric scaling, 2008). Angles are multiples of a quarter turn, so that layouts fit together
+across cuts by rotations of quarter turns: \f$3\pi/2\f$ where u is negative, as at the tips of
+fingers, \f$5\pi/2\f$ where it is positive, and others where their sum demands it.
+
+\tparam Triangulation see `conformal_metric()`
+\param t the triangulation, which becomes ideal Delaunay with all scale factors 1
+\param number how many cones each component gets; its border, if there is one, is free
+\return the angles, all of them multiples of pi
+\throws Invalid_input if `t` has a border, or if so many cones cannot have the curvature of a
+  component: a sphere needs at least three, a torus none or two
+\complexity a sparse factorization, and a solution for each cone
+*/
+template <class Triangulation>
+Prescribed_angles place_cones(Triangulation& t, std::size_t number) {
+  internal::Ideal_surface_of<Triangulation> surface(t);
+  Prescribed_angles angles = internal::flat_angles(surface);
+  internal::place_cones(surface, number, angles);
+  return angles;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_ANGLES_H

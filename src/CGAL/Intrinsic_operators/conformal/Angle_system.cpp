@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// Angles and half cotangents at the corners opposite the sides of a triangle. With the sides
+// divided by half of their sum, x_k = 1 - a_k and the radius r of the incircle is sqrt(x_0 x_1
+// x_2): tan(angle_k / 2) = r / x_k, and cot(angle_k) = (x_k - x_i x_j) / (2 r).
+struct Triangle_angles {
+  std::array<double, 3> angle, half_cotangent;
+
+  explicit Triangle_angles(const std::array<double, 3>& sides) {
+    // In an ideal Delaunay triangulation all x are positive; rounding may lose that.
+    constexpr double least = 0x1p-60;
+    const double half = (sides[0] + sides[1] + sides[2]) / 2;
+    std::array<double, 3> x;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double rest = (sides[(k + 1) % 3] - sides[k]) + sides[(k + 2) % 3];
+      x[k] = std::max(rest / (2 * half), least);
+    }
+    const double r = std::sqrt(x[0] * x[1] * x[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      angle[k] = 2 * std::atan2(r, x[k]);
+      half_cotangent[k] = (x[k] - x[(k + 1) % 3] * x[(k + 2) % 3]) / (4 * r);
+    }
+  }
+};
+
+} // namespace
+
+Angle_system::Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed)
+    : components_(components), is_pinned_(components.faces.size(), 1),
+      unknown_(components.of_row.size(), fixed) {
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (components.of_row[r] != Gluing::none && is_fixed[r] != 0)
+      is_pinned_[components.of_row[r]] = 0;
+  std::vector<char> needs_pin = is_pinned_;
+  for (std::size_t r = 0; r < unknown_.size(); ++r) {
+    if (components.of_row[r] == Gluing::none || is_fixed[r] != 0) continue;
+    if (char& pin = needs_pin[components.of_row[r]]; pin != 0)
+      pin = 0;
+    else
+      unknown_[r] = number_of_unknowns_++;
+  }
+}
+
+void Angle_system::read(const std::vector<Ideal_face>& faces) {
+  sums_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown_.size()));
+  factor_.reset();
+  entries_.clear();
+  entries_.reserve(3 * faces.size());
+  for (const Ideal_face& f : faces) {
+    const Triangle_angles t({f.lambda[1], f.lambda[2], f.lambda[0]}); // opposite the corners
+    for (std::size_t k = 0; k < 3; ++k) {
+      sums_[f.rows[k]] += t.angle[k];
+      const int i = f.rows[(k + 1) % 3], j = f.rows[(k + 2) % 3];
+      if (i != j) entries_.push_back({i, j, t.half_cotangent[k]});
+    }
+  }
+}
+
+Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) const {
+  diagonal = Eigen::VectorXd::Zero(number_of_unknowns_);
+  std::vector<Symmetric_entry> between;
+  between.reserve(entries_.size());
+  for (const Symmetric_entry& e : entries_) {
+    const int i = unknown_[static_cast<std::size_t>(e.i)],
+              j = unknown_[static_cast<std::size_t>(e.j)];
+    if (i != fixed && j != fixed)
+      between.push_back({i, j, -e.value});
+    else if (i != fixed || j != fixed)
+      diagonal[std::max(i, j)] += e.value;
+  }
+  Eigen::SparseMatrix<double> m =
+      Symmetric_columns(between, number_of_unknowns_).matrix([](int, auto, auto) { return 0.; });
+  // Edges of a Delaunay triangulation have no negative weight but by rounding.
+  for (Eigen::Index k = 0; k < m.nonZeros(); ++k) m.valuePtr()[k] = std::min(m.valuePtr()[k], 0.);
+  diagonal = diagonal.cwiseMax(0);
+  return m;
+}
+
+bool Angle_system::has_same_pattern(const Eigen::SparseMatrix<double>& m) const {
+  return analysis_ && m.nonZeros() == last_.nonZeros() &&
+         std::equal(m.outerIndexPtr(), m.outerIndexPtr() + m.cols() + 1, last_.outerIndexPtr()) &&
+         std::equal(m.innerIndexPtr(), m.innerIndexPtr() + m.nonZeros(), last_.innerIndexPtr());
+}
+
+void Angle_system::factor() {
+  Eigen::VectorXd diagonal;
+  Eigen::SparseMatrix<double> m = matrix(diagonal);
+  if (!has_same_pattern(m)) analysis_.reset();
+  factor_.emplace(m, diagonal, analysis_);
+  last_ = std::move(m);
+}
+
+Eigen::VectorXd Angle_system::solve(Eigen::VectorXd b) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  if (number_of_unknowns_ == 0) return x;
+  if (!factor_) factor();
+  centre(b); // or the row that is left out takes the rounding errors of all others
+  Eigen::VectorXd right(number_of_unknowns_);
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (unknown_[r] != fixed) right[unknown_[r]] = b[static_cast<Eigen::Index>(r)];
+  const Eigen::VectorXd solution = factor_->solve(right);
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (unknown_[r] != fixed) x[static_cast<Eigen::Index>(r)] = solution[unknown_[r]];
+  centre(x);
+  return x;
+}
+
+void Angle_system::centre(Eigen::VectorXd& x) const {
+  std::vector<double> sum(is_pinned_.size(), 0), count(is_pinned_.size(), 0);
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (const std::uint32_t c = components_.of_row[r]; c != Gluing::none) {
+      sum[c] += x[static_cast<Eigen::Index>(r)];
+      ++count[c];
+    }
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (const std::uint32_t c = components_.of_row[r]; c != Gluing::none && is_pinned_[c] != 0)
+      x[static_cast<Eigen::Index>(r)] -= sum[c] / count[c];
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_SYSTEM_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_SYSTEM_H
+
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The sums of the angles of Euclidean triangles, whose sides are the scaled lambdas, as functions
+// of u at rows. Their derivative is minus the cotangent Laplacian (Springborn 2020).
+class Angle_system {
+public:
+  // \param is_fixed for each row, whether u is fixed there
+  Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed);
+
+  // Takes faces in place of those before.
+  void read(const std::vector<Ideal_face>& faces);
+  // the sum of angles at each row
+  const Eigen::VectorXd& angle_sums() const { return sums_; }
+
+  // Solves `L x = b` with the Laplacian of the faces. x is zero where it is fixed, and has mean
+  // zero in components where it is fixed nowhere.
+  // \pre b is zero where x is fixed, and has the mean zero up to rounding where it is fixed nowhere
+  Eigen::VectorXd solve(Eigen::VectorXd b);
+
+private:
+  static constexpr int fixed = -1;
+
+  // Subtracts its mean from x in components where nothing is fixed.
+  void centre(Eigen::VectorXd& x) const;
+  void factor();
+  Eigen::SparseMatrix<double> matrix(Eigen::VectorXd& diagonal) const;
+  bool has_same_pattern(const Eigen::SparseMatrix<double>& m) const;
+
+  const Ideal_components& components_;
+  std::vector<char> is_pinned_; // per component: nothing is fixed but one row of ours
+  std::vector<int> unknown_;    // of each row
+  int number_of_unknowns_ = 0;
+  Eigen::VectorXd sums_;
+  std::vector<Symmetric_entry> entries_; // between rows
+  Eigen::SparseMatrix<double> last_;     // whose analysis we have
+  Shared_analysis analysis_;
+  std::optional<Laplacian_factorization> factor_; // of the faces, once it was needed
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_SYSTEM_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+Ideal_components components_of(const std::vector<Ideal_face>& faces, std::size_t rows) {
+  const std::vector<std::uint32_t> least = joined_sets(rows, [&](const auto& join) {
+    for (const Ideal_face& f : faces) {
+      join(f.rows[0], f.rows[1]);
+      join(f.rows[0], f.rows[2]);
+    }
+  });
+  Ideal_components result{std::vector<std::uint32_t>(rows, Gluing::none), {}};
+  for (const Ideal_face& f : faces) {
+    const std::uint32_t first = least[static_cast<std::size_t>(f.rows[0])];
+    std::uint32_t& c = result.of_row[first];
+    if (c == Gluing::none) {
+      c = static_cast<std::uint32_t>(result.faces.size());
+      result.faces.push_back(0);
+    }
+    ++result.faces[c];
+    for (const int r : f.rows) result.of_row[static_cast<std::size_t>(r)] = c;
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_ENCLOSURES_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_ENCLOSURES_H
+
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <optional>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Enclosures of the angles at the corners opposite the sides of a Euclidean triangle. The functions
+// of the C library may err by four units in the last place: that of GNU documents one, for each
+// direction of rounding. \pre rounding is upwards
+std::array<Interval_nt<false>, 3> enclosed_angles(const std::array<Interval_nt<false>, 3>& sides);
+
+// A bound of the differences between the angles at vertices and prescribed ones, in radians;
+// nothing if the surface does not enclose values.
+std::optional<double> proven_residual(const Ideal_surface& surface,
+                                      const Prescribed_angles& angles);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_ENCLOSURES_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
+#include <CGAL/Intrinsic_operators/conformal/angle_enclosures.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// Newton's method.
+class Conformal_newton {
+public:
+  Conformal_newton(Ideal_surface& surface, const Prescribed_angles& angles,
+                   const Conformal_options& options)
+      : surface_(surface), options_(options),
+        u_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(surface.number_of_rows()))) {
+    surface_.read(faces_);
+    components_ = components_of(faces_, surface.number_of_rows());
+    prescribe(angles);
+    system_.emplace(components_, is_fixed_);
+    excess_ = excess_at(u_);
+  }
+
+  Conformal_metric solve();
+
+private:
+  void prescribe(const Prescribed_angles& angles);
+  // Scales by `u`. \return angles minus prescribed ones, zero where it is free
+  Eigen::VectorXd excess_at(const Eigen::VectorXd& u);
+  double residual(const Eigen::VectorXd& excess) const {
+    return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
+  }
+  // Goes along Newton's direction. \return the part of it, or zero: rounding hides a better place
+  double step();
+
+  Ideal_surface& surface_;
+  const Conformal_options& options_;
+  std::vector<Ideal_face> faces_;
+  Ideal_components components_;
+  std::vector<char> is_fixed_;
+  Eigen::VectorXd total_; // prescribed angle of each row, on all sheets
+  std::optional<Angle_system> system_;
+  Eigen::VectorXd u_, excess_;
+  std::vector<double> factors_;
+  std::size_t flips_ = 0;
+};
+
+void Conformal_newton::prescribe(const Prescribed_angles& angles) {
+  const std::vector<double> correction =
+      checked_gauss_bonnet(angles, components_.of_row, components_.faces, surface_.sheets());
+  total_ = Eigen::VectorXd::Zero(u_.size());
+  for (std::size_t r = 0; r < angles.size(); ++r) {
+    const std::uint32_t c = components_.of_row[r];
+    is_fixed_.push_back(c == Gluing::none || angles.is_free(r) ? 1 : 0);
+    if (is_fixed_[r] == 0)
+      total_[static_cast<Eigen::Index>(r)] =
+          surface_.sheets() * (angles.radians(r) + correction[c]);
+  }
+}
+
+Eigen::VectorXd Conformal_newton::excess_at(const Eigen::VectorXd& u) {
+  factors_.resize(static_cast<std::size_t>(u.size()));
+  for (std::size_t r = 0; r < factors_.size(); ++r)
+    factors_[r] = std::exp(u[static_cast<Eigen::Index>(r)] / 2);
+  flips_ += surface_.scale(factors_);
+  surface_.read(faces_);
+  system_->read(faces_);
+  Eigen::VectorXd excess = system_->angle_sums() - total_;
+  for (std::size_t r = 0; r < factors_.size(); ++r)
+    if (is_fixed_[r] != 0) excess[static_cast<Eigen::Index>(r)] = 0;
+  return excess;
+}
+
+// The energy is convex. At the end of the step its derivative along it may be positive by a tenth
+// of what it is at the start: at the minimum rounding decides on its sign.
+double Conformal_newton::step() {
+  constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
+  constexpr double shortest = 0x1p-30;
+  const Eigen::VectorXd direction = system_->solve(excess_);
+  const double slope = -direction.dot(excess_);
+  const double largest = direction.lpNorm<Eigen::Infinity>();
+  if (!(slope < 0) || !std::isfinite(largest)) return 0;
+  for (double part = std::min(1., longest / largest); part >= shortest; part /= 2) {
+    const Eigen::VectorXd u = u_ + part * direction;
+    Eigen::VectorXd excess = excess_at(u);
+    if (-direction.dot(excess) <= -slope / 10) {
+      u_ = u;
+      excess_ = std::move(excess);
+      return part;
+    }
+  }
+  return 0;
+}
+
+Conformal_metric Conformal_newton::solve() {
+  Conformal_metric result;
+  result.residual = residual(excess_);
+  result.status = Status::cap;
+  while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
+    const Eigen::VectorXd u = u_;
+    const double part = step();
+    ++result.iterations;
+    const double now = residual(excess_);
+    // Near the solution a full step that does not help ends at rounding errors.
+    constexpr double near = 1e-6;
+    if (part == 0 || (part == 1 && result.residual < near && now >= result.residual)) {
+      u_ = u;
+      excess_at(u_);
+      result.status = Status::stalled;
+      break;
+    }
+    result.residual = now;
+    if (!options_.progress({result.iterations, now, part, flips_})) {
+      result.status = Status::cancelled;
+      break;
+    }
+  }
+  if (result.residual <= options_.tolerance) result.status = Status::done;
+  result.flips = flips_;
+  result.u.assign(u_.data(), u_.data() + u_.size());
+  result.scale_factors = std::move(factors_);
+  return result;
+}
+
+} // namespace
+
+Conformal_metric conformal_metric(Ideal_surface& surface, const Prescribed_angles& angles,
+                                  const Conformal_options& options) {
+  Conformal_metric result = Conformal_newton(surface, angles, options).solve();
+  result.proven_residual = proven_residual(surface, angles);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

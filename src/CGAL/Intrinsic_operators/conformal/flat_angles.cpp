@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// A quarter turn is the unit of curvature here.
+constexpr double quarter_turn = std::numbers::pi / 2;
+
+// Places cones one after another, in all components at once.
+class Cone_placer {
+public:
+  Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles);
+  void place();
+
+private:
+  struct Component {
+    std::size_t first = 0; // a vertex
+    long vertices = 0;     // that are not free
+    long rest = 0;         // of the curvature, for the cones to come
+    bool has_free = false; // then there is no sum to keep
+    double area = 0;       // of vertices that are no cones
+  };
+  // the vertices of a component that are no cones with the least and the largest u
+  struct Extremes {
+    std::array<std::size_t, 2> row{0, 0};
+    std::array<double, 2> u{std::numeric_limits<double>::infinity(),
+                            -std::numeric_limits<double>::infinity()};
+  };
+
+  void find_areas(const std::vector<Ideal_face>& faces);
+  [[noreturn]] void refuse(const Component& c) const;
+  Eigen::VectorXd missing_curvature() const;
+  long next_curvature(const Component& c, const Extremes& e, long cones) const;
+  void add_cone(Component& c, std::size_t row, long curvature);
+
+  Ideal_surface& surface_;
+  long number_;
+  Prescribed_angles& angles_;
+  Ideal_components components_;
+  std::vector<Component> component_;
+  std::vector<double> area_;    // of each row
+  std::vector<char> is_chosen_; // or free, or isolated
+  std::optional<Angle_system> system_;
+};
+
+Cone_placer::Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles)
+    : surface_(surface), number_(static_cast<long>(number)), angles_(angles) {
+  surface_.scale(std::vector<double>(surface_.number_of_rows(), 1.));
+  std::vector<Ideal_face> faces;
+  surface_.read(faces);
+  components_ = components_of(faces, surface_.number_of_rows());
+  component_.resize(components_.faces.size());
+  is_chosen_.resize(angles_.size(), 1);
+  for (std::size_t c = 0; c < component_.size(); ++c)
+    component_[c].rest = -2 * static_cast<long>(components_.faces[c] / surface_.sheets());
+  for (std::size_t r = angles_.size(); r-- > 0;)
+    if (const std::uint32_t i = components_.of_row[r]; i != Gluing::none) {
+      component_[i].first = r;
+      component_[i].rest += 4;
+      is_chosen_[r] = angles_.is_free(r) ? 1 : 0;
+      if (angles_.is_free(r))
+        component_[i].has_free = true;
+      else
+        ++component_[i].vertices;
+    }
+  find_areas(faces);
+  system_.emplace(components_, is_chosen_);
+  system_->read(faces);
+}
+
+void Cone_placer::find_areas(const std::vector<Ideal_face>& faces) {
+  area_.resize(angles_.size(), 0);
+  for (const Ideal_face& f : faces) {
+    const double half = (f.lambda[0] + f.lambda[1] + f.lambda[2]) / 2;
+    double squared = half;
+    for (const double side : f.lambda) squared *= std::max(half - side, 0.);
+    for (const int r : f.rows) area_[static_cast<std::size_t>(r)] += std::sqrt(squared);
+  }
+  for (std::size_t r = 0; r < area_.size(); ++r)
+    if (is_chosen_[r] == 0) component_[components_.of_row[r]].area += area_[r];
+}
+
+void Cone_placer::refuse(const Component& c) const {
+  const long least = c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 ? 1 : 2;
+  throw Invalid_input(
+      Element_kind::vertex, c.first,
+      "the component of vertex " + std::to_string(c.first) + " cannot be flat with " +
+          std::to_string(number_) + " cones, whose curvature sums to " + std::to_string(c.rest) +
+          " pi/2; place at least " + std::to_string(least) + (c.rest == 0 ? ", or none" : ""));
+}
+
+Eigen::VectorXd Cone_placer::missing_curvature() const {
+  const double sheets = surface_.sheets();
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(angles_.size()));
+  for (std::size_t r = 0; r < angles_.size(); ++r) {
+    if (components_.of_row[r] == Gluing::none || angles_.is_free(r)) continue;
+    const auto i = static_cast<Eigen::Index>(r);
+    const Component& c = component_[components_.of_row[r]];
+    result[i] = system_->angle_sums()[i] - sheets * angles_.radians(r);
+    if (is_chosen_[r] == 0 && !c.has_free && c.area > 0)
+      result[i] += sheets * quarter_turn * static_cast<double>(c.rest) * (area_[r] / c.area);
+  }
+  return result;
+}
+
+// The curvature of the next of so many cones.
+long Cone_placer::next_curvature(const Component& c, const Extremes& e, long cones) const {
+  const long wanted = e.u[1] > -e.u[0] ? -1 : 1;
+  if (c.has_free) return wanted;
+  const long size = std::abs(c.rest);
+  if (size >= cones) return (c.rest > 0 ? 1 : -1) * ((size + cones - 1) / cones);
+  // one cone cannot make up for nothing
+  return cones == 2 && c.rest == wanted ? -wanted : wanted;
+}
+
+void Cone_placer::add_cone(Component& c, std::size_t row, long curvature) {
+  angles_.set(row, Multiple_of_pi{4 - curvature, 2});
+  is_chosen_[row] = 1;
+  c.rest -= curvature;
+  c.area -= area_[row];
+}
+
+void Cone_placer::place() {
+  for (const Component& c : component_) {
+    if (c.vertices < number_)
+      throw Invalid_input(Element_kind::vertex, c.first,
+                          "the component of vertex " + std::to_string(c.first) + " has only " +
+                              std::to_string(c.vertices) + " vertices for " +
+                              std::to_string(number_) + " cones; place fewer");
+    if (!c.has_free &&
+        (c.rest > 3 * number_ || (number_ == 0 && c.rest != 0) || (number_ == 1 && c.rest == 0)))
+      refuse(c);
+    for (long cones = number_; cones > 0; --cones) {
+      const Eigen::VectorXd u = system_->solve(missing_curvature());
+      std::vector<Extremes> extremes(component_.size());
+      for (std::size_t r = 0; r < angles_.size(); ++r) {
+        if (is_chosen_[r] != 0) continue;
+        Extremes& e = extremes[components_.of_row[r]];
+        const double value = u[static_cast<Eigen::Index>(r)];
+        if (value < e.u[0]) e.row[0] = r, e.u[0] = value;
+        if (value > e.u[1]) e.row[1] = r, e.u[1] = value;
+      }
+      for (std::size_t i = 0; i < component_.size(); ++i) {
+        const long curvature = next_curvature(component_[i], extremes[i], cones);
+        add_cone(component_[i], extremes[i].row[curvature > 0 ? 0 : 1], curvature);
+      }
+    }
+  }
+
+} // namespace
+
+Prescribed_angles flat_angles(const Ideal_surface& surface) {
+  Prescribed_angles angles(surface.number_of_rows());
+  if (surface.sheets() == 1) return angles;
+  std::vector<std::uint32_t> copies(angles.size(), 0);
+  for (const std::uint32_t row : surface.row_of_vertex())
+    if (row != Gluing::none) ++copies[row];
+  for (std::size_t r = 0; r < copies.size(); ++r)
+    if (copies[r] == 1) angles.set_free(r);
+  return angles;
+}
+
+void place_cones(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles) {
+  Cone_placer(surface, number, angles).place();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
