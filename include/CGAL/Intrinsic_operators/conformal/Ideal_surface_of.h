@@ -9,9 +9,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
+#include <CGAL/number_utils.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -54,17 +57,19 @@ public:
   }
 
   std::optional<std::vector<Enclosed_ideal_face>> enclosures() const override {
-    if constexpr (requires { t_.metric().enclosed_lambda(std::uint32_t()); }) {
+    if constexpr (std::floating_point<typename Triangulation::FT>)
+      return std::nullopt;
+    else {
       std::vector<Enclosed_ideal_face> result;
       result.reserve(num_faces(t_.mesh()));
       for_each_face([&](const auto& vertices, const auto& sides) {
         Enclosed_ideal_face& f = result.emplace_back();
         f.vertices = vertices;
-        for (std::size_t k = 0; k < 3; ++k) f.lambda[k] = t_.metric().enclosed_lambda(sides[k]);
+        for (std::size_t k = 0; k < 3; ++k)
+          f.lambda[k] = CGAL::to_interval(t_.metric().lambda(sides[k]));
       });
       return result;
-    } else
-      return std::nullopt;
+    }
   }
 
 private:

@@ -45,7 +45,8 @@ private:
   };
 
   void find_areas(const std::vector<Ideal_face>& faces);
-  [[noreturn]] void refuse(const Component& c) const;
+  void expect_possible(const Component& c) const;
+  std::vector<Extremes> find_extremes();
   Eigen::VectorXd missing_curvature() const;
   long next_curvature(const Component& c, const Extremes& e, long cones) const;
   void add_cone(Component& c, std::size_t row, long curvature);
@@ -97,13 +98,20 @@ void Cone_placer::find_areas(const std::vector<Ideal_face>& faces) {
     if (is_chosen_[r] == 0) component_[components_.of_row[r]].area += area_[r];
 }
 
-void Cone_placer::refuse(const Component& c) const {
+void Cone_placer::expect_possible(const Component& c) const {
+  const std::string of = "the component of vertex " + std::to_string(c.first);
+  if (c.vertices < number_)
+    throw Invalid_input(Element_kind::vertex, c.first,
+                        of + " has only " + std::to_string(c.vertices) + " vertices for " +
+                            std::to_string(number_) + " cones; place fewer");
+  if (c.has_free) return;
   const long least = c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 ? 1 : 2;
-  throw Invalid_input(
-      Element_kind::vertex, c.first,
-      "the component of vertex " + std::to_string(c.first) + " cannot be flat with " +
-          std::to_string(number_) + " cones, whose curvature sums to " + std::to_string(c.rest) +
-          " pi/2; place at least " + std::to_string(least) + (c.rest == 0 ? ", or none" : ""));
+  if (number_ >= least || (c.rest == 0 && number_ == 0)) return;
+  throw Invalid_input(Element_kind::vertex, c.first,
+                      of + " cannot be flat with " + std::to_string(number_) +
+                          " cones, whose curvature sums to " + std::to_string(c.rest) +
+                          " pi/2; place at least " + std::to_string(least) +
+                          (c.rest == 0 ? ", or none" : ""));
 }
 
 Eigen::VectorXd Cone_placer::missing_curvature() const {
@@ -137,32 +145,35 @@ void Cone_placer::add_cone(Component& c, std::size_t row, long curvature) {
   c.area -= area_[row];
 }
 
-void Cone_placer::place() {
-  for (const Component& c : component_) {
-    if (c.vertices < number_)
-      throw Invalid_input(Element_kind::vertex, c.first,
-                          "the component of vertex " + std::to_string(c.first) + " has only " +
-                              std::to_string(c.vertices) + " vertices for " +
-                              std::to_string(number_) + " cones; place fewer");
-    if (!c.has_free &&
-        (c.rest > 3 * number_ || (number_ == 0 && c.rest != 0) || (number_ == 1 && c.rest == 0)))
-      refuse(c);
-    for (long cones = number_; cones > 0; --cones) {
-      const Eigen::VectorXd u = system_->solve(missing_curvature());
-      std::vector<Extremes> extremes(component_.size());
-      for (std::size_t r = 0; r < angles_.size(); ++r) {
-        if (is_chosen_[r] != 0) continue;
-        Extremes& e = extremes[components_.of_row[r]];
-        const double value = u[static_cast<Eigen::Index>(r)];
-        if (value < e.u[0]) e.row[0] = r, e.u[0] = value;
-        if (value > e.u[1]) e.row[1] = r, e.u[1] = value;
-      }
-      for (std::size_t i = 0; i < component_.size(); ++i) {
-        const long curvature = next_curvature(component_[i], extremes[i], cones);
-        add_cone(component_[i], extremes[i].row[curvature > 0 ? 0 : 1], curvature);
-      }
+std::vector<Cone_placer::Extremes> Cone_placer::find_extremes() {
+  const Eigen::VectorXd u = system_->solve(missing_curvature());
+  std::vector<Extremes> extremes(component_.size());
+  for (std::size_t r = 0; r < angles_.size(); ++r) {
+    if (is_chosen_[r] != 0) continue;
+    Extremes& e = extremes[components_.of_row[r]];
+    const double value = u[static_cast<Eigen::Index>(r)];
+    if (value < e.u[0]) {
+      e.u[0] = value;
+      e.row[0] = r;
+    }
+    if (value > e.u[1]) {
+      e.u[1] = value;
+      e.row[1] = r;
     }
   }
+  return extremes;
+}
+
+void Cone_placer::place() {
+  for (const Component& c : component_) expect_possible(c);
+  for (long cones = number_; cones > 0; --cones) {
+    const std::vector<Extremes> extremes = find_extremes();
+    for (std::size_t i = 0; i < component_.size(); ++i) {
+      const long curvature = next_curvature(component_[i], extremes[i], cones);
+      add_cone(component_[i], extremes[i].row[curvature > 0 ? 0 : 1], curvature);
+    }
+  }
+}
 
 } // namespace
 
