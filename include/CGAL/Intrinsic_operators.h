@@ -11,7 +11,11 @@ the plane, editing), and `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfu
 Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
+#include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>

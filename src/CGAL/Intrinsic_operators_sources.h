@@ -11,9 +11,15 @@ their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
+#include <CGAL/Intrinsic_operators/conformal/Angle_system.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Piece_gluer.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Sphere_centring.cpp>
+#include <CGAL/Intrinsic_operators/conformal/angle_enclosures.cpp>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.cpp>
+#include <CGAL/Intrinsic_operators/conformal/flat_angles.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.cpp>

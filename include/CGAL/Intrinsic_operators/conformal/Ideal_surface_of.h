@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/number_utils.h>
 
@@ -24,15 +25,30 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A triangulation with ideal hyperbolic traits, as solvers see it.
+// Requires lambda lengths, and factors of vertices that scale them: ideal hyperbolic traits.
 template <class Triangulation>
+concept Has_horocycles = NumberedTriangulation<Triangulation> &&
+    requires(Triangulation& t, std::span<const double> factors) {
+  t.scale_vertices(factors);
+  { t.metric().approximate_lambda(std::uint32_t()) } -> std::same_as<double>;
+  t.metric().lambda(std::uint32_t());
+};
+
+// A triangulation with ideal hyperbolic traits, as solvers see it.
+template <Has_horocycles Triangulation>
 class Ideal_surface_of final : public Ideal_surface {
 public:
-  // \throws Invalid_input if there is a border
+  // \throws Invalid_input if there is a border, or a vertex has more copies than sheets
   explicit Ideal_surface_of(Triangulation& t)
       : t_(t), row_(t.numbers().vertex_capacity(t.mesh()), Gluing::none) {
     expect_closed();
-    for (const auto v : vertices(t.mesh())) row_[t.index(v)] = t.input_vertex(v);
+    std::vector<std::uint32_t> copies(t.number_of_vertices(), 0);
+    for (const auto v : vertices(t.mesh())) {
+      const std::uint32_t row = row_[t.index(v)] = t.input_vertex(v);
+      if (++copies[row] > sheets())
+        throw Invalid_input::about(Element_kind::vertex, row,
+                                   " is not manifold: its faces form more than one fan; split it");
+    }
   }
 
   const std::vector<std::uint32_t>& row_of_vertex() const override { return row_; }

@@ -70,10 +70,10 @@ with flips.
 
 Two metrics of a triangulation are discretely conformal if their lengths differ by factors at
 vertices: \f$\tilde\lambda_{ij} = e^{(u_i + u_j)/2} \lambda_{ij}\f$, where Ptolemy's flips keep the
-triangulation ideal Delaunay (§6.3 of the course). Among all of them exactly one, up to its size, has
-given positive angles that satisfy the theorem of Gauss and Bonnet (Gu, Luo, Sun and Wu, A discrete
-uniformization theorem for polyhedral surfaces, 2018; Springborn, Ideal hyperbolic polyhedra and
-discrete uniformization, 2020). It is the minimum of a convex energy with the gradient
+triangulation ideal Delaunay (§6.3 of the course). Among all of them exactly one, up to its size,
+has given positive angles that satisfy the theorem of Gauss and Bonnet (Gu, Luo, Sun and Wu, A
+discrete uniformization theorem for polyhedral surfaces, 2018; Springborn, Ideal hyperbolic
+polyhedra and discrete uniformization, 2020). It is the minimum of a convex energy with the gradient
 
     prescribed angle - sum of the angles of Euclidean triangles with sides lambda
 
@@ -86,33 +86,35 @@ The surface has no border. `make_domain()` with `Domain_kind::closed` makes the 
 has: two copies, glued along the border. Angles and results go by vertices of the user, so that both
 copies get the same.
 
-\tparam Triangulation a model of `IntrinsicTriangulation` with the traits
+\tparam Triangulation a model of `NumberedTriangulation` with the traits
   `Ideal_hyperbolic_traits<FT>` or `Exact_ideal_hyperbolic_traits`
-\tparam NamedParameters a model of `NamedParameters`
+\tparam Parameters a model of `NamedParameters`
 \param t the triangulation. It is scaled by the result and ideal Delaunay afterwards
 \param angles the angle around each vertex of the user
-\param np `number_of_iterations` (default: 100), a cap; `tolerance` (default: 1e-10), the residual in
-  radians at which to stop; `visitor`, an object with `bool progress(const Conformal_progress&)`,
-  which returns whether to go on
+\param np `number_of_iterations` (default: 100), a cap; `tolerance` (default: 1e-10), the residual
+  in radians at which to stop; `visitor`, an object with `bool progress(const
+  Conformal_progress&)`, which returns whether to go on
 \throws Invalid_input if the surface has a border; if there is not one angle per vertex, an angle is
   not positive, or angles break the theorem of Gauss and Bonnet in a component without free
   vertices. That is checked in rational numbers if all angles are multiples of pi; else their sum
   may be wrong by 16 units in the last place of each angle, which are spread over all vertices
 \complexity a sparse factorization and the flips for each of usually 5 to 8 steps
 */
-template <class Triangulation, NamedParameters Parameters = parameters::Parameters<>>
-Conformal_metric conformal_metric(Triangulation& t, const Prescribed_angles& angles,
-                                  const Parameters& np = parameters::default_values()) {
-  namespace tags = internal::tags;
-  internal::expect_names<tags::number_of_iterations, tags::tolerance, tags::visitor>(np);
-  internal::Conformal_options options;
-  options.maximum_iterations =
-      internal::value_or<tags::number_of_iterations>(np, options.maximum_iterations);
-  options.tolerance = internal::value_or<tags::tolerance>(np, options.tolerance);
-  options.progress = internal::progress_of(np);
-  internal::Ideal_surface_of<Triangulation> surface(t);
-  return internal::conformal_metric(surface, angles, options);
-}
+template <NumberedTriangulation Triangulation,
+          NamedParameters Parameters = parameters::Parameters<>>
+  requires internal::Has_horocycles<Triangulation>
+      Conformal_metric conformal_metric(Triangulation& t, const Prescribed_angles& angles,
+                                        const Parameters& np = parameters::default_values()) {
+    namespace tags = internal::tags;
+    internal::expect_names<tags::number_of_iterations, tags::tolerance, tags::visitor>(np);
+    internal::Conformal_options options;
+    options.maximum_iterations =
+        internal::value_or<tags::number_of_iterations>(np, options.maximum_iterations);
+    options.tolerance = internal::value_or<tags::tolerance>(np, options.tolerance);
+    options.progress = internal::progress_of(np);
+    internal::Ideal_surface_of<Triangulation> surface(t);
+    return internal::conformal_metric(surface, angles, options);
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 

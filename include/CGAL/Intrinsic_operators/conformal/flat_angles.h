@@ -33,20 +33,20 @@ The scale factor of a free vertex stays 1, so that the map is as isometric there
 \throws Invalid_input if `t` has a border
 \complexity linear
 */
-template <class Triangulation>
-Prescribed_angles flat_angles(Triangulation& t) {
-  return internal::flat_angles(internal::Ideal_surface_of<Triangulation>(t));
-}
+template <NumberedTriangulation Triangulation>
+  requires internal::Has_horocycles<Triangulation> Prescribed_angles flat_angles(Triangulation& t) {
+    return internal::flat_angles(internal::Ideal_surface_of<Triangulation>(t));
+  }
 
 /*!
 \brief places cones where a flat metric is distorted most, and prescribes a full turn elsewhere.
 
 One after another: the linear problem \f$L u = K^T - K\f$ is solved, where K is the curvature of the
-surface, and \f$K^T\f$ that of the cones so far, with the rest spread over the surface; the next cone
-is where |u| is largest (Ben-Chen, Gotsman and Bunin, Conformal flattening by curvature prescription
-and metric scaling, 2008). Angles are multiples of a quarter turn, so that layouts fit together
-across cuts by rotations of quarter turns: \f$3\pi/2\f$ where u is negative, as at the tips of
-fingers, \f$5\pi/2\f$ where it is positive, and others where their sum demands it.
+surface, and \f$K^T\f$ that of the cones so far, with the rest spread over the surface; the next
+cone is where |u| is largest (Ben-Chen, Gotsman and Bunin, Conformal flattening by curvature
+prescription and metric scaling, 2008). Angles are multiples of a quarter turn, so that layouts fit
+together across cuts by quarter turns: \f$3\pi/2\f$ where u is negative, as at the tips of fingers,
+\f$5\pi/2\f$ where it is positive, and others where their sum demands it.
 
 \tparam Triangulation see `conformal_metric()`
 \param t the triangulation, which becomes ideal Delaunay with all scale factors 1
@@ -56,13 +56,14 @@ fingers, \f$5\pi/2\f$ where it is positive, and others where their sum demands i
   component: a sphere needs at least three, a torus none or two
 \complexity a sparse factorization, and a solution for each cone
 */
-template <class Triangulation>
-Prescribed_angles place_cones(Triangulation& t, std::size_t number) {
-  internal::Ideal_surface_of<Triangulation> surface(t);
-  Prescribed_angles angles = internal::flat_angles(surface);
-  internal::place_cones(surface, number, angles);
-  return angles;
-}
+template <NumberedTriangulation Triangulation>
+  requires internal::Has_horocycles<Triangulation>
+      Prescribed_angles place_cones(Triangulation& t, std::size_t number) {
+    internal::Ideal_surface_of<Triangulation> surface(t);
+    Prescribed_angles angles = internal::flat_angles(surface);
+    internal::place_cones(surface, number, angles);
+    return angles;
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 

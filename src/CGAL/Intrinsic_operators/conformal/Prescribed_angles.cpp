@@ -31,7 +31,7 @@ namespace internal {
 namespace {
 
 // The angles of one component.
-struct Angle_sum {
+struct Component_angles {
   std::size_t first = 0; // vertex
   std::size_t count = 0; // of vertices
   bool has_free = false, is_rational = true;
@@ -55,14 +55,14 @@ void expect_positive(const Prescribed_angles& angles, std::size_t v) {
                                ": its angle is not positive; give a positive number of radians");
 }
 
-std::vector<Angle_sum> angle_sums(const Prescribed_angles& angles,
-                                  const std::vector<std::uint32_t>& component,
-                                  std::size_t components) {
-  std::vector<Angle_sum> sums(components);
+std::vector<Component_angles> angle_sums(const Prescribed_angles& angles,
+                                         const std::vector<std::uint32_t>& component,
+                                         std::size_t components) {
+  std::vector<Component_angles> sums(components);
   std::vector<std::size_t> full_turns(components, 0);
   for (std::size_t v = 0; v < angles.size(); ++v) {
     if (component[v] == Gluing::none) continue;
-    Angle_sum& sum = sums[component[v]];
+    Component_angles& sum = sums[component[v]];
     if (sum.count++ == 0) sum.first = v;
     if (angles.is_free(v)) {
       sum.has_free = true;
@@ -84,7 +84,7 @@ std::vector<Angle_sum> angle_sums(const Prescribed_angles& angles,
   return sums;
 }
 
-[[noreturn]] void throw_gauss_bonnet(const Angle_sum& sum, double excess) {
+[[noreturn]] void throw_gauss_bonnet(const Component_angles& sum, double excess) {
   std::ostringstream message;
   message.precision(std::numeric_limits<double>::max_digits10);
   message << "the angles of the component of vertex " << sum.first
@@ -108,9 +108,9 @@ std::vector<double> checked_gauss_bonnet(const Prescribed_angles& angles,
                             std::to_string(component.size()) +
                             " vertices; give one number per vertex, in the order of the mesh");
   std::vector<double> correction(faces.size(), 0);
-  const std::vector<Angle_sum> sums = angle_sums(angles, component, faces.size());
+  const std::vector<Component_angles> sums = angle_sums(angles, component, faces.size());
   for (std::size_t c = 0; c < faces.size(); ++c) {
-    const Angle_sum& sum = sums[c];
+    const Component_angles& sum = sums[c];
     if (sum.has_free || sum.count == 0) continue;
     const CGAL::Gmpq needed =
         CGAL::Gmpq(static_cast<double>(faces[c])) / CGAL::Gmpq(static_cast<double>(sheets));

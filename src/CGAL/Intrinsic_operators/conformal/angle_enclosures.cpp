@@ -13,43 +13,44 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using Interval = Interval_nt<false>;
+using Angle_interval = Interval_nt<false>;
 
 // the double below pi, and the next one
-Interval enclosed_pi() { return {std::numbers::pi, std::nextafter(std::numbers::pi, 4.)}; }
+Angle_interval enclosed_pi() { return {std::numbers::pi, std::nextafter(std::numbers::pi, 4.)}; }
 
 // an enclosure of the arc tangent of a number that is not negative
-Interval enclosed_atan(const Interval& x) {
+Angle_interval enclosed_atan(const Angle_interval& x) {
   constexpr double error = 0x1p-50;
-  const Interval lower(std::atan(x.inf())), upper(std::atan(x.sup()));
-  return {(lower * (Interval(1) - error)).inf(), (upper * (Interval(1) + error)).sup()};
+  const Angle_interval lower(std::atan(x.inf())), upper(std::atan(x.sup()));
+  return {(lower * (Angle_interval(1) - error)).inf(), (upper * (Angle_interval(1) + error)).sup()};
 }
 
-Interval prescribed(const Prescribed_angles& angles, std::size_t row) {
+Angle_interval prescribed(const Prescribed_angles& angles, std::size_t row) {
   if (!angles.is_multiple(row)) return angles.radians(row);
   const Multiple_of_pi m = angles.multiple(row);
-  return Interval(static_cast<double>(m.numerator)) * enclosed_pi() /
+  return Angle_interval(static_cast<double>(m.numerator)) * enclosed_pi() /
          static_cast<double>(m.denominator);
 }
 
 } // namespace
 
-std::array<Interval, 3> enclosed_angles(const std::array<Interval, 3>& sides) {
-  const Interval sum = sides[0] + sides[1] + sides[2];
-  std::array<Interval, 3> x; // 1 - a_k if half of the sum is 1; positive in a triangle
+std::array<Angle_interval, 3> enclosed_angles(const std::array<Angle_interval, 3>& sides) {
+  const Angle_interval sum = sides[0] + sides[1] + sides[2];
+  std::array<Angle_interval, 3> x; // 1 - a_k if half of the sum is 1; positive in a triangle
   for (std::size_t k = 0; k < 3; ++k) {
     x[k] = ((sides[(k + 1) % 3] - sides[k]) + sides[(k + 2) % 3]) / sum;
     x[k] = {std::max(x[k].inf(), 0.), std::max(x[k].sup(), 0.)};
   }
-  std::array<Interval, 3> result;
+  std::array<Angle_interval, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
     // the squared tangent of half of the angle increases with two, and decreases with the third
-    const Interval product = x[(k + 1) % 3] * x[(k + 2) % 3];
+    const Angle_interval product = x[(k + 1) % 3] * x[(k + 2) % 3];
     const double infinity = std::numeric_limits<double>::infinity();
-    const Interval squared_tangent =
-        x[k].inf() > 0 ? product / x[k]
-                       : Interval((Interval(product.inf()) / x[k].sup()).inf(), infinity);
-    result[k] = Interval(2) * enclosed_atan(CGAL::sqrt(squared_tangent));
+    const Angle_interval squared_tangent =
+        x[k].inf() > 0
+            ? product / x[k]
+            : Angle_interval((Angle_interval(product.inf()) / x[k].sup()).inf(), infinity);
+    result[k] = Angle_interval(2) * enclosed_atan(CGAL::sqrt(squared_tangent));
   }
   return result;
 }
@@ -60,11 +61,12 @@ std::optional<double> proven_residual(const Ideal_surface& surface,
   const std::optional<std::vector<Enclosed_ideal_face>> faces = surface.enclosures();
   if (!faces) return std::nullopt;
   const std::vector<std::uint32_t>& rows = surface.row_of_vertex();
-  std::vector<Interval> sum(rows.size(), 0);
+  std::vector<Angle_interval> sum(rows.size(), 0);
   std::vector<double> copies(angles.size(), 0);
   std::vector<char> has_faces(rows.size(), 0);
   for (const Enclosed_ideal_face& f : *faces) {
-    const std::array<Interval, 3> angle = enclosed_angles({f.lambda[1], f.lambda[2], f.lambda[0]});
+    const std::array<Angle_interval, 3> angle =
+        enclosed_angles({f.lambda[1], f.lambda[2], f.lambda[0]});
     for (std::size_t k = 0; k < 3; ++k) {
       sum[f.vertices[k]] += angle[k];
       has_faces[f.vertices[k]] = 1;
@@ -75,8 +77,8 @@ std::optional<double> proven_residual(const Ideal_surface& surface,
   for (std::size_t v = 0; v < rows.size(); ++v) {
     if (has_faces[v] == 0 || angles.is_free(rows[v])) continue;
     // a vertex on the border of a doubled surface has two halves of its angle
-    const Interval halves = Interval(surface.sheets()) / copies[rows[v]];
-    const Interval error = sum[v] / halves - prescribed(angles, rows[v]);
+    const Angle_interval halves = Angle_interval(surface.sheets()) / copies[rows[v]];
+    const Angle_interval error = sum[v] / halves - prescribed(angles, rows[v]);
     largest = std::max({largest, error.sup(), -error.inf()});
   }
   return largest;
