@@ -15,7 +15,11 @@ if(TARGET Intrinsic_triangulations::OpenMesh_support)
   target_link_libraries(shared_settings INTERFACE Intrinsic_triangulations::OpenMesh_support)
 endif()
 # Tests and examples are many and compile for longer than they run.
-target_compile_options(shared_settings INTERFACE -O1)
+target_compile_options(shared_settings INTERFACE -Og)
+# At this level g++ warns of values in CGAL that are initialized.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(shared_settings INTERFACE -Wno-maybe-uninitialized)
+endif()
 # CGAL's kernels take GMP's rational numbers then, which compile faster than Boost's around them.
 target_compile_definitions(shared_settings INTERFACE CGAL_DO_NOT_USE_BOOST_MP)
 
