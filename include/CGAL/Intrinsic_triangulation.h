@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Ideal_exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
@@ -211,7 +211,7 @@ public:
 
   /// returns the predicates for cases that the metric leaves open: see `Exact_ladder`.
   auto exact_values() const requires internal::Decides_by_input<Metric> {
-    return internal::Exact_values<Intrinsic_triangulation>(*this, places_, exact_memory_);
+    return internal::Exact_values_of<Intrinsic_triangulation>(*this, places_, exact_memory_);
   }
 
   /*!

@@ -36,6 +36,7 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>

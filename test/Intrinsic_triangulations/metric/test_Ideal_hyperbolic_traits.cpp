@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 
 #include "gallery.h"
+#include "ideal_triangulations.h"
 #include "meshes.h"
 #include "properties.h"
 
@@ -39,23 +40,8 @@ using Rational = Ideal<Q>;
 static_assert(IT::IntrinsicTriangulationTraits<IT::Ideal_hyperbolic_traits<double>>);
 static_assert(Rational::Metric::is_exact && !Ideal<double>::Metric::is_exact);
 
-// positive factors over the given powers of two
-std::vector<double> random_factors(std::size_t n, int powers, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> power(-powers, powers);
-  std::vector<double> result(n);
-  for (double& w : result) w = std::exp2(power(random));
-  return result;
-}
-
-template <class T>
-void flip_at_random(T& t, std::size_t flips, unsigned seed) {
-  std::mt19937 random(seed);
-  for (std::size_t n = 0; n < flips; ++n) {
-    const auto inner = properties::flippable_by_connectivity(t);
-    ASSERT_EQ(t.flip_edge(inner[random() % inner.size()]), IT::Move_status::done);
-  }
-}
+using ideal::flip_at_random;
+using ideal::random_factors;
 
 // the edges of the ideal Delaunay tessellation: ends and lambda lengths
 std::vector<std::tuple<std::uint32_t, std::uint32_t, Q>> tessellation(const Rational& t) {

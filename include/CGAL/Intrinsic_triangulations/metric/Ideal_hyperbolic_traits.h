@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Lambda_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -40,10 +41,6 @@ The lambda lengths of the input are its edge lengths, each rounded to the neares
 define the metric exactly. They need not satisfy triangle inequalities. Every edge between two faces
 can be flipped, and there are no areas.
 
-A vertex is scaled by moving its horocycle: `scale()` multiplies the lambda lengths of its edges.
-The metric stores lambda lengths without these factors, too, which all flips follow. So errors do
-not add up from one scaling to the next, and with exact numbers, factors of one restore the metric.
-
 It is exact iff `FT` is. With an inexact type, rounding decides near ties, and a cap on the number
 of flips ends algorithms. Lambda lengths must be in the range of the type after scaling.
 \tparam FT_ a CGAL number type: a field. With `Interval_nt<false>`, all members but the constructors
@@ -51,7 +48,8 @@ and `Scope` require a live `Scope`; an edge that intervals leave open counts as 
 \cgalModels{IntrinsicMetric}
 */
 template <FieldNumber FT_>
-class Ideal_hyperbolic_metric {
+class Ideal_hyperbolic_metric : public Lambda_values<FT_> {
+  using Base = Lambda_values<FT_>;
   struct No_scope {};
 
 public:
@@ -73,19 +71,16 @@ public:
   \complexity linear
   */
   Ideal_hyperbolic_metric(const Gluing_map& mesh, const Input_metric& input)
-      : scale_exponent_(input.scale_exponent()) {
-    const std::vector<double> lengths = nearest_lengths(input, mesh);
-    lambda_.assign(lengths.begin(), lengths.end());
-  }
+      : Base(input.scale_exponent(), lengths(mesh, input)) {}
 
   /// takes lambda lengths. \param scale_exponent, lambdas see `scale_exponent()`, `lambda()`
   Ideal_hyperbolic_metric(int scale_exponent, std::vector<FT> lambdas)
-      : scale_exponent_(scale_exponent), lambda_(std::move(lambdas)) {}
+      : Base(scale_exponent, std::move(lambdas)) {}
 
   /// tells whether an edge is ideal Delaunay, or rounding hides that it is not.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
-    const Ideal_diamond_values<FT> v = values(d);
+    const Ideal_diamond_values<FT> v = this->values(d);
     const FT outer = Ideal_delaunay_expression::outer(v),
              inner = Ideal_delaunay_expression::inner(v);
     if constexpr (std::floating_point<FT>)
@@ -96,7 +91,7 @@ public:
 
   /// returns the sign of `Ideal_delaunay_expression`, zero where rounding hides it.
   Sign delaunay_sign(const Diamond& d) const {
-    const Ideal_diamond_values<FT> v = values(d);
+    const Ideal_diamond_values<FT> v = this->values(d);
     const Sign s = sign_of(v);
     return s == NEGATIVE && is_tie_of_rounding(v) ? ZERO : s;
   }
@@ -105,71 +100,32 @@ public:
   static bool is_flippable(const Diamond&) { return true; }
 
   /// The new values of a flip.
-  struct Flipped {
-    FT lambda;   ///< the lambda length
-    FT unscaled; ///< without factors of vertices; the same if there are none
-  };
-
+  using Flipped = typename Base::Flipped;
   /*!
   \brief computes a flip.
   \return nothing if a lambda length is out of the range of an inexact type
   */
   std::optional<Flipped> compute_flip(const Diamond& d) const {
-    const FT lambda = ptolemy_flip(values(d));
-    if (!is_length(lambda)) return std::nullopt;
-    if (unscaled_.empty()) return Flipped{lambda, lambda};
-    const FT unscaled = ptolemy_flip(values(d, unscaled_));
-    if (!is_length(unscaled)) return std::nullopt;
+    const FT lambda = ptolemy_flip(this->values(d));
+    const FT unscaled = this->is_scaled() ? ptolemy_flip(this->unscaled_values(d)) : lambda;
+    if (!is_length(lambda) || !is_length(unscaled)) return std::nullopt;
     return Flipped{lambda, unscaled};
   }
-
   /// stores what `compute_flip()` returned for a diamond.
-  void store_flip(const Diamond& d, const Flipped& n) {
-    lambda_[d.ij] = n.lambda;
-    if (!unscaled_.empty()) unscaled_[d.ij] = n.unscaled;
-  }
-
-  using Before_flip = Flipped; ///< The old values of a flip.
-  /// returns what a flip of the edge will replace.
-  Before_flip before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
+  void store_flip(const Diamond& d, const Flipped& n) { this->store(d.ij, n); }
   /// stores values that a flip has replaced.
   void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
 
-  /*!
-  \brief multiplies the lambda length of an edge by factors of its ends, in place of those before.
-  \param e the edge
-  \param from, to the factors, positive; each the same for all edges of a vertex
-  */
-  void scale(std::uint32_t e, double from, double to) {
-    if (unscaled_.empty()) unscaled_ = lambda_;
-    lambda_[e] = unscaled_[e] * (FT(from) * FT(to));
-  }
-
-  /// returns the lambda length of an edge, in scaled units: lengths times 2^scale_exponent().
-  const FT& lambda(std::uint32_t e) const { return lambda_[e]; }
-  /// returns the lambda length of an edge without factors of vertices, in scaled units.
-  const FT& unscaled_lambda(std::uint32_t e) const {
-    return unscaled_.empty() ? lambda_[e] : unscaled_[e];
-  }
-  /// returns a double near the lambda length of an edge, in scaled units.
-  double approximate_lambda(std::uint32_t e) const { return CGAL::to_double(lambda_[e]); }
-  /// returns s, where lengths of the input are scaled by 2^s.
-  int scale_exponent() const { return scale_exponent_; }
   /// returns how predicates were decided, which may be reset.
   Predicate_statistics& statistics() const { return statistics_; }
-
-protected:
-  /// returns the lambda lengths of a diamond.
-  BOOST_FORCEINLINE Ideal_diamond_values<FT> values(const Diamond& d) const {
-    return values(d, lambda_);
-  }
 
 private:
   // where products of four lambda lengths are accurate
   static constexpr double largest = 0x1p1000, smallest = 0x1p-900;
 
-  static Ideal_diamond_values<FT> values(const Diamond& d, const std::vector<FT>& of) {
-    return {of[d.ij], of[d.jk], of[d.ki], of[d.im], of[d.mj]};
+  static std::vector<FT> lengths(const Gluing_map& mesh, const Input_metric& input) {
+    const std::vector<double> nearest = nearest_lengths(input, mesh);
+    return {nearest.begin(), nearest.end()};
   }
 
   // zero, too, if intervals leave it open; floating point has a greater range here
@@ -197,9 +153,6 @@ private:
     return certainly(lambda > FT(0));
   }
 
-  int scale_exponent_ = 0;
-  std::vector<FT> lambda_;
-  std::vector<FT> unscaled_; // empty before the first factors
   mutable Predicate_statistics statistics_;
 };
 

@@ -192,6 +192,18 @@ public:
     }
   }
 
+  /// returns the lambda length of an edge as a double, in the units of the input; with exact traits
+  /// to 1e-12 of it.
+  double lambda(typename boost::graph_traits<Mesh>::edge_descriptor e)
+      const requires internal::Scales_vertices<Metric> {
+    const std::uint32_t i = self().index(e);
+    if constexpr (by_input)
+      if (!metric().is_narrow(i)) {
+        const typename Metric::Scope scope;
+        metric().sharpen(i, self().exact_values());
+      }
+    return std::ldexp(metric().approximate_lambda(i), -metric().scale_exponent());
+  }
   /// returns the squared length of an edge as a double, in the units of the input; with exact
   /// traits to 1e-12 of it.
   double squared_length(typename boost::graph_traits<Mesh>::edge_descriptor e) const requires

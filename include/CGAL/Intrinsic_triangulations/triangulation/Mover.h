@@ -161,9 +161,10 @@ public:
   void scale_vertices(std::span<const double> factors) requires Scales_vertices<Metric> {
     check_vertex_factors(factors, t_.number_of_vertices());
     [[maybe_unused]] const typename Metric::Scope scope;
+    metric_.set_factors(factors);
     for (const typename Graph_traits::edge_descriptor e : edges(mesh_))
-      metric_.scale(t_.index(e), factors[t_.input_vertex(source(e, mesh_))],
-                    factors[t_.input_vertex(target(e, mesh_))]);
+      metric_.scale(t_.index(e), t_.input_vertex(source(e, mesh_)),
+                    t_.input_vertex(target(e, mesh_)));
   }
 
   // \param place on the input, if known; the weights approximate it

@@ -138,10 +138,11 @@ struct Known_before_flip<Metric> {
 template <class Metric>
 using Before_flip_of = typename Known_before_flip<Metric>::type;
 
-// Multiplies the values of edges by factors of their vertices.
+// Has lambda lengths, and multiplies those of edges by factors of their vertices.
 template <class Metric>
-concept Scales_vertices = requires(Metric& m, std::uint32_t edge, double factor) {
-  m.scale(edge, factor, factor);
+concept Scales_vertices = requires(Metric& m, std::span<const double> factors, std::uint32_t i) {
+  m.set_factors(factors);
+  m.scale(i, i, i);
 };
 
 // Computes the values of an insertion from stored ones.

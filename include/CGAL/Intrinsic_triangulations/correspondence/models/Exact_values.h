@@ -28,6 +28,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// The most crossings of edges that are unfolded, rather than repeating the flips.
+inline std::size_t most_crossings(const Flip_list& flips) { return 32 + 4 * flips.size(); }
+
 /*
 Computes the values of a triangulation exactly, from where its edges run on the input. It finds the
 figure that an `Exact_ladder` evaluates: usually the input under a diamond. It uses the list of
@@ -240,7 +243,7 @@ private:
     const Integer_coordinates* c = places_.coordinates(t_);
     // nothing can be unfolded across an edge without length
     if (c == nullptr || !places_.are_input_lengths_positive(t_)) return false;
-    const std::size_t most = 32 + 4 * places_.flips()->size();
+    const std::size_t most = most_crossings(*places_.flips());
     std::size_t all = 0;
     for (auto i = elements.begin(); i != elements.end() && all <= most; ++i)
       all += number_of_crossings(*c, *i);

@@ -8,39 +8,16 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_certificate.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_ideal_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
 
-#include <cstddef>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief certifies a triangulation exactly. If there are inverted faces or bent edges, it is not a
-triangulation, and the other numbers have no meaning.
-*/
-struct Delaunay_certificate {
-  /// Faces whose area is not positive: their edges cross, because of rounding.
-  std::size_t inverted_faces = 0;
-  /// Edges that do not run straight: a straight path between their ends passes vertices on another
-  /// side.
-  std::size_t bent_edges = 0;
-  /// Edges whose opposite angles sum to more than pi.
-  std::size_t non_delaunay_edges = 0;
-  /// Edges whose opposite angles sum to exactly pi.
-  std::size_t ties = 0;
-  /// How the signs were decided.
-  Predicate_statistics statistics;
-
-  /// tells whether the triangulation is an intrinsic Delaunay triangulation, proven unless
-  /// `statistics.probable_zero` is positive.
-  bool is_delaunay() const {
-    return inverted_faces == 0 && bent_edges == 0 && non_delaunay_edges == 0;
-  }
-};
 
 /*!
 \brief decides exactly whether a triangulation is Delaunay, from its integers and the input.
@@ -72,7 +49,7 @@ It uses only where edges run on the input, and unfolds them there (see
 `Integer_only_triangulation`); it reads no lengths, areas or history. Inserted vertices are where
 `Integer_coordinates::location()` says, with weights rounded by `representable_weights()`.
 \tparam Mesh a model of `MutableDeltaComplex`
-\tparam Traits a model of `IntrinsicTriangulationTraits`
+\tparam Traits a model of `IntrinsicTriangulationTraits`, with a `EuclideanMetric`
 \tparam Correspondence any that answers queries
 \param t the triangulation
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
@@ -80,10 +57,10 @@ It uses only where edges run on the input, and unfolds them there (see
 */
 template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits,
           internal::Answers_queries Correspondence>
-Delaunay_certificate
-certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
-  return certify_delaunay(Integer_only_triangulation<Mesh>(t));
-}
+  requires EuclideanMetric<typename Traits::Metric> Delaunay_certificate
+  certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
+    return certify_delaunay(Integer_only_triangulation<Mesh>(t));
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 

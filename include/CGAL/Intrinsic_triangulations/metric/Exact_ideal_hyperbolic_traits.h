@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_IDEAL_HYPERBOLIC_TRAITS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_IDEAL_HYPERBOLIC_TRAITS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/metric/Lambda_values.h>
+#include <CGAL/Intrinsic_triangulations/metric/Remembered_signs.h>
+#include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/config.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief stores an ideal hyperbolic metric as intervals that contain the exact lambda lengths, and
+decides exactly.
+
+Where intervals leave a sign open, the lambda lengths of the diamond are computed anew from where
+its edges run on the input, see `lambdas_along_strip()`: in intervals first, which replace the
+stored ones, then in rational numbers. There are no square roots: the double nearest to a length
+defines the lambda length of an input edge, and factors of vertices are doubles.
+
+Stored intervals are a cache, so that predicates are const. There are no locks: not even predicates
+of one metric may run in two threads at a time. All members except the constructors and `Scope`
+require a live `Scope`.
+\cgalModels{IntrinsicMetric}
+*/
+class Exact_ideal_hyperbolic_metric : public Lambda_values<Interval_nt<false>> {
+  using Base = Lambda_values<Interval_nt<false>>;
+
+public:
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Keeps the floating point unit rounding upwards.
+  using Scope = Protect_FPU_rounding<true>;
+  /// Predicates are exact: algorithms end without a cap.
+  static constexpr bool is_exact = true;
+
+  /// constructs an empty metric.
+  Exact_ideal_hyperbolic_metric() = default;
+
+  /*!
+  \brief takes the lengths of the input, rounded to doubles.
+  \throws Invalid_input naming an edge of length zero
+  \complexity linear
+  */
+  Exact_ideal_hyperbolic_metric(const Gluing_map& mesh, const Input_metric& input)
+      : Exact_ideal_hyperbolic_metric(input.scale_exponent(), nearest_lengths(input, mesh)) {}
+
+  /// tells whether an edge is ideal Delaunay.
+  template <class Exact>
+  BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d, const Exact& exact) const {
+    ++statistics_.checks;
+    const std::optional<Sign> s = filtered_sign(d);
+    return (s ? *s : exact_sign(d, exact)) != NEGATIVE;
+  }
+  /// returns the exact sign of `Ideal_delaunay_expression`.
+  template <class Exact>
+  Sign delaunay_sign(const Diamond& d, const Exact& exact) const {
+    const std::optional<Sign> s = filtered_sign(d);
+    return s ? *s : exact_sign(d, exact);
+  }
+  /// tells whether an edge can be flipped: always.
+  template <class Exact>
+  static bool is_flippable(const Diamond&, const Exact&) {
+    return true;
+  }
+
+  /// computes a flip. \return the new values, always
+  std::optional<Flipped> compute_flip(const Diamond& d) const {
+    const FT lambda = flipped(values(d));
+    return Flipped{lambda, is_scaled() ? flipped(unscaled_values(d)) : lambda};
+  }
+  /// stores what `compute_flip()` returned for a diamond.
+  void store_flip(const Diamond& d, const Flipped& n) {
+    store(d.ij, n);
+    signs_.forget(edges(d));
+  }
+  /// stores values that a flip has replaced.
+  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
+
+  /// sets the factors of vertices, by row. Call `scale()` for all edges next.
+  void set_factors(std::span<const double> factors) {
+    Base::set_factors(factors);
+    signs_ = {};
+  }
+
+  /// returns the lambda lengths of the edges of the input, in scaled units.
+  const std::vector<double>& input_lambdas() const { return input_lambda_; }
+  /// tells whether the interval of an edge shows nearly all digits.
+  bool is_narrow(std::uint32_t e) const {
+    return lambda(e).sup() - lambda(e).inf() <= 0x1p-41 * lambda(e).inf();
+  }
+  /// makes the interval of an edge as narrow as its strip of input triangles allows.
+  template <class Exact>
+  void sharpen(std::uint32_t e, const Exact& exact) const {
+    ++statistics_.sharpenings[53];
+    const FT better = exact.template lambdas<FT>(std::array{e})[0];
+    const auto [from, to] = exact.rows(e);
+    store(e, {scaled(better, from, to), better});
+  }
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
+
+private:
+  using Edges = std::array<std::uint32_t, 5>;
+  static Edges edges(const Diamond& d) { return {d.ij, d.jk, d.ki, d.im, d.mj}; }
+
+  Exact_ideal_hyperbolic_metric(int scale_exponent, std::vector<double> lengths)
+      : Base(scale_exponent, {lengths.begin(), lengths.end()}), input_lambda_(std::move(lengths)) {}
+
+  static FT flipped(const Ideal_diamond_values<FT>& v) {
+    return (product_with_nonnegative(v.jk, v.im) + product_with_nonnegative(v.ki, v.mj)) / v.ij;
+  }
+
+  // the two terms of `Ideal_delaunay_expression`, faster
+  std::optional<Sign> filtered_sign(const Diamond& d) const {
+    const auto times = [](const FT& a, const FT& b) { return product_with_nonnegative(a, b); };
+    const Ideal_diamond_values<FT> v = values(d);
+    const FT outer =
+        times(times(v.jk, v.im) + times(v.ki, v.mj), times(v.jk, v.mj) + times(v.ki, v.im));
+    const FT inner = times(times(v.ij, v.ij), times(v.jk, v.ki) + times(v.im, v.mj));
+    if (outer.inf() > inner.sup()) return POSITIVE;
+    if (outer.sup() < inner.inf()) return NEGATIVE;
+    return std::nullopt;
+  }
+
+  // not within the loop that flips
+  template <class Exact>
+  BOOST_NOINLINE Sign exact_sign(const Diamond& d, const Exact& exact) const {
+    ++statistics_.filter_failures;
+    if (const auto known = signs_.find(d.ij)) {
+      if (known->sign == ZERO) ++statistics_.certified_zero;
+      return known->sign;
+    }
+    for (const std::uint32_t e : edges(d))
+      if (!is_narrow(e)) sharpen(e, exact);
+    if (const std::optional<Sign> s = filtered_sign(d)) {
+      ++statistics_.escalations[53];
+      return *s;
+    }
+    const Sign s = rational_sign(d, exact);
+    ++(s == ZERO ? statistics_.certified_zero : statistics_.integer);
+    signs_.remember(d.ij, {s, false});
+    return s;
+  }
+
+  template <class Exact>
+  Sign rational_sign(const Diamond& d, const Exact& exact) const {
+    std::array<Gmpq, 5> l = exact.template lambdas<Gmpq>(edges(d));
+    for (std::size_t k = 0; k < l.size(); ++k) {
+      const auto [from, to] = exact.rows(edges(d)[k]);
+      l[k] = scaled(l[k], from, to);
+    }
+    return CGAL::sign(
+        Ideal_delaunay_expression()(Ideal_diamond_values<Gmpq>{l[0], l[1], l[2], l[3], l[4]}));
+  }
+
+  std::vector<double> input_lambda_; // of the edges of the input
+  mutable Remembered_signs signs_;
+  mutable Predicate_statistics statistics_;
+};
+
+/*!
+\brief lets an intrinsic triangulation store an ideal hyperbolic metric and decide exactly.
+\cgalModels{IntrinsicTriangulationTraits}
+*/
+struct Exact_ideal_hyperbolic_traits {
+  /// Number type of the stored values.
+  using FT = Interval_nt<false>;
+  /// Stores the values and decides.
+  using Metric = Exact_ideal_hyperbolic_metric;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_EXACT_IDEAL_HYPERBOLIC_TRAITS_H

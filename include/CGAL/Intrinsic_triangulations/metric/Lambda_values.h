@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_LAMBDA_VALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_LAMBDA_VALUES_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief holds the lambda length that a flip makes.
+\tparam FT a model of `FieldNumber`
+*/
+template <FieldNumber FT>
+struct Flipped_lambda {
+  FT lambda;   ///< the lambda length
+  FT unscaled; ///< without factors of vertices; the same if there are none
+};
+
+/*!
+\brief stores one lambda length per edge, with and without factors of vertices.
+
+A vertex is scaled by moving its horocycle, which multiplies the lambda lengths of its edges by a
+factor. Flips change the lambda lengths without factors, too. So errors do not add up from one
+scaling to the next, and with exact numbers, factors of one restore all values.
+\tparam FT a model of `FieldNumber`
+*/
+template <FieldNumber FT>
+class Lambda_values {
+public:
+  /// constructs no values.
+  Lambda_values() = default;
+  /// takes lambda lengths. \param scale_exponent, lambdas see `scale_exponent()`, `lambda()`
+  Lambda_values(int scale_exponent, std::vector<FT> lambdas)
+      : lambda_(std::move(lambdas)), scale_exponent_(scale_exponent) {}
+
+  /// The new values of a flip.
+  using Flipped = Flipped_lambda<FT>;
+  using Before_flip = Flipped; ///< The old values of a flip.
+  /// returns what a flip of the edge will replace.
+  Before_flip before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
+
+  /// sets the factors of vertices, by row. Call `scale()` for all edges next.
+  void set_factors(std::span<const double> factors) {
+    factors_.assign(factors.begin(), factors.end());
+  }
+  /// multiplies the lambda length of an edge by the factors of its ends, given by row.
+  void scale(std::uint32_t e, std::uint32_t from, std::uint32_t to) {
+    if (unscaled_.empty()) unscaled_ = lambda_;
+    lambda_[e] = scaled(unscaled_[e], from, to);
+  }
+  /// returns the factor of a vertex, by row.
+  double factor(std::uint32_t row) const { return factors_.empty() ? 1 : factors_[row]; }
+
+  /// returns the lambda length of an edge, in scaled units: lengths times 2^scale_exponent().
+  const FT& lambda(std::uint32_t e) const { return lambda_[e]; }
+  /// returns the lambda length of an edge without factors of vertices, in scaled units.
+  const FT& unscaled_lambda(std::uint32_t e) const {
+    return is_scaled() ? unscaled_[e] : lambda_[e];
+  }
+  /// returns a double near the lambda length of an edge, in scaled units.
+  double approximate_lambda(std::uint32_t e) const { return CGAL::to_double(lambda_[e]); }
+  /// returns s, where lengths of the input are scaled by 2^s.
+  int scale_exponent() const { return scale_exponent_; }
+
+protected:
+  /// tells whether factors were ever set.
+  bool is_scaled() const { return !unscaled_.empty(); }
+  /// returns the lambda lengths of a diamond.
+  Ideal_diamond_values<FT> values(const Diamond& d) const { return values(d, lambda_); }
+  /// returns the lambda lengths of a diamond without factors of vertices. \pre `is_scaled()`
+  Ideal_diamond_values<FT> unscaled_values(const Diamond& d) const { return values(d, unscaled_); }
+  /// multiplies a lambda length by the factors of its ends, given by row.
+  template <class Number>
+  Number scaled(const Number& lambda, std::uint32_t from, std::uint32_t to) const {
+    return lambda * (Number(factor(from)) * Number(factor(to)));
+  }
+  /// stores the lambda lengths of an edge; a better enclosure of the same value is no change.
+  void store(std::uint32_t e, const Flipped& n) const {
+    lambda_[e] = n.lambda;
+    if (is_scaled()) unscaled_[e] = n.unscaled;
+  }
+
+private:
+  static Ideal_diamond_values<FT> values(const Diamond& d, const std::vector<FT>& of) {
+    return {of[d.ij], of[d.jk], of[d.ki], of[d.im], of[d.mj]};
+  }
+
+  // mutable: of an exact metric, they are enclosures
+  mutable std::vector<FT> lambda_;
+  mutable std::vector<FT> unscaled_; // empty before the first factors
+  std::vector<double> factors_;      // by row; empty: all one
+  int scale_exponent_ = 0;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_METRIC_LAMBDA_VALUES_H
