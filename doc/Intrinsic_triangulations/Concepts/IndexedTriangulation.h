@@ -16,6 +16,8 @@ whose input names its elements. It has any metric.
 
 | operation | needs |
 |---|---|
+| \itf{edge_crossings}, \itf{weighted_vertices} | `index`, `numbers`, `input` |
+| \itf{common_subdivision}, \itf{ideal_crossing_parameters} with an ideal hyperbolic metric | also `input_vertex` |
 | \itf{delaunay_tessellation} | `index`, `numbers`, `input`; also what \itf{check_delaunay} needs of \ref ::IntrinsicTriangulation |
 
 \cgalHeading{Invariants}

@@ -41,6 +41,17 @@ FT ptolemy_flip(const Ideal_diamond_values<FT>& d) {
 }
 
 /*!
+\brief returns the lambda length from a vertex i to the apex r of a triangle pqr, beyond side pq as
+seen from i: Ptolemy's relation in the ideal quadrilateral i, p, r, q. All terms are positive.
+\param ip, iq from i to the ends of the side
+\param pq, qr, rp the sides of the triangle
+*/
+template <FieldNumber FT>
+FT lambda_at_apex(const FT& ip, const FT& iq, const FT& pq, const FT& qr, const FT& rp) {
+  return (ip * qr + iq * rp) / pq;
+}
+
+/*!
 \brief evaluates to a value that is positive iff the edge is ideal Delaunay, zero iff the four
 corners are on a circle that touches all horocycles alike, negative iff neither.
 

@@ -137,7 +137,7 @@ Edge_crossings follow_all_curves(const Triangulation& t, const Coordinates& coor
 \throws std::length_error if there are more than 2^31 crossings
 \complexity linear in the number of edges and crossings
 */
-template <NumberedTriangulation Triangulation, CurveCoordinates Coordinates>
+template <IndexedTriangulation Triangulation, CurveCoordinates Coordinates>
 Edge_crossings edge_crossings(const Triangulation& t, const Coordinates& coordinates) {
   return internal::follow_all_curves(t, coordinates);
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/ideal_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -78,7 +79,7 @@ private:
   }
 
   void add_crossings() {
-    const Crossing_parameters p = crossing_parameters(t_, coordinates_, crossings_);
+    const Crossing_parameters p = parameters();
     const auto& input = coordinates_.input();
     s_.crossings.resize(crossings_.size());
     for (std::uint32_t e = 0; e + 1 < crossings_.begin.size(); ++e)
@@ -88,6 +89,13 @@ private:
             {x / 2, {user_vertex(input.source(x)), user_vertex(input.target(x))}, p.on_input[i]},
             {e, {row(view_.source(2 * e)), row(view_.target(2 * e))}, p.on_intrinsic[i]}};
       }
+  }
+
+  Crossing_parameters parameters() const {
+    if constexpr (Scales_vertices<typename Triangulation::Metric>)
+      return ideal_crossing_parameters(t_, coordinates_, crossings_);
+    else
+      return crossing_parameters(t_, coordinates_, crossings_);
   }
 
   void reserve() {
@@ -254,6 +262,19 @@ template <QueriedTriangulation Triangulation>
 Common_subdivision common_subdivision(const Triangulation& t) {
   return internal::extract_subdivision(t, internal::queries(t).curves());
 }
+
+/*!
+\brief extracts the common subdivision of a triangulation with an ideal hyperbolic metric and its
+input; see the other overload, and `ideal_crossing_parameters()` for where crossings are.
+\tparam Triangulation a model of `IndexedTriangulation` whose correspondence is by curves
+\throws std::length_error if there are more than 2^31 crossings
+*/
+template <IndexedTriangulation Triangulation>
+  requires internal::Scales_vertices<typename Triangulation::Metric> &&
+      internal::Has_curves<Triangulation>
+          Common_subdivision common_subdivision(const Triangulation& t) {
+    return internal::extract_subdivision(t, t.correspondence());
+  }
 
 /// \cond
 CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(common_subdivision)

@@ -215,7 +215,7 @@ With `position()` it gives the position in space of points from functions such a
 \param t the triangulation
 \param p a point of the input, not of the intrinsic triangulation
 */
-template <NumberedTriangulation Triangulation>
+template <IndexedTriangulation Triangulation>
 Weighted_vertices weighted_vertices(const Triangulation& t, const Surface_point& p) {
   const auto user = [&input = t.input()](std::uint32_t v) { return input.names().row(v); };
   const auto [i, j, k] = sides_of_face(t.input(), p.halfedge);

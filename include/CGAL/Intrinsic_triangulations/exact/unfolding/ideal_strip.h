@@ -5,9 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_UNFOLDING_IDEAL_STRIP_H
 
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
-#include <cstddef>
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -17,12 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief computes lambda lengths from the start of an edge to all points of the strip of input
 triangles through which the edge runs.
 
-In the ideal quadrilateral i, p, r, q with i at the start and pq a side between two triangles of the
-strip, Ptolemy's relation gives
-
-    lambda(i, r) = (lambda(i, p) lambda(q, r) + lambda(i, q) lambda(p, r)) / lambda(p, q).
-
-All terms are positive: after n triangles, the relative error is at most about 4 n roundings, and
+`lambda_at_apex()` steps from triangle to triangle. All terms are positive: after n triangles, the relative error is at most about 4 n roundings, and
 rational values have heights that are linear in n. No flip before has any influence.
 \tparam FT a model of `FieldNumber`
 \tparam Lambda a functor from a side of an input face and a number k to the lambda length of the
@@ -33,7 +30,7 @@ rational values have heights that are linear in n. No flip before has any influe
 \return the lambda length of the edge
 \complexity linear
 */
-template <FieldNumber FT, class Lambda>
+template <FieldNumber FT, std::invocable<const Face_side&, unsigned> Lambda>
 FT lambdas_along_strip(const Unfolded_diamond& strip, const Lambda& lambda, std::vector<FT>& at) {
   using Triangle = Unfolded_diamond::Triangle;
   const auto& first = strip.triangles[0];
@@ -44,7 +41,7 @@ FT lambdas_along_strip(const Unfolded_diamond& strip, const Lambda& lambda, std:
                  : first.point[(k + 1) % 3] == start ? lambda(first.side, k)
                                                      : lambda(first.side, (k + 2) % 3));
   strip.triangles.carry(at, [&](const Triangle& t, const FT& from, const FT& to) {
-    return FT((from * lambda(t.side, 1) + to * lambda(t.side, 2)) / lambda(t.side, 0));
+    return lambda_at_apex<FT>(from, to, lambda(t.side, 0), lambda(t.side, 1), lambda(t.side, 2));
   });
   return at[strip.point(1)];
 }
