@@ -19,8 +19,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief computes lambda lengths from the start of an edge to all points of the strip of input
 triangles through which the edge runs.
 
-`lambda_at_apex()` steps from triangle to triangle. All terms are positive: after n triangles, the relative error is at most about 4 n roundings, and
-rational values have heights that are linear in n. No flip before has any influence.
+`lambda_at_apex()` steps from triangle to triangle. All terms are positive: after n triangles, the
+relative error is at most about 4 n roundings, and rational values have heights that are linear in
+n. No flip before has any influence.
 \tparam FT a model of `FieldNumber`
 \tparam Lambda a functor from a side of an input face and a number k to the lambda length of the
   k-th side from there on, in `FT`
