@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
@@ -16,6 +18,7 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -37,7 +40,7 @@ decides exactly.
 
 Where intervals leave a sign open, the lambda lengths of the diamond are computed anew from where
 its edges run on the input, see `lambdas_along_strip()`: in intervals first, which replace the
-stored ones, then in rational numbers. There are no square roots: the double nearest to a length
+stored ones, then in balls of 106 bits, then in rational numbers. There are no square roots: the double nearest to a length
 defines the lambda length of an input edge, and factors of vertices are doubles.
 
 Stored intervals are a cache, so that predicates are const. There are no locks: not even predicates
@@ -159,21 +162,33 @@ private:
       ++statistics_.escalations[53];
       return *s;
     }
-    const Sign s = rational_sign(d, exact);
+    if (const Uncertain<Sign> s = precise_sign(d, exact); is_certain(s)) {
+      ++statistics_.escalations[106];
+      signs_.remember(d.ij, {s.make_certain(), false});
+      return s.make_certain();
+    }
+    const Sign s = CGAL::sign(value<Gmpq>(d, exact));
     ++(s == ZERO ? statistics_.certified_zero : statistics_.integer);
     signs_.remember(d.ij, {s, false});
     return s;
   }
 
+  // decides what nearly is a tie because input lengths were rounded
   template <class Exact>
-  Sign rational_sign(const Diamond& d, const Exact& exact) const {
-    std::array<Gmpq, 5> l = exact.template lambdas<Gmpq>(edges(d));
+  Uncertain<Sign> precise_sign(const Diamond& d, const Exact& exact) const {
+    const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return value<Ball<Double_double>>(d, exact).sign();
+  }
+
+  // of `Ideal_delaunay_expression`, by strips
+  template <class Number, class Exact>
+  Number value(const Diamond& d, const Exact& exact) const {
+    std::array<Number, 5> l = exact.template lambdas<Number>(edges(d));
     for (std::size_t k = 0; k < l.size(); ++k) {
       const auto [from, to] = exact.rows(edges(d)[k]);
       l[k] = scaled(l[k], from, to);
     }
-    return CGAL::sign(
-        Ideal_delaunay_expression()(Ideal_diamond_values<Gmpq>{l[0], l[1], l[2], l[3], l[4]}));
+    return Ideal_delaunay_expression()(Ideal_diamond_values<Number>{l[0], l[1], l[2], l[3], l[4]});
   }
 
   std::vector<double> input_lambda_; // of the edges of the input
