@@ -73,14 +73,11 @@ Delaunay_check check(Triangulation& t, const Constrained& constrained) {
   return result;
 }
 
-/// Greatest relative error of the areas and weights that are summed.
-constexpr double summand_tolerance = 0x1p-30;
-
 /// returns the cotangent weight of an edge without deciding again whether it is a tie, which costs.
 template <class Triangulation>
 double weight_of(typename Triangulation::Session& session, const Triangulation& t,
                  typename Triangulation::edge_descriptor e, const Delaunay_check& check) {
-  return check.is_tie[t.index(e)] != 0 ? 0 : session.cotangent_weight(e, summand_tolerance);
+  return check.is_tie[t.index(e)] != 0 ? 0 : session.cotangent_weight(e, IT::statistics_tolerance);
 }
 
 /// measures the shapes of faces.
@@ -99,7 +96,7 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
   long double area = 0, trace = 0;
   std::array<long double, 3> dirichlet = {};
   for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    t.area(f, summand_tolerance); // makes what is stored accurate, which does not underflow
+    t.area(f, IT::statistics_tolerance); // makes what is stored accurate, which does not underflow
     area += t.metric().approximate_quadruple_area(t.index(f));
   }
   typename Triangulation::Session session(t);

@@ -43,11 +43,17 @@ struct Quality {
   std::array<std::size_t, 10> weights{};
 };
 
-namespace internal {
+/*!
+\brief greatest relative error of the squared lengths, areas and cotangent weights that statistics
+  are made of.
 
-// Greatest relative error of the squared lengths, areas and weights that statistics are made of.
-// Stored values have it nearly always; a smaller one would take longer than all flips.
+Used by `measure_quality()`, and by the program for sums. Pass it to `area()` and
+`cotangent_weight()` of a triangulation to get such values. Stored values nearly always have this
+accuracy; a smaller tolerance would make statistics take longer than all flips.
+*/
 inline constexpr double statistics_tolerance = 0x1p-30;
+
+namespace internal {
 
 template <class Triangulation>
 void measure_faces(const Triangulation& t, Quality& q) {
@@ -92,7 +98,7 @@ Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
-    const double w = is_tie(e) ? 0 : session.cotangent_weight(e, internal::statistics_tolerance);
+    const double w = is_tie(e) ? 0 : session.cotangent_weight(e, statistics_tolerance);
     q.minimum_weight = std::min(q.minimum_weight, w);
     q.maximum_weight = std::max(q.maximum_weight, w);
     ++q.weights[w < 0 ? 0 : w < 2 ? 1 + static_cast<std::size_t>(4 * w) : 9];
