@@ -42,9 +42,13 @@ inline double doubled_area(const Point& a, const Point& b, const Point& c) {
 }
 
 /// Points of a unit square, its corners first: each splits the triangle that it falls into, then
-/// edges are flipped at random.
-inline meshes::Mesh random_square(unsigned n, std::mt19937& random) {
-  const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
+/// edges are flipped at random. Fewer if there is no place for so many.
+/// \param cells points are those of a lattice of so many cells a side, many on a line; 0: any points
+inline meshes::Mesh random_square(unsigned n, std::mt19937& random, unsigned cells = 0) {
+  const auto uniform = [&]() -> double {
+    if (cells > 0) return (1. + static_cast<double>(random() % (cells - 1))) / cells;
+    return (static_cast<double>(random()) + 0.5) / 0x1p32;
+  };
   meshes::Mesh m;
   m.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   m.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -52,7 +56,7 @@ inline meshes::Mesh random_square(unsigned n, std::mt19937& random) {
     return doubled_area(m.points[a], m.points[b], m.points[c]);
   };
   constexpr double least = 1e-6;
-  while (m.points.size() < n) {
+  for (unsigned tries = 0; m.points.size() < n && tries < 20 * n; ++tries) {
     const auto v = static_cast<std::uint32_t>(m.points.size());
     m.points.push_back({uniform(), uniform(), 0});
     for (std::size_t f = 0, all = m.triangles.size(); f < all; ++f) {
