@@ -143,10 +143,14 @@ void expect_metric(const Triangulation& t, unsigned seed) {
     for (const Vertex v : vertices(t.mesh())) {
       const double d = from[i].distance(v);
       ASSERT_GE(d, meshes::distance(x, position(v)) - error(d));
-      if (!edges.empty()) ASSERT_LE(d, edges[t.input_vertex(v)] + error(d));
+      if (!edges.empty()) {
+        ASSERT_LE(d, edges[t.input_vertex(v)] + error(d));
+      }
       for (std::size_t j = 0; j < places.size(); ++j) {
         const double by_way = distance(i, places[j]) + from[j].distance(v);
-        if (by_way < infinity) ASSERT_LE(d, by_way + error(d));
+        if (by_way < infinity) {
+          ASSERT_LE(d, by_way + error(d));
+        }
       }
     }
   }
