@@ -6,6 +6,7 @@ import ast
 import json
 import math
 import random
+import re
 import struct
 
 from cli_support import Cli_test, grid, icosphere, main
@@ -72,6 +73,18 @@ class Pairs(Distances):
                 self.assertAlmostEqual(x, columns[a][b], delta=1e-12)
                 if method == "exact":
                     self.assertGreaterEqual(x, math.dist(self.points[a], self.points[b]) - 1e-12)
+
+    def test_progress_of_a_batch_is_a_log(self):
+        points, faces = icosphere(4)
+        mesh = self.write_off("fine.off", points, faces)
+        n = 1500  # two seconds on two processors
+        self.write("pairs.txt", "".join(f"{a} 0\n" for a in range(1, n + 1)))
+        run = self.run_program("distance", mesh, "--method", "exact", "--pairs",
+                               self.path("pairs.txt"), "--progress")
+        self.assertEqual(run.code, 0, run.err)
+        steps = re.findall(rf"^\d+\.\d s: solving: (\d+) of {n}$", run.err, re.MULTILINE)
+        self.assertTrue(steps, run.err)
+        self.assertEqual(steps, sorted(steps, key=int))
 
     def test_pairs_of_different_components_are_infinitely_far(self):
         points, faces = grid(2)

@@ -357,9 +357,10 @@ Options about_source(Options options, const std::vector<Asked_curve>& asked) {
 
 template <class Traits>
 Computed solved(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
-                const Solver<Traits>& solve, const Sources& sources) {
-  return naming_file(options.input,
-                     [&] { return solve(loaded.triangulation, sources, input_points(loaded)); });
+                const Solver<Traits>& solve, const Sources& sources, Progress& progress) {
+  return naming_file(options.input, [&] {
+    return solve(loaded.triangulation, sources, input_points(loaded), progress);
+  });
 }
 
 template <class Traits>
@@ -378,7 +379,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Json json = improve_and_measure(loaded, about_source(options, asked), progress);
   Stopwatch watch;
   progress.show("solving");
-  Computed computed = solved(loaded, options, solve, sources);
+  Computed computed = solved(loaded, options, solve, sources, progress);
   if (computed.marks.points.empty() && !sources.empty())
     computed.marks = source_marks(loaded, sources, options.application.sources.size());
   json[computed.command] = computed.json;

@@ -5,6 +5,7 @@
 #define INTRINSIC_APPLICATION_APPLICATION_H
 
 #include "../options.h"
+#include "../support/progress.h"
 #include "Computed.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
@@ -28,10 +29,11 @@ using Solved_triangulation =
 /// Where the vertices of the mesh are, in the order of its file.
 using Points = std::vector<Point>;
 
-/// Solves a problem on it, and may refine it for that.
+/// Solves a problem on it, and may refine it for that. It may show progress, also in
+/// `Computed::write`.
 template <class Traits>
-using Solver =
-    std::function<Computed(Solved_triangulation<Traits>&, const Sources&, const Points&)>;
+using Solver = std::function<Computed(Solved_triangulation<Traits>&, const Sources&, const Points&,
+                                      Progress&)>;
 
 /// loads a mesh, makes its triangulation Delaunay and refines it as options say, solves in the
 /// chosen arithmetic, and writes the results.

@@ -6,6 +6,7 @@
 #include "../status_name.h"
 #include "../support/Number_rows.h"
 #include "../support/Range.h"
+#include "../support/progress.h"
 #include "Column_writer.h"
 #include "application.h"
 #include "vertex_sets.h"
@@ -122,61 +123,87 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   return computed;
 }
 
+// Shows how many parts of a batch are done, which may be a part of a larger one.
+struct Batch_progress {
+  Progress& line;
+  std::size_t before = 0, after = 0; // parts that are not in this batch
+
+  bool progress(std::size_t done, std::size_t all) {
+    line.show("solving",
+              std::to_string(before + done) + " of " + std::to_string(before + all + after));
+    return true;
+  }
+};
+
 // Distances from sources to all vertices, by their rows.
 template <class Triangulation>
 class Distance_columns {
 public:
-  Distance_columns(const Triangulation& t, const Application_options& o) : t_(t), options_(o) {
+  Distance_columns(const Triangulation& t, const Application_options& o, Progress& progress)
+      : t_(t), options_(o), progress_(progress) {
     if (o.distance == "heat") heat_.emplace(t, IT::parameters::time_factor(o.time_factor));
   }
 
-  // Finds a column for each set, one after another. Returns whether all searches arrived.
-  IT::Status find(std::span<const Vertices> sets, std::span<double> out) const {
-    if (heat_) return IT::heat_distances(*heat_, sets, out);
-    return IT::polyhedral_distances(
-        t_, sets, out,
-        IT::parameters::maximum_distance(
-            options_.maximum_distance.value_or(std::numeric_limits<double>::infinity())));
+  // Finds a column for each set, many at a time, and calls a function with its number and it, one
+  // after another. Returns whether all searches arrived.
+  template <class Take>
+  IT::Status for_each(std::span<const Vertices> sets, const Take& take) const {
+    constexpr std::size_t most_numbers = std::size_t{1} << 25; // 256 MiB in memory at a time
+    const std::size_t rows = t_.number_of_vertices();
+    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t step = std::max(most_numbers / rows, threads);
+    std::vector<double> block;
+    IT::Status status = IT::Status::done;
+    for (std::size_t i = 0; i < sets.size(); i += step) {
+      const auto part = sets.subspan(i, std::min(step, sets.size() - i));
+      block.resize(part.size() * rows);
+      const Batch_progress progress{progress_, i, sets.size() - i - part.size()};
+      if (const IT::Status s = find(part, block, progress); s != IT::Status::done) status = s;
+      for (std::size_t k = 0; k < part.size(); ++k)
+        take(i + k, std::span<const double>(block).subspan(k * rows, rows));
+    }
+    return status;
   }
-  std::size_t rows() const { return t_.number_of_vertices(); }
+
   // adds the time of the flow
   void report(Json& json) const {
     if (heat_) json["time"] = heat_->time();
   }
 
 private:
+  IT::Status find(std::span<const Vertices> sets, std::span<double> out,
+                  const Batch_progress& progress) const {
+    if (heat_) return IT::heat_distances(*heat_, sets, out, IT::parameters::visitor(progress));
+    return IT::polyhedral_distances(
+        t_, sets, out,
+        IT::parameters::maximum_distance(
+            options_.maximum_distance.value_or(std::numeric_limits<double>::infinity()))
+            .visitor(progress));
+  }
+
   const Triangulation& t_;
   const Application_options& options_;
+  Progress& progress_;
   std::optional<IT::Heat_distance<Triangulation>> heat_;
 };
 
 // Writes the distances of the vertices of the file, a column for each set of sources.
 template <class Triangulation>
-Computed distance_matrix(const Triangulation& t, const Options& options) {
+Computed distance_matrix(const Triangulation& t, const Options& options, Progress& progress) {
   const std::size_t rows = t.input().number_of_rows();
   const Vertex_sets asked = read_vertex_sets(options.application.source_sets, rows, false);
   Computed computed{"distance", {}, {}};
   computed.json = {{"method", options.application.distance}, {"sets", asked.rows.size()}};
-  computed.write = [&t, &options, rows, sets = vertices_of(t, asked)](std::ostream& out,
-                                                                      Json& json) {
-    constexpr std::size_t most_numbers = std::size_t{1} << 25; // 256 MiB in memory at a time
-    const Distance_columns<Triangulation> columns(t, options.application);
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t step = std::max(most_numbers / columns.rows(), threads);
+  computed.write = [&t, &options, &progress, rows,
+                    sets = vertices_of(t, asked)](std::ostream& out, Json& json) {
+    const Distance_columns<Triangulation> columns(t, options.application, progress);
     Column_writer file(out, options.output, rows, sets.size());
-    std::vector<double> block;
     Range range;
-    IT::Status status = IT::Status::done;
-    for (std::size_t i = 0; i < sets.size(); i += step) {
-      const auto part = std::span(sets).subspan(i, std::min(step, sets.size() - i));
-      block.resize(part.size() * columns.rows());
-      if (const IT::Status s = columns.find(part, block); s != IT::Status::done) status = s;
-      for (std::size_t k = 0; k < part.size(); ++k) {
-        const auto column = std::span(block).subspan(k * columns.rows(), rows);
-        for (const double d : column) range.add(d);
-        file.write(column);
-      }
-    }
+    const IT::Status status =
+        columns.for_each(sets, [&](std::size_t, std::span<const double> column) {
+          for (const double d : column.first(rows)) range.add(d);
+          file.write(column.first(rows));
+        });
     file.finish();
     columns.report(json);
     json["status"] = program::name(status);
@@ -194,18 +221,20 @@ std::vector<double> heat_of_pairs(const Triangulation& t, const Vertices& from, 
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return t.index(from[i]); });
-  std::vector<double> result(from.size()), column(columns.rows());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t i = order[k];
-    const std::vector<Vertices> source{{from[i]}};
-    if (k == 0 || from[i] != from[order[k - 1]]) columns.find(source, column);
-    result[i] = column[t.input_vertex(to[i])];
-  }
+  std::vector<Vertices> sources;
+  for (const std::size_t i : order)
+    if (sources.empty() || from[i] != sources.back().front()) sources.push_back({from[i]});
+  std::vector<double> result(from.size());
+  auto next = order.begin();
+  columns.for_each(sources, [&](std::size_t set, std::span<const double> column) {
+    for (; next != order.end() && from[*next] == sources[set].front(); ++next)
+      result[*next] = column[t.input_vertex(to[*next])];
+  });
   return result;
 }
 
 template <class Triangulation>
-Computed distances_of_pairs(const Triangulation& t, const Options& options) {
+Computed distances_of_pairs(const Triangulation& t, const Options& options, Progress& progress) {
   const Application_options& o = options.application;
   Vertices from, to;
   for (const Vertices& pair :
@@ -213,9 +242,11 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options) {
     from.push_back(pair[0]);
     to.push_back(pair[1]);
   }
-  const Distance_columns<Triangulation> columns(t, o);
+  const Distance_columns<Triangulation> columns(t, o, progress);
   const std::vector<double> distances =
-      o.distance == "exact" ? IT::pair_distances(t, from, to) : heat_of_pairs(t, from, to, columns);
+      o.distance == "exact"
+          ? IT::pair_distances(t, from, to, IT::parameters::visitor(Batch_progress{progress}))
+          : heat_of_pairs(t, from, to, columns);
   const Range range = range_of(distances);
   Computed computed{"distance", {}, {}};
   computed.json = {{"method", o.distance}, {"pairs", from.size()}};
@@ -238,10 +269,11 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options) {
 } // namespace
 
 void run_distance(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources& sources, const Points&) {
+  run_application(options, [&](const auto& t, const Sources& sources, const Points&,
+                               Progress& progress) {
     const Application_options& o = options.application;
-    if (!o.pairs.empty()) return distances_of_pairs(t, options);
-    if (!o.source_sets.empty()) return distance_matrix(t, options);
+    if (!o.pairs.empty()) return distances_of_pairs(t, options, progress);
+    if (!o.source_sets.empty()) return distance_matrix(t, options, progress);
     return o.distance == "exact" ? exact_distances(t, sources, o) : heat_distances(t, sources, o);
   });
 }

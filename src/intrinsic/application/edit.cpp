@@ -37,7 +37,7 @@ Handles read_handles(const Options& options, std::size_t vertices) {
 } // namespace
 
 void run_edit(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&, const Points&) {
+  run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
     const bool is_harmonic = options.application.energy == "harmonic";
     const Handles handles = read_handles(options, t.input().number_of_rows());
     const IT::Surface_deformation deformation(t, handles.rows,

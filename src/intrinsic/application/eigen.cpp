@@ -41,7 +41,7 @@ Computed eigenfunctions(const Eigen::SparseMatrix<double>& laplacian,
 } // namespace
 
 void run_eigen(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&, const Points&) {
+  run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
     return eigenfunctions(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t),
                           options.application.count);
   });

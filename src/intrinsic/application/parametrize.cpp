@@ -105,7 +105,7 @@ Computed map_of_points(const Triangulation& t, const Options& options, const Poi
 } // namespace
 
 void run_parametrize(const Options& options) {
-  run_application(options, [&](auto& t, const Sources&, const Points& points) {
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
     if (t.input().names().sheets > 2) return map_of_points(t, options, points);
     const IT::Injective_map map = map_of(t, options);
     Computed computed{"parametrize", {}, {}};

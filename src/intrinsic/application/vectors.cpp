@@ -346,17 +346,18 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
 } // namespace
 
 void run_transport(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&, const Points& points) {
+  run_application(options, [&](const auto& t, const Sources&, const Points& points, Progress&) {
     return transport(t, options, points);
   });
 }
 void run_logmap(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources& sources, const Points& points) {
+  run_application(options, [&](const auto& t, const Sources& sources, const Points& points,
+                               Progress&) {
     return logarithmic_map(t, sources, options, points);
   });
 }
 void run_field(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources&, const Points& points) {
+  run_application(options, [&](const auto& t, const Sources&, const Points& points, Progress&) {
     return direction_field(t, options, points);
   });
 }
