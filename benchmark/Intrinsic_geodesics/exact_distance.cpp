@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How long do exact distances from one vertex to all take, and how much memory, compared with CGAL's
-// Surface_mesh_shortest_path? Usage: exact_distance [DIRECTORY [REPETITIONS [MODEL...]]] > distance.json
+// Surface_mesh_shortest_path? Usage:
+//   exact_distance [DIRECTORY [REPETITIONS [MODEL...]]] > distance.json
+// How do they grow with the mesh? Usage:
+//   exact_distance growth [DIRECTORY [MAXIMUM_FACES [MAXIMUM_FACES_OF_CGAL]]] > growth.json
 
 #include "measure_models.h"
 
@@ -16,8 +19,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iostream>
+#include <map>
 #include <new>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <malloc.h>
@@ -151,9 +157,53 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
           {"greatest_relative_difference", greatest_difference(ours.values, cgal.values)}};
 }
 
+// A torus of about so many faces, or armadillo with random splits.
+Surface_mesh mesh_of(const std::string& directory, const std::string& name, std::size_t faces) {
+  return name == "torus"
+             ? IT::synthetic::to_surface_mesh<Kernel::Point_3>(IT::synthetic::torus_of_size(faces))
+             : split_armadillo(directory, faces);
+}
+
+// Processor time of one run of each, and its growth. CGAL's memory ends its series earlier.
+nlohmann::json measure_growth(const std::string& directory, double maximum,
+                              double maximum_of_cgal) {
+  nlohmann::json result;
+  std::map<std::string, std::vector<Sample>> times, peaks;
+  for (const std::string name : {"torus", "armadillo"})
+    for (const std::size_t faces : {10000U, 30000U, 100000U, 300000U, 1000000U}) {
+      if (static_cast<double>(faces) > maximum || (name == "armadillo" && faces < 52000)) continue;
+      const Surface_mesh mesh = mesh_of(directory, name, faces);
+      const auto n = static_cast<double>(num_faces(mesh));
+      nlohmann::json row = {{"mesh", name}, {"faces", num_faces(mesh)}};
+      const auto run = [&](const std::string& contender, const auto& distances) {
+        const double start = processor_time();
+        const Distances d = distances();
+        const double time = processor_time() - start;
+        row[contender] = {{"milliseconds", time}, {"peak_mib", d.peak_mib}};
+        times[name + ' ' + contender].push_back({n, time});
+        peaks[name + ' ' + contender].push_back({n, d.peak_mib});
+      };
+      run("ours", [&] { return run_ours(mesh, true); });
+      if (n <= maximum_of_cgal) run("cgal", [&] { return run_cgal(mesh); });
+      std::cerr << row.dump() << '\n';
+      result["sizes"].push_back(row);
+    }
+  for (const auto& [name, samples] : times)
+    if (samples.size() > 1)
+      result["exponent"][name] = {{"time", exponent(samples)}, {"memory", exponent(peaks[name])}};
+  return result;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "growth") {
+    const double maximum = argc > 3 ? std::stod(argv[3]) : 1.1e6;
+    const double maximum_of_cgal = argc > 4 ? std::stod(argv[4]) : 1.5e5;
+    std::cout << measure_growth(mesh_directory(argc - 1, argv + 1), maximum, maximum_of_cgal).dump(2)
+              << '\n';
+    return 0;
+  }
   return measure_models(argc, argv, "exact_distance", 3,
                         {"armadillo", "camel", "refined_elephant", "bunny00", "blade", "man",
                          "fandisk_large", "cylinder_locally_refined", "diplodocus",

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <iostream>
 #include <random>
@@ -40,12 +39,6 @@ struct Cost {
   double network = 0, search = 0, shorten = 0, slowest = 0, trace = 0, undo = 0, tree = 0;
   std::uint64_t queries = 0, flips = 0;
 };
-
-double processor_time() {
-  std::timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
-}
 
 double since(double& last) {
   const double before = last;
