@@ -27,7 +27,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Requires lambda lengths, and factors of vertices that scale them: ideal hyperbolic traits.
 template <class Triangulation>
-concept Has_horocycles = NumberedTriangulation<Triangulation> &&
+concept Has_horocycles = IndexedTriangulation<Triangulation> &&
     requires(Triangulation& t, std::span<const double> factors) {
   t.scale_vertices(factors);
   { t.metric().approximate_lambda(std::uint32_t()) } -> std::same_as<double>;
@@ -57,7 +57,9 @@ public:
 
   std::size_t scale(std::span<const double> factors) override {
     t_.scale_vertices(factors);
-    return flip_to_delaunay(t_).flips;
+    const std::size_t flips = flip_to_delaunay(t_).flips;
+    sharpen();
+    return flips;
   }
 
   void read(std::vector<Ideal_face>& faces_of_now) const override {
@@ -89,6 +91,17 @@ public:
   }
 
 private:
+  // Intervals that many flips have widened get all their digits from the input again.
+  void sharpen() {
+    if constexpr (requires { t_.metric().sharpen(std::uint32_t(), t_.exact_values()); }) {
+      const typename Triangulation::Metric::Scope scope;
+      const auto exact = t_.exact_values();
+      for (const typename Triangulation::edge_descriptor e : edges(t_.mesh()))
+        if (const std::uint32_t i = t_.index(e); !t_.metric().is_narrow(i))
+          t_.metric().sharpen(i, exact);
+    }
+  }
+
   // Calls `visit(vertices, sides)` with the numbers of the corners of each face and of its edges,
   // side k from corner k.
   template <class Visit>

@@ -86,7 +86,7 @@ The surface has no border. `make_domain()` with `Domain_kind::closed` makes the 
 has: two copies, glued along the border. Angles and results go by vertices of the user, so that both
 copies get the same.
 
-\tparam Triangulation a model of `NumberedTriangulation` with the traits
+\tparam Triangulation a model of `IndexedTriangulation` with the traits
   `Ideal_hyperbolic_traits<FT>` or `Exact_ideal_hyperbolic_traits`
 \tparam Parameters a model of `NamedParameters`
 \param t the triangulation. It is scaled by the result and ideal Delaunay afterwards
@@ -100,8 +100,7 @@ copies get the same.
   may be wrong by 16 units in the last place of each angle, which are spread over all vertices
 \complexity a sparse factorization and the flips for each of usually 5 to 8 steps
 */
-template <NumberedTriangulation Triangulation,
-          NamedParameters Parameters = parameters::Parameters<>>
+template <IndexedTriangulation Triangulation, NamedParameters Parameters = parameters::Parameters<>>
   requires internal::Has_horocycles<Triangulation>
       Conformal_metric conformal_metric(Triangulation& t, const Prescribed_angles& angles,
                                         const Parameters& np = parameters::default_values()) {

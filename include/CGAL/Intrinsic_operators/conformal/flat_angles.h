@@ -33,7 +33,7 @@ The scale factor of a free vertex stays 1, so that the map is as isometric there
 \throws Invalid_input if `t` has a border
 \complexity linear
 */
-template <NumberedTriangulation Triangulation>
+template <IndexedTriangulation Triangulation>
   requires internal::Has_horocycles<Triangulation> Prescribed_angles flat_angles(Triangulation& t) {
     return internal::flat_angles(internal::Ideal_surface_of<Triangulation>(t));
   }
@@ -56,7 +56,7 @@ together across cuts by quarter turns: \f$3\pi/2\f$ where u is negative, as at t
   component: a sphere needs at least three, a torus none or two
 \complexity a sparse factorization, and a solution for each cone
 */
-template <NumberedTriangulation Triangulation>
+template <IndexedTriangulation Triangulation>
   requires internal::Has_horocycles<Triangulation>
       Prescribed_angles place_cones(Triangulation& t, std::size_t number) {
     internal::Ideal_surface_of<Triangulation> surface(t);

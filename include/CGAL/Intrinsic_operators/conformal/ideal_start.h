@@ -9,9 +9,23 @@
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// Keeps the numbers of elements, and the user's vertices.
+inline void name_vertices(Intrinsic_input& in, const Input_names& names) {
+  in.may_renumber = false;
+  in.names.vertices = names.vertices;
+  in.names.row_of_vertex = names.row_of_vertex;
+  in.names.sheets = names.sheets;
+}
+
+} // namespace internal
 
 /*!
 \brief makes the input of an ideal hyperbolic triangulation from a Euclidean one, with its edges and
@@ -36,10 +50,24 @@ Intrinsic_input ideal_start(const Triangulation& t) {
                      std::vector<double>(t.numbers().edge_capacity(mesh)), Mollification::none);
   for (const typename Triangulation::edge_descriptor e : edges(mesh))
     in.squared_lengths[t.index(e)] = t.squared_length(e);
-  in.may_renumber = false;
-  in.names.vertices = t.input().names().vertices;
-  in.names.row_of_vertex = t.input().names().row_of_vertex;
-  in.names.sheets = t.input().names().sheets;
+  internal::name_vertices(in, t.input().names());
+  return in;
+}
+
+/*!
+\brief makes the input of an ideal hyperbolic triangulation from a surface before the first move,
+with its own triangles.
+\param surface the surface
+\return an input for `Intrinsic_triangulation` with ideal hyperbolic traits; elements keep their
+  numbers
+\complexity linear
+*/
+inline Intrinsic_input ideal_start(const Input& surface) {
+  Intrinsic_input in(surface.mesh(), std::vector<double>(surface.number_of_edges()),
+                     Mollification::none);
+  for (std::uint32_t e = 0; e < surface.number_of_edges(); ++e)
+    in.squared_lengths[e] = std::ldexp(surface.squared_length(e), -2 * surface.scale_exponent());
+  internal::name_vertices(in, surface.names());
   return in;
 }
 
