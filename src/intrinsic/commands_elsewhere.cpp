@@ -19,6 +19,7 @@ void run_geodesic(const Options& options) { become(applications, options.argumen
 void run_cut(const Options& options) { become(applications, options.arguments); }
 void run_distance(const Options& options) { become(applications, options.arguments); }
 void run_parametrize(const Options& options) { become(applications, options.arguments); }
+void run_uniformize(const Options& options) { become(applications, options.arguments); }
 void run_transport(const Options& options) { become(applications, options.arguments); }
 void run_logmap(const Options& options) { become(applications, options.arguments); }
 void run_field(const Options& options) { become(applications, options.arguments); }

@@ -144,6 +144,13 @@ void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
   });
 }
 
+void add_uniformize(CLI::App& app, Options& options, Command& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "uniformize", "scale the surface at its vertices until the angles there are prescribed ones");
+  program::add_uniformize_options(command, options);
+  command.callback([&chosen] { chosen = program::run_uniformize; });
+}
+
 void add_transport(CLI::App& app, Options& options, Command& chosen) {
   CLI::App& command = *app.add_subcommand(
       "transport", "take tangent vectors from some vertices to all, along shortest paths");
@@ -256,6 +263,7 @@ int run(int argc, char** argv) {
   add_cut(app, options, chosen);
   add_distance(app, options, chosen);
   add_parametrize(app, options, chosen);
+  add_uniformize(app, options, chosen);
   add_transport(app, options, chosen);
   add_logmap(app, options, chosen);
   add_field(app, options, chosen);
@@ -270,7 +278,7 @@ int run(int argc, char** argv) {
       std::cerr << "intrinsic: there is no command \""
                 << program::legible(argv[1], program::longest_argument)
                 << "\"; use delaunay, refine, laplacian, transfer, geodesic, cut, distance, "
-                   "parametrize, transport, logmap, "
+                   "parametrize, uniformize, transport, logmap, "
                    "field, eigen, edit, info or "
                    "study, or --help\n";
       return program::misused;

@@ -434,6 +434,30 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
   make_refinement_options_need(*refine, command);
 }
 
+void add_uniformize_options(CLI::App& command, Options& options) {
+  Uniformize_options& u = options.uniformize;
+  add_common_options(command, options);
+  add_output_option(command, "-o", options.output, {Contents::values, Contents::subdivision});
+  add_view_option(command, options, "the logarithm of the scale");
+  add_metric_option(command, options);
+  CLI::Option* const angles = command.add_option(
+      "--angles", u.angles,
+      "text file: the angle around each vertex on a line of its own, in radians, as a multiple of "
+      "pi (3/2pi), or free; by default 2pi, and free on the border");
+  angles->type_name("FILE");
+  command
+      .add_option("--cones", u.cones,
+                  "how many vertices have other angles, which are chosen; or a text file: the "
+                  "number of such a vertex and its angle on each line")
+      ->excludes(angles)
+      ->type_name("NUMBER|FILE");
+  command
+      .add_option("--start", u.start,
+                  "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
+                  "triangulation, default) or input (those of the mesh)")
+      ->check(CLI::IsMember({"delaunay", "input"}));
+}
+
 void add_distance_options(CLI::App& command, Options& options) {
   Application_options& a = options.application;
   command.get_option("--source")->required(false);

@@ -85,6 +85,13 @@ struct Application_options {
   std::string energy = "biharmonic"; ///< of a deformation
 };
 
+/// Which angles a surface gets, and from which triangles.
+struct Uniformize_options {
+  std::string angles;             ///< file of angles, one per vertex; empty: none
+  std::string cones;              ///< number of cones, or file of them; empty: none
+  std::string start = "delaunay"; ///< `delaunay` or `input`
+};
+
 /// The options on the command line.
 struct Options {
   std::string input;
@@ -127,6 +134,7 @@ struct Options {
   bool is_arithmetic_given = false;
   bool is_mollification_given = false;
   Cut_options cut;
+  Uniformize_options uniformize;
 };
 
 /// tells whether the output is the common subdivision, not the intrinsic triangulation.

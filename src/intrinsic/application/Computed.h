@@ -70,6 +70,7 @@ struct Computed {
   std::function<void(std::ostream&, Json&)> write{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.
   Eigen::MatrixXd displacements{};
+  std::string timed = "solve"; ///< key of the seconds that it took
 };
 
 } // namespace program

@@ -387,7 +387,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
     json["cut"] = {{"edges", loaded.cut.edges},
                    {"length", loaded.cut.length},
                    {"vertices", loaded.cut.original_vertex.size()}};
-  json["seconds"]["solve"] = watch.lap();
+  json["seconds"][computed.timed] = watch.lap();
   Output_files files;
   write_results(loaded, computed, options, json, files, progress, watch);
   finish(json, options, files, watch);

@@ -91,14 +91,18 @@ public:
   }
 
 private:
-  // Intervals that many flips have widened get all their digits from the input again.
+  // Intervals that flips have widened get their digits from the input again: beside needles angles
+  // need nearly all of them.
   void sharpen() {
     if constexpr (requires { t_.metric().sharpen(std::uint32_t(), t_.exact_values()); }) {
+      constexpr double width = 0x1p-48; // relative; four units in the last place at least
       const typename Triangulation::Metric::Scope scope;
       const auto exact = t_.exact_values();
-      for (const typename Triangulation::edge_descriptor e : edges(t_.mesh()))
-        if (const std::uint32_t i = t_.index(e); !t_.metric().is_narrow(i))
-          t_.metric().sharpen(i, exact);
+      for (const typename Triangulation::edge_descriptor e : edges(t_.mesh())) {
+        const std::uint32_t i = t_.index(e);
+        const auto& lambda = t_.metric().lambda(i);
+        if (lambda.sup() - lambda.inf() > width * lambda.inf()) t_.metric().sharpen(i, exact);
+      }
     }
   }
 

@@ -108,11 +108,14 @@ Conformal_metric Conformal_newton::solve() {
     const double part = step();
     ++result.iterations;
     const double now = residual(excess_);
-    // Near the solution a full step that does not help ends at rounding errors.
-    constexpr double near = 1e-6;
-    if (part == 0 || (part == 1 && result.residual < near && now >= result.residual)) {
-      u_ = u;
-      excess_at(u_);
+    // Near the solution a step that does not help much ends at rounding errors.
+    constexpr double near = 1e-8;
+    if (part == 0 || (result.residual < near && now > result.residual / 2)) {
+      if (part == 0 || now >= result.residual) {
+        u_ = u;
+        excess_at(u_);
+      } else
+        result.residual = now;
       result.status = Status::stalled;
       break;
     }
