@@ -98,7 +98,7 @@ Eigen::MatrixX2d coordinates_in(const std::array<std::complex<double>, 2>& basis
   return result;
 }
 
-void rotate(Flat_layout& layout, std::complex<double> by) {
+void turn_layout(Flat_layout& layout, std::complex<double> by) {
   Eigen::Matrix2d rotation;
   rotation << by.real(), -by.imag(), by.imag(), by.real();
   layout.positions = layout.positions * rotation.transpose();
@@ -120,7 +120,7 @@ Flat_torus flat_torus(const Surface_to_cut& s, std::size_t roots) {
   internal::check_flatness(result.layout);
   result.translations = internal::reduced(internal::translations_of(result.layout));
   const std::complex<double> direction = result.translations[0] / std::abs(result.translations[0]);
-  internal::rotate(result.layout, std::conj(direction));
+  internal::turn_layout(result.layout, std::conj(direction));
   for (std::complex<double>& t : result.translations) t *= std::conj(direction);
   result.period = result.translations[1] / result.translations[0];
   result.coordinates = internal::coordinates_in(result.translations, result.layout);

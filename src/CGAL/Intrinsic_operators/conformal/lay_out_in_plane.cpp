@@ -48,7 +48,8 @@ std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, s
                                "finite and satisfy the triangle inequality");
   area = std::sqrt(std::max(area, 0.));
   std::array<std::complex<double>, 3> result;
-  const Plane_sides sides = planar_sides(squares[0], squares[1], squares[2], area);
+  const Plane_sides sides =
+      CGAL::Intrinsic_triangulations::planar_sides(squares[0], squares[1], squares[2], area);
   for (std::size_t k = 0; k < 3; ++k)
     result[k] = {std::ldexp(sides[k].x, e), std::ldexp(sides[k].y, e)};
   return result;
