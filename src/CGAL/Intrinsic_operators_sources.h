@@ -19,6 +19,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/conformal/Sphere_centring.cpp>
 #include <CGAL/Intrinsic_operators/conformal/angle_enclosures.cpp>
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.cpp>
+#include <CGAL/Intrinsic_operators/conformal/conformal_sphere.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_angles.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>

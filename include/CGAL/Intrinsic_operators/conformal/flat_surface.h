@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_SURFACE_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_SURFACE_H
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a surface of Euclidean triangles, for layouts, with its sides named by the triangulation
+that it was made of.
+*/
+struct Flat_surface : Surface_to_cut {
+  /// The side that each halfedge of the triangulation is, by its number; `Gluing::none` on the
+  /// border.
+  std::vector<std::uint32_t> side;
+};
+
+/*!
+\brief takes the lambda lengths of an ideal Delaunay triangulation as lengths of Euclidean
+triangles, for `lay_out_in_plane()` and its relatives.
+
+If `conformal_metric()` has scaled the triangulation, this is the surface with the prescribed
+angles. All triangle inequalities hold in an ideal Delaunay triangulation.
+\tparam Triangulation a model of `IndexedTriangulation` with ideal hyperbolic traits
+\param t the triangulation
+\return the surface, in the units of the input; faces in the order of `faces(t.mesh())`, vertices by
+  number
+\complexity linear
+*/
+template <IndexedTriangulation Triangulation>
+  requires requires(const Triangulation& t) {
+    { t.lambda(typename Triangulation::edge_descriptor()) } -> std::same_as<double>;
+  }
+Flat_surface flat_surface(const Triangulation& t) {
+  Flat_surface s;
+  s.gluing = internal::numbered_gluing(t.mesh(), t.numbers(), s.side);
+  s.length.resize(s.gluing.origin.size());
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
+    const double length = t.lambda(e);
+    for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
+      if (s.side[h] != Gluing::none) s.length[s.side[h]] = length;
+  }
+  return s;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_FLAT_SURFACE_H
