@@ -3,16 +3,21 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/ideal_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
@@ -20,12 +25,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <Eigen/LU>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <random>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -149,6 +159,103 @@ TEST(LayOutSubdivision, laysHalfOfADoubledPolygonOut) {
     EXPECT_EQ(r.layout.subdivision.vertices.size(), n);
     EXPECT_TRUE(IT::certify_map(r.layout).is_injective());
   }
+}
+
+template <class Correspondence>
+using Ideal_triangulation =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic_traits<double>,
+                                Correspondence>;
+
+// A torus that is flat after scaling and Ptolemy's flips.
+struct Flattened {
+  std::vector<double> factors;
+  IT::Common_subdivision subdivision;
+  IT::Ideal_crossing_parameters crossings;
+  IT::Subdivision_layout layout;
+};
+
+Flattened flatten(std::mt19937& random) {
+  std::uniform_real_distribution<double> logarithm(-1, 1);
+  const flat::Surface s = flat::Surface::torus(1, flat::Complex(-0.3, 0.9), 6); // Delaunay
+  Ideal_triangulation<IT::No_correspondence> start(input_of(s));
+  for (int i = 0; i < 60; ++i)
+    start.flip_edge({static_cast<std::uint32_t>(random() % start.mesh().number_of_halfedges())});
+  Flattened r;
+  for (std::uint32_t v = 0; v < s.gluing.number_of_vertices; ++v)
+    r.factors.push_back(std::exp(logarithm(random)));
+  IT::Intrinsic_input in(start.mesh(), std::vector<double>(start.mesh().number_of_edges()));
+  in.mollification = IT::Mollification::none;
+  in.may_renumber = false;
+  for (std::uint32_t e = 0; e < in.squared_lengths.size(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e};
+    const double w = r.factors[in.mesh.source(h).index] * r.factors[in.mesh.target(h).index];
+    in.squared_lengths[e] = std::pow(start.lambda({e}) / w, 2);
+  }
+  Ideal_triangulation<IT::Integer_coordinates> t(in);
+  t.scale_vertices(r.factors);
+  IT::flip_to_delaunay(t);
+  r.subdivision = IT::common_subdivision(t);
+  r.crossings = IT::ideal_crossing_parameters(t, t.correspondence(),
+                                              IT::edge_crossings(t, t.correspondence()));
+  const IT::Flat_surface flat = IT::flat_surface(t);
+  const std::vector<char> is_cut = IT::cut_to_disk(in);
+  IT::Flat_subdivision arrays{r.subdivision, flat, flat.side, is_cut, {}, r.factors, {}};
+  for (const double l : in.squared_lengths) arrays.input_lengths.push_back(std::sqrt(l));
+  r.layout = IT::lay_out_subdivision(arrays);
+  return r;
+}
+
+// Homogeneous coordinates are linear functions of barycentric coordinates on the input. Returns
+// whether the vertices of the face's triangle are different, and it could be checked.
+bool expect_projective(const IT::Subdivision_layout& layout, std::size_t f) {
+  const std::span<const std::uint32_t> corners = layout.subdivision.face(f);
+  std::map<std::uint32_t, Eigen::Index> place;
+  Eigen::Matrix3Xd weights = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(corners.size())),
+                   images = weights;
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const IT::Weighted_vertices on = layout.subdivision.on_input(corners[c]);
+    const auto column = static_cast<Eigen::Index>(c), v = static_cast<Eigen::Index>(corners[c]);
+    for (std::size_t i = 0; i < on.size; ++i) {
+      const Eigen::Index row =
+          place.insert({on.vertices[i], static_cast<Eigen::Index>(place.size())}).first->second;
+      if (row > 2 || (i == 1 && on.vertices[0] == on.vertices[1])) return false;
+      weights(row, column) = on.weights[i];
+    }
+    images.col(column) << layout.positions.row(v).transpose(), 1;
+    images.col(column) *= layout.weights[v];
+  }
+  if (place.size() < 3) return false;
+  const Eigen::Matrix3d map =
+      images * weights.transpose() * (weights * weights.transpose()).inverse();
+  EXPECT_LE((map * weights - images).norm(), 1e-8 * images.norm());
+  return true;
+}
+
+TEST(LayOutSubdivision, interpolatesProjectivelyBetweenIdealTriangulations) {
+  std::size_t checked = 0;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const Flattened r = flatten(random);
+    const IT::Common_subdivision& s = r.layout.subdivision;
+    EXPECT_GT(s.crossings.size(), 0U);
+    ASSERT_EQ(r.layout.weights.size(), r.layout.positions.rows());
+    for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
+      const double weight = r.layout.weights[static_cast<Eigen::Index>(v)];
+      if (v < s.vertices.size())
+        EXPECT_NEAR(weight * std::pow(r.factors[s.vertices[v].intrinsic], 2), 1, 1e-14);
+      else
+        EXPECT_NEAR(
+            weight /
+                r.crossings.weight[r.layout.original_vertex[v] - r.subdivision.vertices.size()],
+            1, 1e-11);
+    }
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+      if (s.face(f).size() > 3 && expect_projective(r.layout, f)) ++checked;
+    EXPECT_TRUE(IT::certify_map(r.layout).is_locally_injective());
+    EXPECT_LE(r.layout.largest_side_error, 1e-9);
+  }
+  EXPECT_GT(checked, 50U);
 }
 
 TEST(LayOutSubdivision, writesTextureCoordinates) {
