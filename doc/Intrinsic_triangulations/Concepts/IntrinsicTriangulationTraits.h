@@ -13,13 +13,15 @@ number type of the stored values, and the metric that stores them and decides.
 Traits of CGAL's planar triangulations have functors on points. This concept has none, since there
 are no points. Operations compute through `Metric`, by the numbers of edges and faces. So the page
 of
-\ref ::IntrinsicMetric says which operation needs which function, and you write only one class: a
+\ref ::IntrinsicMetric, and that of \ref ::EuclideanMetric, say which operation needs which function, and you write only one class: a
 metric.
 
 \cgalHasModel{\itc{Exact_euclidean_traits}\,
 \itc{Euclidean_traits}\,
 \itc{Tolerant_traits}\,
-\itc{Interval_traits}; your own traits: own_traits.cpp among the examples}
+\itc{Interval_traits}\,
+\itc{Exact_ideal_hyperbolic_traits}\,
+\itc{Ideal_hyperbolic_traits}; your own traits: own_traits.cpp among the examples}
 
 \cgalHeading{Types}
 

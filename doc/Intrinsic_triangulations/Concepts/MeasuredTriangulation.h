@@ -10,7 +10,7 @@
 The concept `MeasuredTriangulation` describes a triangulation whose edges and faces have lengths,
 areas and cotangents. Measures of shapes and matrices need these. The concept requires no flips.
 
-\cgalHasModel{\itc{Intrinsic_triangulation}}
+\cgalHasModel{\itc{Intrinsic_triangulation} with traits whose metric is a model of \ref ::EuclideanMetric}
 
 \cgalHeading{Which operation needs what}
 

@@ -40,8 +40,9 @@ decides exactly.
 
 Where intervals leave a sign open, the lambda lengths of the diamond are computed anew from where
 its edges run on the input, see `lambdas_along_strip()`: in intervals first, which replace the
-stored ones, then in balls of 106 bits, then in rational numbers. There are no square roots: the double nearest to a length
-defines the lambda length of an input edge, and factors of vertices are doubles.
+stored ones, then in balls of 106 bits, then in rational numbers. There are no square roots: the
+double nearest to a length defines the lambda length of an input edge, and factors of vertices are
+doubles.
 
 Stored intervals are a cache, so that predicates are const. There are no locks: not even predicates
 of one metric may run in two threads at a time. All members except the constructors and `Scope`
