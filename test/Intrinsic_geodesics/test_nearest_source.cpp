@@ -52,8 +52,9 @@ std::vector<Surface_point> random_points(const Triangulation& t, std::size_t n, 
 
 std::vector<Triangulation> surfaces() {
   std::vector<Triangulation> result;
-  for (const meshes::Mesh& m : {meshes::grid(9, 7), meshes::rough_grid(9, 5), meshes::sphere(2),
-                                meshes::potato(2, 3), meshes::box(3, 2, 4), meshes::stairs(4, 3)})
+  for (const meshes::Mesh& m :
+       {meshes::grid(9, 7), meshes::rough_grid(9, 5), meshes::sphere(2), meshes::potato(2, 3),
+        meshes::box(3, 2, 4), meshes::stairs(4, 3), meshes::sheared_grid(4, 4, 3.7)})
     result.emplace_back(m.input());
   result.emplace_back(gallery::input(gallery::flat_torus(5, 4)));
   result.emplace_back(gallery::input(gallery::tetrahedron()));
@@ -86,6 +87,18 @@ TEST(Nearest_source, is_that_of_searches_from_each_source_alone) {
   for (const Triangulation& t : surfaces()) {
     const auto sources = random_points(t, 7, ++seed);
     expect_nearest_everywhere(Distance(t, sources), sources, seed);
+  }
+}
+
+TEST(Nearest_source, of_many_sources_in_few_faces_is_the_same) {
+  unsigned seed = 200;
+  for (const meshes::Mesh& m : {meshes::grid(1, 1), meshes::sheared_grid(2, 2, 2.3),
+                                meshes::sheared_grid(4, 4, 3.7), meshes::box(1, 1, 1)}) {
+    const Triangulation t(m.input());
+    for (unsigned k = 0; k < 5; ++k) {
+      const auto sources = random_points(t, 12, ++seed);
+      expect_nearest_everywhere(Distance(t, sources), sources, seed);
+    }
   }
 }
 

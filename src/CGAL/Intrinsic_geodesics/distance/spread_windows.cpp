@@ -66,7 +66,8 @@ public:
   // Sources are added before `run()`, vertices first.
   explicit Window_propagation(Distance_field& field);
   void add_source(const Places::Numbered<std::uint32_t>& v);
-  void add_source(const Places::Numbered<Point_in_face>& numbered);
+  void add_source(const Places::Numbered<Point_in_face>& source);
+  void open_source(std::uint32_t source);
   Status run(const Propagation_limits& limits,
              const std::function<bool(std::uint64_t, double)>& progress);
   std::uint64_t number_of_windows() const { return count_; }
@@ -104,6 +105,7 @@ private:
   double find_arrival(std::uint32_t v, std::size_t& index) const;
   void add_window(std::uint32_t side, Window w);
   void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
+  void add_first_window(std::uint32_t side, Window w);
   void part_at_sources(std::uint32_t side, Window& w);
   void look_through(std::uint32_t side);
   void collect_views(std::uint32_t side, const Window_face& face);
@@ -132,26 +134,29 @@ void Window_propagation::add_source(const Places::Numbered<std::uint32_t>& v) {
   reach(v.place, 0, {{0, 0}, Gluing::none, v.place, Arrival::Kind::at_source, v.index});
 }
 
-void Window_propagation::add_source(const Places::Numbered<Point_in_face>& numbered) {
-  const Point_in_face& p = numbered.place;
-  const auto source =
-      static_cast<std::uint32_t>(field_.vertices.size() + field_.face_sources.size());
-  const std::uint32_t face = p.side / 3;
+void Window_propagation::add_source(const Places::Numbered<Point_in_face>& source) {
+  const std::uint32_t face = source.place.side / 3;
   field_.sources_by_face.insert(std::upper_bound(field_.sources_by_face.begin(),
                                                  field_.sources_by_face.end(), face,
                                                  [this](std::uint32_t f, std::uint32_t s) {
                                                    return f < field_.face_sources[s].side / 3;
                                                  }),
                                 static_cast<std::uint32_t>(field_.face_sources.size()));
-  field_.face_sources.push_back(p);
-  field_.origins.push_back(numbered.index);
+  field_.face_sources.push_back(source.place);
+  field_.origins.push_back(source.index);
+}
+
+// Looks from a source in a face, by its number, to all sides.
+void Window_propagation::open_source(std::uint32_t source) {
+  const Point_in_face p = field_.face_sources[source - field_.vertices.size()];
+  const std::uint32_t face = p.side / 3;
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
     const Plane_vector<double> q = field_.turned_to(side, p.point, p.side);
     const Face_corner& c = table_.corners[side];
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
     if (c.opposite == Gluing::none) continue;
-    add_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
+    add_first_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
   }
 }
 
@@ -278,12 +283,12 @@ void Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double 
                       f.base.length);
   };
   const double length = f.base.length;
-  add_window(f.base.opposite, {to >= wedge.angle ? 0 : length - place(to),
-                               from <= 0 ? length : length - place(from),
-                               {length - f.apex.x, -f.apex.y},
-                               field_.vertices[v].distance,
-                               v,
-                               Gluing::none});
+  add_first_window(f.base.opposite, {to >= wedge.angle ? 0 : length - place(to),
+                                     from <= 0 ? length : length - place(from),
+                                     {length - f.apex.x, -f.apex.y},
+                                     field_.vertices[v].distance,
+                                     v,
+                                     Gluing::none});
 }
 
 void Window_propagation::add_window(std::uint32_t side, Window w) {
@@ -303,17 +308,37 @@ void Window_propagation::add_window(std::uint32_t side, Window& w, double at_sou
   if (radius >= 0 && squared <= radius * radius) queue_.push_window(squared, side, w);
 }
 
+// Parts a window by the ray through a point, if that crosses it. Returns whether there is a right
+// part.
+bool part_at(Window& w, Plane_vector<double> p, Window& right) {
+  const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
+  if (!(p.y > w.image.y && cut > w.begin && cut < w.end)) return false;
+  right = w;
+  right.begin = w.end = cut;
+  return true;
+}
+
+// Adds a window whose source is in the face before the side. Other sources in that face part it: as
+// the paths of a window are on both sides of none, so those that reach a corner can cut it off.
+void Window_propagation::add_first_window(std::uint32_t side, Window w) {
+  const std::uint32_t back = table_.corners[side].opposite;
+  Window right;
+  for (const std::uint32_t s : field_.sources_in_face(back / 3)) {
+    const Point_in_face& source = field_.face_sources[s];
+    const Plane_vector<double> p = field_.turned_to(back, source.point, source.side);
+    if (part_at(w, {table_.corners[side].length - p.x, -p.y}, right)) add_first_window(side, right);
+  }
+  add_window(side, w);
+}
+
 // Parts a window by the ray through a source in its face, as a vertex there would do: parts show no
 // source, as they show no vertex.
 void Window_propagation::part_at_sources(std::uint32_t side, Window& w) {
   for (const std::uint32_t s : field_.sources_in_face(side / 3)) {
     const Point_in_face& source = field_.face_sources[s];
-    const Plane_vector<double> p = field_.turned_to(side, source.point, source.side);
-    const double cut = w.image.x - (p.x - w.image.x) * (w.image.y / (p.y - w.image.y));
-    if (!(cut > w.begin && cut < w.end)) continue;
-    Window right = w;
-    right.begin = w.end = cut;
-    add_window(side, right);
+    Window right;
+    if (part_at(w, field_.turned_to(side, source.point, source.side), right))
+      add_window(side, right);
   }
 }
 
@@ -457,7 +482,10 @@ spread_windows(Distance_field& field, const Places& sources, const Propagation_l
                const std::function<bool(std::uint64_t, double)>& progress) {
   Window_propagation propagation(field);
   for (const auto& v : sources.vertices) propagation.add_source(v);
+  auto next = static_cast<std::uint32_t>(field.vertices.size() + field.face_sources.size());
   for (const auto& p : sources.points) propagation.add_source(p);
+  for (; next < field.vertices.size() + field.face_sources.size(); ++next)
+    propagation.open_source(next);
   const Status status = propagation.run(limits, progress);
   return {status, propagation.number_of_windows()};
 }
