@@ -32,6 +32,7 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
+#include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_triangulations.h>
 
 #endif // CGAL_INTRINSIC_GEODESICS_H

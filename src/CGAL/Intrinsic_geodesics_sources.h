@@ -28,6 +28,9 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.cpp>
 #include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree_builder.cpp>
+#include <CGAL/Intrinsic_geodesics/voronoi/Face_divider.cpp>
+#include <CGAL/Intrinsic_geodesics/voronoi/Weighted_site.cpp>
+#include <CGAL/Intrinsic_geodesics/voronoi/cell_boundaries.cpp>
 #include <CGAL/Intrinsic_triangulations_sources.h>
 
 #endif // CGAL_INTRINSIC_GEODESICS_SOURCES_H

@@ -228,12 +228,7 @@ public:
     return result;
   }
 
-private:
-  Polyhedral_distance(const Triangulation& t, internal::Corner_table table)
-      : t_(&t), field_(std::move(table)) {}
-
-  using Halfedge = typename Triangulation::halfedge_descriptor;
-
+  /// \cond
   // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
@@ -244,6 +239,13 @@ private:
     spread_windows(field_, sources_, limits, [](std::uint64_t, double) { return true; });
     return field_;
   }
+  /// \endcond
+
+private:
+  Polyhedral_distance(const Triangulation& t, internal::Corner_table table)
+      : t_(&t), field_(std::move(table)) {}
+
+  using Halfedge = typename Triangulation::halfedge_descriptor;
 
   double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
   double distance_of(const internal::Point_in_face& p) const {

@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_GEODESICS_VORONOI_WEIGHTED_SITE_H
+#define CGAL_INTRINSIC_GEODESICS_VORONOI_WEIGHTED_SITE_H
+
+#include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+/*!
+\file
+Distances in the plane of a face: the least of the distances from weighted points, each seen from a
+wedge only. On a segment, the least of them is found piece by piece.
+*/
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/// A point of the plane.
+using Plane_point = Plane_vector<double>;
+
+/*!
+\brief is the place of a source in the plane of a face, and where paths from it are straight.
+
+The wedge is bounded by two rays from the place; it is all of the plane if they have no direction.
+*/
+struct Weighted_site {
+  Plane_point place;          ///< of the source
+  double weight;              ///< distance of the source from the nearest true one
+  std::uint32_t label;        ///< index of that true one
+  Plane_point to_begin{0, 0}; ///< direction of a ray that has the wedge on its right
+  Plane_point to_end{0, 0};   ///< direction of a ray that has the wedge on its left
+
+  /// returns the distance of a point by way of the source, in the wedge or not.
+  double distance(Plane_point p) const { return weight + std::hypot(p.x - place.x, p.y - place.y); }
+  /// returns how far a point is within the bounds of the wedge, up to factors: not negative inside.
+  Plane_point inside(Plane_point p) const {
+    return {cross(p - place, to_begin), cross(to_end, p - place)};
+  }
+  /// returns whether a point is in the wedge.
+  bool sees(Plane_point p) const {
+    const Plane_point in = inside(p);
+    return in.x >= 0 && in.y >= 0;
+  }
+};
+
+/// returns the sites of a face, in the frame of its first side: what windows show in it, its
+/// corners, and the sources in it. \pre windows are kept
+std::vector<Weighted_site> sites_of_face(const Distance_field& field, std::uint32_t face);
+
+/// returns the sites of a side that has faces on both sides, in its frame: what windows of both
+/// show, and its ends.
+std::vector<Weighted_site> sites_of_edge(const Distance_field& field, std::uint32_t side);
+
+/// returns the least distance of a point from sites that see it, infinity if none does.
+double least_distance(std::span<const Weighted_site> sites, Plane_point p);
+
+/// A part of a segment with one nearest source.
+struct Labelled_piece {
+  double end;          ///< where it ends, from the begin of the segment on
+  std::uint32_t label; ///< the source; `Gluing::none` if there is none
+};
+
+/*!
+\brief finds the parts of a segment with one nearest source each.
+\param sites the sites
+\param from the begin of the segment
+\param to its end
+\param shortest shorter parts, as rounding makes them where sources tie, go to neighbours
+\return the parts in order; neighbours have different labels
+\complexity O(n k) for n sites and k parts with one nearest site
+*/
+std::vector<Labelled_piece> nearest_on_segment(std::span<const Weighted_site> sites,
+                                               Plane_point from, Plane_point to, double shortest);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_GEODESICS_VORONOI_WEIGHTED_SITE_H
