@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How long do distances by heat take on the intrinsic Delaunay triangulation, compared with CGAL's heat method on its own: from the mesh to the distances
-// from one vertex, and the distances from another vertex after that? Which share of the latter is solving with the factors?
+// from one vertex, and the distances from another vertex after that? Which share of the latter is solving with the factors? What does a column of a batch
+// take?
 // Usage: heat_distance [DIRECTORY [REPETITIONS [MODEL...]]] > heat_distance.json
 
 #include "measure_models.h"
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
@@ -32,8 +35,22 @@ using Cgal_heat =
                                                            CGAL::Heat_method_3::Intrinsic_Delaunay>;
 
 struct Times {
-  std::vector<double> all, next, solve; // milliseconds
+  std::vector<double> all, next, solve, column, column_in_threads; // milliseconds
 };
+
+// Of one column of a batch of sources, spread over the vertices.
+double milliseconds_of_column(const IT::Heat_distance<Triangulation>& heat, const Triangulation& t,
+                              std::size_t threads) {
+  constexpr std::size_t columns = 32;
+  const std::vector<Triangulation::vertex_descriptor> all(vertices(t.mesh()).begin(),
+                                                          vertices(t.mesh()).end());
+  std::vector<Triangulation::vertex_descriptor> sources;
+  for (std::size_t i = 0; i < columns; ++i) sources.push_back(all[i * all.size() / columns]);
+  std::vector<double> out(columns * t.number_of_vertices());
+  const Stopwatch watch;
+  IT::heat_distances(heat, sources, std::span(out), IT::parameters::number_of_threads(threads));
+  return watch.milliseconds() / columns;
+}
 
 std::vector<double> run_cgal_heat(const Surface_mesh& mesh, Times& times) {
   Stopwatch watch;
@@ -68,6 +85,8 @@ std::vector<double> run_our_heat(const Surface_mesh& mesh, Times& times) {
   watch = Stopwatch();
   heat.distances(last);
   times.next.push_back(watch.milliseconds());
+  times.column.push_back(milliseconds_of_column(heat, t, 1));
+  times.column_in_threads.push_back(milliseconds_of_column(heat, t, 0));
   // two solutions with a factor of the same pattern
   const Eigen::SparseMatrix<double> l = IT::cotangent_laplacian(t);
   const IT::Laplacian_factorization factored(l, Eigen::VectorXd::Ones(l.rows()));
@@ -96,6 +115,8 @@ nlohmann::json measure(const Surface_mesh& mesh, std::size_t repetitions) {
             {"ours", median(ours.all)},
             {"cgal_next", median(cgal.next)},
             {"ours_next", median(ours.next)},
+            {"column_of_batch", median(ours.column)},
+            {"column_of_batch_in_threads", median(ours.column_in_threads)},
             {"two_solutions", median(ours.solve)}}},
           {"times_faster", median(cgal.all) / median(ours.all)},
           {"times_faster_next", median(cgal.next) / median(ours.next)},
