@@ -5,8 +5,8 @@
 #include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/conformal_sphere.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,17 +72,15 @@ public:
     result_.areas.assign(base_.size(), 0);
     for (const Ideal_face& f : faces_)
       for (const int row : f.rows) result_.areas[static_cast<std::size_t>(row)] += area_of(f) / 3;
+    check_sphere();
     make_round();
-    std::vector<std::uint32_t> degree(base_.size(), 0);
-    for (const Ideal_face& f : faces_)
-      for (const int row : f.rows) ++degree[static_cast<std::size_t>(row)];
-    result_.pole = pole.value_or(
-        static_cast<std::uint32_t>(std::ranges::max_element(degree) - degree.begin()));
+    result_.pole = pole ? *pole : best_pole();
   }
 
   Punctured_sphere run() {
     std::vector<std::uint32_t> fixed = neighbours();
-    while (result_.metric.status == Status::done && result_.rounds < 20 && !result_.is_convex) {
+    // neighbours are right long before rounding ends the iteration
+    while (result_.rounds < 20 && !result_.is_convex && result_.metric.residual < 1e-4) {
       ++result_.rounds;
       normalise(fixed);
       flatten(fixed);
@@ -95,6 +93,36 @@ public:
   }
 
 private:
+  void check_sphere() const {
+    const Ideal_components components = components_of(faces_, base_.size());
+    const auto isolated = std::ranges::count(components.of_row, Gluing::none);
+    const std::size_t corners = base_.size() - static_cast<std::size_t>(isolated);
+    if (components.faces.size() != 1 || 2 * corners != faces_.size() + 4)
+      throw Invalid_input(Element_kind::none, 0,
+                          "only a connected closed surface of genus 0 is a sphere, but there are "
+                          "more components, or handles, or two sheets; take components one by one, "
+                          "and lay surfaces with handles or a border out in the plane");
+  }
+
+  // The row with the most neighbours, if these are different.
+  std::uint32_t best_pole() const {
+    std::vector<std::vector<int>> around(base_.size());
+    for (const Ideal_face& f : faces_)
+      for (std::size_t k = 0; k < 3; ++k)
+        around[static_cast<std::size_t>(f.rows[k])].push_back(f.rows[(k + 1) % 3]);
+    std::size_t best = 0, most = 0;
+    for (std::size_t v = 0; v < around.size(); ++v) {
+      std::vector<int>& rows = around[v];
+      std::ranges::sort(rows);
+      if (rows.size() > most && std::ranges::find(rows, static_cast<int>(v)) == rows.end() &&
+          std::ranges::adjacent_find(rows) == rows.end() && rows.size() + 2 < faces_.size()) {
+        best = v;
+        most = rows.size();
+      }
+    }
+    return static_cast<std::uint32_t>(best);
+  }
+
   // Gives all vertices the same curvature: then neighbours of the pole are nearly the right ones,
   // whatever the lambda lengths are scaled by.
   void make_round() {
@@ -102,7 +130,7 @@ private:
     Prescribed_angles angles(base_.size());
     for (std::size_t v = 0; v < base_.size(); ++v)
       angles.set(v, Multiple_of_pi{2 * corners - 4, corners});
-    solve(angles);
+    solve(angles, 1e-6);
   }
 
   // The rows of neighbours of the pole, each once, in ascending order.
@@ -153,12 +181,13 @@ private:
     Prescribed_angles angles(base_.size());
     angles.set_free(result_.pole);
     for (const std::uint32_t v : fixed) angles.set_free(v);
-    solve(angles);
+    solve(angles, Conformal_options().tolerance);
   }
 
-  void solve(const Prescribed_angles& angles) {
+  void solve(const Prescribed_angles& angles, double tolerance) {
     Rescaled_surface rescaled(surface_, base_);
     Conformal_options options;
+    options.tolerance = tolerance;
     options.progress = [](const Conformal_progress&) { return true; };
     const std::size_t flips = result_.metric.flips;
     const unsigned iterations = result_.metric.iterations;
