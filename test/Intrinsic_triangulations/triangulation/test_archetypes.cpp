@@ -358,7 +358,8 @@ TEST(Archetypes, directions_are_enough_to_trace_edges_and_to_find_integers) {
 TEST(Archetypes, curve_coordinates_and_complexes_are_enough_for_what_follows_curves_and_geodesics) {
   archetypes::Wrapped all = refined(icosahedron());
   const archetypes::Curves curves(all.correspondence());
-  const IT::Edge_crossings crossings = IT::edge_crossings(all, curves);
+  const archetypes::Indexed_triangulation indexed(all);
+  const IT::Edge_crossings crossings = IT::edge_crossings(indexed, curves);
   EXPECT_EQ(crossings.begin, IT::edge_crossings(all, all.correspondence()).begin);
   const IT::Crossing_parameters places = IT::crossing_parameters(all, curves, crossings);
   EXPECT_EQ(places.on_intrinsic,
