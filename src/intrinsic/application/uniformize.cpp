@@ -82,8 +82,9 @@ void run_uniformize(const Options& given) {
   Options options = given;
   // the double of a surface with border
   if (options.domain == "auto" && !is_triangulation_file(options.input)) options.domain = "closed";
-  run_application(options,
-                  [&](auto& t, const Sources&, const Points&) { return uniformized(t, options); });
+  run_application(options, [&](auto& t, const Sources&, const Points&, Progress&) {
+    return uniformized(t, options);
+  });
 }
 
 } // namespace program
