@@ -32,7 +32,8 @@ struct Conformal_sphere {
   unsigned rounds = 0;
   /// Whether the neighbours of the pole are corners of a convex polygon in the plane, so that the
   /// points on the sphere are the corners of a convex polyhedron, with the edges of the
-  /// triangulation. Else the number of rounds was limited.
+  /// triangulation. Else the number of rounds was limited, or a round found no metric and was
+  /// undone.
   bool is_convex = false;
 };
 

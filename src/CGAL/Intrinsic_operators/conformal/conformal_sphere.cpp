@@ -81,9 +81,11 @@ public:
     std::vector<std::uint32_t> fixed = neighbours();
     // neighbours are right long before rounding ends the iteration
     while (result_.rounds < 20 && !result_.is_convex && result_.metric.residual < 1e-4) {
+      const Punctured_sphere before = result_;
       ++result_.rounds;
       normalise(fixed);
       flatten(fixed);
+      if (result_.rounds > 1 && !(result_.metric.residual < 1e-4)) return restored(before);
       std::vector<std::uint32_t> now = neighbours();
       remove_reflex(now);
       result_.is_convex = now == fixed;
@@ -93,6 +95,12 @@ public:
   }
 
 private:
+  // A round that found no metric is undone: the map before is one, though it is not convex.
+  Punctured_sphere restored(const Punctured_sphere& before) {
+    surface_.scale(before.metric.scale_factors);
+    return before;
+  }
+
   void check_sphere() const {
     const Ideal_components components = components_of(faces_, base_.size());
     const auto isolated = std::ranges::count(components.of_row, Gluing::none);
