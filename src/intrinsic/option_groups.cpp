@@ -49,6 +49,7 @@ std::vector<std::string> outputs(const Options& o) {
   std::vector<std::string> names{o.output,
                                  o.application.singularities,
                                  o.application.isolines,
+                                 o.application.voronoi,
                                  o.mass,
                                  o.laplacian,
                                  o.interpolation,
@@ -500,6 +501,12 @@ void add_distance_options(CLI::App& command, Options& options) {
                   "separated by commas; a whole number alone is how many")
       ->check(level_list())
       ->needs(isolines);
+  command
+      .add_option(
+          "--voronoi", a.voronoi,
+          "with --method exact: write the lines between the cells of the nearest source to " +
+              extensions_of(Contents::curves))
+      ->check(file_of({Contents::curves}));
 }
 
 namespace {
@@ -514,6 +521,8 @@ std::string batch_misuse(const Options& o) {
            "--targets, --curve and --signed";
   if (o.adaptive.is_asked_for)
     return "--adaptive refines about one point; give it with --source, or another criterion";
+  if (!a.voronoi.empty())
+    return "--voronoi divides the surface among sources; give them with --source";
   if (!o.view.empty() || !a.isolines.empty())
     return "a page and isolines show one function; for one set give --source, not --pairs or "
            "--sources";
@@ -535,6 +544,10 @@ std::string distance_misuse(const Options& o) {
            "with --pairs or --sources";
   if (has_batch(a))
     if (const std::string misuse = batch_misuse(o); !misuse.empty()) return misuse;
+  if (!a.voronoi.empty() &&
+      (a.distance != "exact" || !a.targets.empty() || a.maximum_distance.has_value()))
+    return "cells need exact distances everywhere; give --voronoi with --method exact, without "
+           "--targets and --max-distance";
   if (!has_batch(a) && !o.output.empty() && is_file_of(Contents::full_matrix, o.output))
     return o.output +
            ": a matrix has a column for each set of sources; give them with --sources, "

@@ -70,6 +70,7 @@ struct Application_options {
   std::string source_sets;        ///< file of vertices that are sources together; empty: none
   std::string isolines;           ///< file of lines of equal distance; empty: none
   std::string levels = "10";      ///< how many, or which, separated by commas
+  std::string voronoi;            ///< file of the lines between cells of sources; empty: none
   std::string on = "subdivision"; ///< `input`, `intrinsic` or `subdivision`
   double time_factor = 1;         ///< of the time step that a method chooses
   std::size_t count = 10;         ///< of eigenpairs

@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,9 @@ struct Computed {
   Marks marks{};
   /// Values of the first function at which isolines are written.
   std::vector<double> levels{};
+  /// Makes the lines between cells from the places of the vertices of the mesh; none: no cells.
+  std::function<std::vector<IT::Polyline>(const std::vector<std::array<double, 3>>&)>
+      cell_boundaries{};
   /// Computes and writes what has no value per vertex, and reports it; none: all has.
   std::function<void(std::ostream&, Json&)> write{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.

@@ -313,6 +313,14 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
   if (!options.application.isolines.empty())
     files.write(options.application.isolines,
                 [&](std::ostream& out) { write_isolines(out, loaded, computed, options, json); });
+  if (computed.cell_boundaries) {
+    expect_points(loaded, options);
+    const std::string& name = options.application.voronoi;
+    files.write(name, [&](std::ostream& out) {
+      IT::write_polylines(out, std::filesystem::path(name).extension().string(),
+                          computed.cell_boundaries(input_points(loaded)), "boundary");
+    });
+  }
   if (computed.write && !options.output.empty()) {
     watch.lap();
     files.write(options.output,

@@ -14,12 +14,15 @@
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
+#include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -103,6 +106,31 @@ Computed heat_distances(const Triangulation& t, const Sources& sources,
                    heat.time());
 }
 
+// Divides the surface among the sources.
+template <class Triangulation>
+void add_cells(const IT::Polyhedral_distance<Triangulation>& search, Computed& computed) {
+  const Triangulation& t = search.triangulation();
+  IT::Voronoi_cells cells = IT::voronoi_cells(search);
+  std::vector<std::size_t> sizes(search.number_of_sources());
+  Function nearest{"nearest_source", computed.functions.front().values};
+  for (const auto v : vertices(t.mesh())) {
+    const std::uint32_t source = search.nearest_source(v);
+    const bool is_reached = source != IT::Gluing::none;
+    nearest.values[t.input_vertex(v)] = is_reached ? double(source) : -1;
+    if (is_reached) ++sizes[source];
+  }
+  computed.functions.push_back(std::move(nearest));
+  computed.json["cells"] = {{"vertices", sizes},
+                            {"areas", cells.areas},
+                            {"boundaries", cells.boundaries.size()},
+                            {"junctions", cells.junctions.size()},
+                            {"status", program::name(cells.status)}};
+  computed.cell_boundaries =
+      [&t, cells = std::move(cells)](const std::vector<std::array<double, 3>>& points) {
+        return IT::polylines(t, cells, points);
+      };
+}
+
 template <class Triangulation>
 Computed exact_distances(const Triangulation& t, const Sources& sources,
                          const Application_options& o) {
@@ -120,6 +148,7 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   computed.json["status"] = program::name(search.status());
   computed.json["reached"] = finite_or_null(search.reached_distance());
   computed.json["targets"] = std::move(to_targets);
+  if (!o.voronoi.empty()) add_cells(search, computed);
   return computed;
 }
 

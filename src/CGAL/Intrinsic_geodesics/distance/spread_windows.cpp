@@ -318,8 +318,8 @@ bool part_at(Window& w, Plane_vector<double> p, Window& right) {
   return true;
 }
 
-// Adds a window whose source is in the face before the side. Other sources in that face part it: as
-// the paths of a window are on both sides of none, so those that reach a corner can cut it off.
+// Adds a window whose source is in the face before the side. Other sources in that face part it:
+// paths that pass behind one do not cross those of the nearest window, which would cut them off.
 void Window_propagation::add_first_window(std::uint32_t side, Window w) {
   const std::uint32_t back = table_.corners[side].opposite;
   Window right;
