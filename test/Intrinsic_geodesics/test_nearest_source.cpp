@@ -145,6 +145,25 @@ TEST(Nearest_source, is_none_beyond_the_reach_of_the_search) {
   }
 }
 
+TEST(Nearest_source, searches_after_others_find_what_a_new_object_finds) {
+  for (const Triangulation& t : surfaces()) {
+    const auto sources = random_points(t, 12, 11);
+    Distance used(t);
+    for (std::size_t i = 0; i + 2 < sources.size(); ++i) {
+      const Surface_point &p = sources[i], &q = sources[i + 1], &r = sources[i + 2];
+      used.search(p, parameters::targets(q)); // cut short, with windows in the queue
+      used.search(r, parameters::maximum_number(i + 1));
+      used.search(p);
+      used.add_source(q);
+      Distance fresh(t, p);
+      fresh.add_source(q);
+      EXPECT_EQ(used.distances(), fresh.distances());
+      EXPECT_EQ(used.number_of_windows(), fresh.number_of_windows());
+      EXPECT_EQ(used.distance(r), fresh.distance(r));
+    }
+  }
+}
+
 // ---- farthest points
 
 TEST(Farthest_points, are_those_of_a_search_from_all_before) {

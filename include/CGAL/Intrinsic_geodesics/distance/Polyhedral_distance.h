@@ -77,8 +77,9 @@ public:
     - `visitor(v)`: see `Polyhedral_distance_visitor`
   \pre points are in faces, and their weights are not negative
   \complexity O(n^2 log n) for n faces that shortest paths cross once, as they do in space (Chen and
-    Han; Xin and Wang); about n^1.5 in practice. Memory: 56 bytes per halfedge, and 40 per vertex;
-    targets in faces add the windows, 32 bytes for each of 6 to 12 per halfedge
+    Han; Xin and Wang); about n^1.5 in practice. Memory: about 68 bytes per halfedge, and 46 per
+    vertex, kept for further searches; targets in faces add the windows, 32 bytes for each of 6 to
+    12 per halfedge
   */
   template <class Sources, NamedParameters NP = parameters::Parameters<>>
   Polyhedral_distance(const Triangulation& t, const Sources& sources,
@@ -118,8 +119,8 @@ public:
     auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
     auto& observed = internal::unwrapped(stored_visitor);
     std::tie(status_, number_of_windows_) =
-        spread_windows(field_, sources_, limits, [&](std::uint64_t windows, double distance) {
-          return observed.progress(windows, distance * field_.table.unit);
+        spread_windows(field_, sources_, limits, memory_, [&](std::uint64_t windows, double d) {
+          return observed.progress(windows, d * field_.table.unit);
         });
     return status_;
   }
@@ -130,8 +131,7 @@ public:
   \param source the source; its index is the number of sources before
   \return `status()`
   \pre the search before, if there was one, is done; the new one goes as far as it went
-  \complexity that of a search of the places that are nearer to the new source, and linear in the
-    number of faces
+  \complexity that of a search of the places that are nearer to the new source
   */
   template <class Source>
   Status add_source(const Source& source) {
@@ -144,7 +144,7 @@ public:
     });
     field_.windows = {};
     const auto go_on = [](std::uint64_t, double) { return true; };
-    std::tie(status_, number_of_windows_) = spread_windows(field_, added, limits, go_on);
+    std::tie(status_, number_of_windows_) = spread_windows(field_, added, limits, memory_, go_on);
     return status_;
   }
 
@@ -158,7 +158,7 @@ public:
   /// returns the number of windows to look through at most, if none is given.
   std::uint64_t default_cap() const { return field_.default_cap(); }
   /// returns the number of bytes held, but for those of constant number.
-  std::size_t bytes() const { return field_.bytes(); }
+  std::size_t bytes() const { return field_.bytes() + memory_.bytes(); }
 
   /// returns the distance of a vertex, in the units of the input; infinity if the search did not
   /// reach it.
@@ -236,7 +236,8 @@ public:
     limits.radius = field_.radius;
     field_.clear();
     field_.windows.keep(field_.table.corners.size());
-    spread_windows(field_, sources_, limits, [](std::uint64_t, double) { return true; });
+    const auto go_on = [](std::uint64_t, double) { return true; };
+    spread_windows(field_, sources_, limits, memory_, go_on);
     return field_;
   }
   /// \endcond
@@ -325,6 +326,7 @@ private:
   const Triangulation* t_;
   internal::Places sources_;
   mutable internal::Distance_field field_;
+  mutable internal::Propagation_memory memory_;
   Status status_ = Status::done;
   std::uint64_t number_of_windows_ = 0;
 };

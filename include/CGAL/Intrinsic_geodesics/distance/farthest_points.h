@@ -39,7 +39,8 @@ the triangulation comes first.
   If it ends at a distance, farther vertices count as infinitely far
 \param count number of vertices to find; there are fewer if all vertices are sources
 \return the vertices and the radius that they cover
-\complexity that of `Polyhedral_distance::add_source()` for each
+\complexity that of `Polyhedral_distance::add_source()` for each, and linear in the number of
+  vertices, which is a twelfth of it for 900 of 26,000
 */
 template <NumberedTriangulation Triangulation>
 Farthest_points<Triangulation> farthest_points(Polyhedral_distance<Triangulation>& distance,

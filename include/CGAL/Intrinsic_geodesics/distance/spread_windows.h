@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -46,18 +48,40 @@ struct Propagation_limits {
   Places targets; ///< if there are any, it stops once their distances are known
 };
 
+/// Memory of a propagation that the next one takes over, so that one that changes little costs
+/// little. For surfaces with as many faces and vertices as the first one.
+class Propagation_memory {
+public:
+  struct Arrays; ///< in the sources
+
+  Propagation_memory();
+  ~Propagation_memory();
+  Propagation_memory(Propagation_memory&&) noexcept;
+  Propagation_memory& operator=(Propagation_memory&&) noexcept;
+
+  /// returns the arrays, as at the start of a propagation.
+  Arrays& cleared(const Distance_field& field);
+  /// returns the number of bytes held.
+  std::size_t bytes() const;
+
+private:
+  std::unique_ptr<Arrays> arrays_; // null before the first propagation
+};
+
 /*!
 \brief spreads windows from sources over the surface of a field.
 \param field the surface; distances and windows are written there. Where it has distances already,
   as from other sources, windows go on only where they are nearer
 \param sources where the distance is 0
 \param limits when to stop
+\param memory what propagations on this surface left
 \param progress is called now and then, with the number of windows and the distance reached, and
   returns whether to go on
 \return `done`, `cap` or `cancelled`, and the number of windows
 */
 std::pair<Status, std::uint64_t>
 spread_windows(Distance_field& field, const Places& sources, const Propagation_limits& limits,
+               Propagation_memory& memory,
                const std::function<bool(std::uint64_t, double)>& progress);
 
 } // namespace CGAL::Intrinsic_triangulations::internal

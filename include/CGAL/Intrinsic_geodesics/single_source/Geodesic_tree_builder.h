@@ -92,7 +92,8 @@ public:
     limits.windows = field.default_cap();
     const Status s = session_.suspended([&] {
       const auto progress = [&](std::uint64_t, double) { return go_on(result_); };
-      return spread_windows(field, {{{root, 0}}, {}}, limits, progress).first;
+      Propagation_memory memory;
+      return spread_windows(field, {{{root, 0}}, {}}, limits, memory, progress).first;
     });
     if (s == Status::cancelled) result_.status = s;
     branches_[root].length = 0;

@@ -27,6 +27,19 @@ public:
   /// has no windows yet.
   explicit Window_queue(std::size_t sides) : sides_(sides) {}
 
+  /// takes everything off. \complexity linear in what is left
+  void clear() {
+    for (const Entry& e : heap_)
+      if (!e.is_vertex) sides_[e.element] = {};
+    heap_.clear();
+    pool_.clear();
+    free_ = Gluing::none;
+  }
+  /// returns the number of bytes held.
+  std::size_t bytes() const {
+    return heap_.capacity() * sizeof(Entry) + sides_.capacity() * sizeof(Waiting) +
+           pool_.capacity() * sizeof(Window);
+  }
   /// returns the least distance in the queue, infinity if it is empty.
   double least() const {
     return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().key;

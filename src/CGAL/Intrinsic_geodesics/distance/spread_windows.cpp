@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_geodesics/distance/Changing_values.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window_queue.h>
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -60,11 +62,50 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
+// The nearest window of a side that shows the far corner.
+struct Split {
+  double distance = std::numeric_limits<double>::infinity();
+  double crossing =
+      std::numeric_limits<double>::infinity(); // of its line to the corner and the side
+  bool operator==(const Split&) const = default;
+};
+
+} // namespace
+
+struct Propagation_memory::Arrays {
+  explicit Arrays(const Distance_field& field)
+      : queue(field.table.corners.size()), split(field.table.corners.size()),
+        is_final(field.vertices.size()) {}
+
+  Window_queue queue;
+  Changing_values<Split> split;   // per side
+  Changing_values<char> is_final; // per vertex
+};
+
+Propagation_memory::Propagation_memory() = default;
+Propagation_memory::~Propagation_memory() = default;
+Propagation_memory::Propagation_memory(Propagation_memory&&) noexcept = default;
+Propagation_memory& Propagation_memory::operator=(Propagation_memory&&) noexcept = default;
+
+Propagation_memory::Arrays& Propagation_memory::cleared(const Distance_field& field) {
+  if (!arrays_) arrays_ = std::make_unique<Arrays>(field);
+  arrays_->queue.clear();
+  arrays_->split.reset();
+  arrays_->is_final.reset();
+  return *arrays_;
+}
+
+std::size_t Propagation_memory::bytes() const {
+  return arrays_ ? arrays_->queue.bytes() + arrays_->split.bytes() + arrays_->is_final.bytes() : 0;
+}
+
+namespace {
+
 // Spreads windows from the sources of a field over the surface.
 class Window_propagation {
 public:
   // Sources are added before `run()`, vertices first.
-  explicit Window_propagation(Distance_field& field);
+  Window_propagation(Distance_field& field, Propagation_memory::Arrays& memory);
   void add_source(const Places::Numbered<std::uint32_t>& v);
   void add_source(const Places::Numbered<Point_in_face>& source);
   void open_source(std::uint32_t source);
@@ -73,12 +114,6 @@ public:
   std::uint64_t number_of_windows() const { return count_; }
 
 private:
-  // The nearest window of a side that shows the far corner.
-  struct Split {
-    double distance = std::numeric_limits<double>::infinity();
-    double crossing =
-        std::numeric_limits<double>::infinity(); // of its line to the corner and the side
-  };
   // A face around a vertex, and what of its angle is meant.
   struct Wedge {
     std::uint32_t corner;
@@ -116,19 +151,19 @@ private:
 
   Distance_field& field_;
   const Corner_table& table_;
-  Window_queue queue_;
-  std::vector<Split> split_;   // per side
-  std::vector<char> is_final_; // per vertex
-  std::vector<Wedge> fan_;     // of the vertex that is dealt with
-  std::vector<View> views_;    // of the side that is dealt with
+  Window_queue& queue_;
+  Changing_values<Split>& split_;
+  Changing_values<char>& is_final_;
+  std::vector<Wedge> fan_;  // of the vertex that is dealt with
+  std::vector<View> views_; // of the side that is dealt with
   double radius_ = std::numeric_limits<double>::infinity();
   std::uint64_t count_ = 0;
   std::uint64_t most_windows_ = std::numeric_limits<std::uint64_t>::max();
 };
 
-Window_propagation::Window_propagation(Distance_field& field)
-    : field_(field), table_(field.table), queue_(field.table.corners.size()),
-      split_(field.table.corners.size()), is_final_(field.vertices.size(), 0) {}
+Window_propagation::Window_propagation(Distance_field& field, Propagation_memory::Arrays& memory)
+    : field_(field), table_(field.table), queue_(memory.queue), split_(memory.split),
+      is_final_(memory.is_final) {}
 
 void Window_propagation::add_source(const Places::Numbered<std::uint32_t>& v) {
   reach(v.place, 0, {{0, 0}, Gluing::none, v.place, Arrival::Kind::at_source, v.index});
@@ -173,7 +208,7 @@ void Window_propagation::reach(std::uint32_t v, double distance, const Arrival& 
 // A vertex has its distance. Paths go on along edges: others are shorter unless the vertex is a
 // source, but these bound them early, and reach what windows miss by more than they are tolerant.
 void Window_propagation::finish(std::uint32_t v) {
-  is_final_[v] = 1;
+  is_final_.set(v, 1);
   const bool is_source = field_.vertices[v].arrival.kind == Arrival::Kind::at_source;
   if (table_.first_corner[v] == Gluing::none) return;
   if (!table_.next_copy.empty()) reach_copies(v);
@@ -382,7 +417,7 @@ void Window_propagation::collect_views(std::uint32_t side, const Window_face& fa
 // near.
 const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side,
                                                               const Window_face& face) {
-  Split& nearest = split_[side];
+  Split nearest = split_[side];
   const View* result = nullptr;
   for (const View& view : views_) {
     if (!view.apex.is_seen()) continue;
@@ -393,6 +428,7 @@ const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side
     result = &view;
   }
   if (result != nullptr) {
+    split_.set(side, nearest);
     const Window& w = queue_.window(result->window);
     reach(face.left.origin, nearest.distance, {w.image, side, w.source, Arrival::Kind::straight});
   }
@@ -479,8 +515,9 @@ Status Window_propagation::run(const Propagation_limits& limits,
 
 std::pair<Status, std::uint64_t>
 spread_windows(Distance_field& field, const Places& sources, const Propagation_limits& limits,
+               Propagation_memory& memory,
                const std::function<bool(std::uint64_t, double)>& progress) {
-  Window_propagation propagation(field);
+  Window_propagation propagation(field, memory.cleared(field));
   for (const auto& v : sources.vertices) propagation.add_source(v);
   auto next = static_cast<std::uint32_t>(field.vertices.size() + field.face_sources.size());
   for (const auto& p : sources.points) propagation.add_source(p);
