@@ -103,6 +103,13 @@ TEST(ConformalSphere, doesNotDependOnScaleFactors) {
   }
 }
 
+TEST(ConformalSphere, leavesIsolatedVerticesOut) {
+  Polyhedron p = polyhedra::octahedron();
+  p.points.push_back({3, 3, 3});
+  Triangulation t = triangulation_of(p, std::vector<double>(p.points.size(), 1));
+  expect_found(IT::conformal_sphere(t));
+}
+
 TEST(ConformalSphere, refusesPolesThatDoNotExist) {
   Triangulation t = triangulation_of(polyhedra::octahedron(), std::vector<double>(6, 1));
   EXPECT_THROW(IT::conformal_sphere(t, 6), IT::Invalid_input);

@@ -29,6 +29,10 @@ struct Enclosed_ideal_face {
   std::array<Interval_nt<false>, 3> lambda;
 };
 
+// Whether all factors are positive and finite, and so are products of two lambda lengths of flips,
+// each with two factors.
+bool are_in_range(std::span<const double> factors);
+
 // The components of a surface by its rows.
 struct Ideal_components {
   std::vector<std::uint32_t> of_row; // `Gluing::none` for isolated vertices
@@ -44,8 +48,9 @@ public:
   virtual std::size_t number_of_rows() const = 0;
   // how many copies of each face there are
   virtual std::uint32_t sheets() const = 0;
-  // Sets scale factors and flips to ideal Delaunay. \return the number of flips
-  virtual std::size_t scale(std::span<const double> factors) = 0;
+  // Sets scale factors and flips to ideal Delaunay. \return the number of flips; nothing, and there
+  // is no change, if a factor is out of range
+  virtual std::optional<std::size_t> scale(std::span<const double> factors) = 0;
   // Replaces faces by those of now.
   virtual void read(std::vector<Ideal_face>& faces) const = 0;
   // Nothing if the arithmetic does not enclose values. \pre rounding is upwards

@@ -55,7 +55,8 @@ public:
   std::size_t number_of_rows() const override { return t_.number_of_vertices(); }
   std::uint32_t sheets() const override { return t_.input().names().sheets; }
 
-  std::size_t scale(std::span<const double> factors) override {
+  std::optional<std::size_t> scale(std::span<const double> factors) override {
+    if (!are_in_range(factors)) return std::nullopt;
     t_.scale_vertices(factors);
     const std::size_t flips = flip_to_delaunay(t_).flips;
     sharpen();

@@ -8,14 +8,12 @@
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
-#include <utility>
-#include <vector>
+#include <span>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -24,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Conformal_sphere {
   /// The metric of the plane that the sphere is projected to. `u` of the pole has no meaning.
-  /// Iterations and flips are all that were made.
+  /// Iterations and flips are all that were made for this pole.
   Conformal_metric metric;
   /// The map; `pole` and `positions` go by vertices of the user.
   Sphere_layout layout;
@@ -39,17 +37,14 @@ struct Conformal_sphere {
 
 namespace internal {
 
-// The metric of a sphere without the pole, and what is known about it.
-struct Punctured_sphere {
-  Conformal_metric metric;
-  std::vector<double> areas; // of each row, before scaling
-  std::uint32_t pole = 0;    // a row
-  unsigned rounds = 0;
-  bool is_convex = false;
-};
+// Lays a surface that is flat but for a pole out on the sphere.
+// \param pole, areas by vertices
+using Sphere_projector =
+    std::function<Sphere_layout(std::uint32_t pole, std::span<const double> areas)>;
 
-// \param pole a row; nothing: one with many neighbours is chosen
-Punctured_sphere punctured_sphere(Ideal_surface& surface, std::optional<std::uint32_t> pole);
+// \param pole a row; nothing: some are tried
+Conformal_sphere conformal_sphere(Ideal_surface& surface, std::optional<std::uint32_t> pole,
+                                  const Sphere_projector& project);
 
 } // namespace internal
 
@@ -67,34 +62,24 @@ hyperbolic space puts the mean of the vertices, weighted by their areas, to the 
 
 \tparam Triangulation see `conformal_metric()`
 \param t the triangulation. It is scaled by the result and ideal Delaunay afterwards
-\param pole the vertex of the user that is moved to infinity; nothing: one with the most neighbours
+\param pole the vertex of the user that is moved to infinity. Nothing: the one with the most
+  neighbours, and if the map has a fault with it, up to eleven others, of which the best is taken.
+  Long limbs become small on a sphere; a pole in one of them makes others smaller than rounding,
+  one in the thickest part does not
 \return the map; `metric.status` tells whether a metric was found
 \throws Invalid_input if the surface is not a closed sphere, or the triangles without the pole are
   no disk; see `lay_out_on_sphere()`
-\complexity that of `conformal_metric()` for each of at most 21 rounds, usually two to five
+\complexity that of `conformal_metric()` for each of at most 21 rounds, usually two to five, and of
+  `lay_out_on_sphere()`, for each pole that is tried
 */
 template <IndexedTriangulation Triangulation>
   requires internal::Has_horocycles<Triangulation> Conformal_sphere
   conformal_sphere(Triangulation& t, std::optional<std::uint32_t> pole = std::nullopt) {
     internal::Ideal_surface_of<Triangulation> surface(t);
-    internal::Punctured_sphere found = internal::punctured_sphere(surface, pole);
-    const std::vector<std::uint32_t>& row = surface.row_of_vertex();
-    std::uint32_t pole_vertex = 0;
-    std::vector<double> areas(row.size(), 0);
-    for (std::uint32_t v = 0; v < row.size(); ++v) {
-      if (row[v] == Gluing::none) continue;
-      areas[v] = found.areas[row[v]];
-      if (row[v] == found.pole) pole_vertex = v;
-    }
-    Conformal_sphere result{std::move(found.metric),
-                            lay_out_on_sphere(flat_surface(t), pole_vertex, areas), found.rounds,
-                            found.is_convex};
-    std::vector<std::array<double, 3>> by_row(surface.number_of_rows());
-    for (std::uint32_t v = 0; v < row.size(); ++v)
-      if (row[v] != Gluing::none) by_row[row[v]] = result.layout.positions[v];
-    result.layout.positions = std::move(by_row);
-    result.layout.pole = found.pole;
-    return result;
+    return internal::conformal_sphere(surface, pole,
+                                      [&t](std::uint32_t vertex, std::span<const double> areas) {
+                                        return lay_out_on_sphere(flat_surface(t), vertex, areas);
+                                      });
   }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -3,7 +3,13 @@
 
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
 
+#include <algorithm>
+
 namespace CGAL::Intrinsic_triangulations::internal {
+
+bool are_in_range(std::span<const double> factors) {
+  return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-240 && w <= 0x1p240; });
+}
 
 Ideal_components components_of(const std::vector<Ideal_face>& faces, std::size_t rows) {
   const std::vector<std::uint32_t> least = joined_sets(rows, [&](const auto& join) {

@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Newton's method.
 class Conformal_newton {
@@ -25,15 +29,17 @@ public:
     components_ = components_of(faces_, surface.number_of_rows());
     prescribe(angles);
     system_.emplace(components_, is_fixed_);
-    excess_ = excess_at(u_);
+    const auto infinite = Eigen::VectorXd::Constant(u_.size(), infinity);
+    excess_ = excess_at(u_).value_or(infinite);
   }
 
   Conformal_metric solve();
 
 private:
   void prescribe(const Prescribed_angles& angles);
-  // Scales by `u`. \return angles minus prescribed ones, zero where it is free
-  Eigen::VectorXd excess_at(const Eigen::VectorXd& u);
+  // Scales by `u`. \return angles minus prescribed ones, zero where it is free; nothing if they
+  // cannot be computed
+  std::optional<Eigen::VectorXd> excess_at(const Eigen::VectorXd& u);
   double residual(const Eigen::VectorXd& excess) const {
     return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
   }
@@ -65,11 +71,13 @@ void Conformal_newton::prescribe(const Prescribed_angles& angles) {
   }
 }
 
-Eigen::VectorXd Conformal_newton::excess_at(const Eigen::VectorXd& u) {
+std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Eigen::VectorXd& u) {
   factors_.resize(static_cast<std::size_t>(u.size()));
   for (std::size_t r = 0; r < factors_.size(); ++r)
     factors_[r] = std::exp(u[static_cast<Eigen::Index>(r)] / 2);
-  flips_ += surface_.scale(factors_);
+  const std::optional<std::size_t> flips = surface_.scale(factors_);
+  if (!flips) return std::nullopt;
+  flips_ += *flips;
   surface_.read(faces_);
   system_->read(faces_);
   Eigen::VectorXd excess = system_->angle_sums() - total_;
@@ -86,13 +94,13 @@ double Conformal_newton::step() {
   const Eigen::VectorXd direction = system_->solve(excess_);
   const double slope = -direction.dot(excess_);
   const double largest = direction.lpNorm<Eigen::Infinity>();
-  if (!(slope < 0) || !std::isfinite(largest)) return 0;
+  if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
   for (double part = std::min(1., longest / largest); part >= shortest; part /= 2) {
     const Eigen::VectorXd u = u_ + part * direction;
-    Eigen::VectorXd excess = excess_at(u);
-    if (-direction.dot(excess) <= -slope / 10) {
+    std::optional<Eigen::VectorXd> excess = excess_at(u);
+    if (excess && -direction.dot(*excess) <= -slope / 10) {
       u_ = u;
-      excess_ = std::move(excess);
+      excess_ = *std::move(excess);
       return part;
     }
   }

@@ -9,12 +9,15 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,7 +36,7 @@ public:
   }
   std::size_t number_of_rows() const override { return surface_.number_of_rows(); }
   std::uint32_t sheets() const override { return surface_.sheets(); }
-  std::size_t scale(std::span<const double> factors) override {
+  std::optional<std::size_t> scale(std::span<const double> factors) override {
     std::vector<double> product(base_);
     for (std::size_t i = 0; i < product.size(); ++i) product[i] *= factors[i];
     return surface_.scale(product);
@@ -46,6 +49,15 @@ public:
 private:
   Ideal_surface& surface_;
   const std::vector<double>& base_;
+};
+
+// The metric of a sphere without the pole, and what is known about it.
+struct Punctured_sphere {
+  Conformal_metric metric;
+  std::vector<double> areas; // of each row, before scaling
+  std::uint32_t pole = 0;    // a row
+  unsigned rounds = 0;
+  bool is_convex = false;
 };
 
 // The angle of a face at corner k.
@@ -62,28 +74,34 @@ double area_of(const Ideal_face& f) {
 // Finds the neighbours of the pole, round after round.
 class Sphere_puncturer {
 public:
-  Sphere_puncturer(Ideal_surface& surface, std::optional<std::uint32_t> pole)
+  explicit Sphere_puncturer(Ideal_surface& surface)
       : surface_(surface), base_(surface.number_of_rows(), 1) {
     surface_.scale(base_);
     surface_.read(faces_);
-    if (pole && *pole >= base_.size())
-      throw Invalid_input::about(Element_kind::vertex, *pole,
-                                 ", which is to be at infinity, does not exist");
     result_.areas.assign(base_.size(), 0);
     for (const Ideal_face& f : faces_)
       for (const int row : f.rows) result_.areas[static_cast<std::size_t>(row)] += area_of(f) / 3;
     check_sphere();
     make_round();
-    result_.pole = pole ? *pole : best_pole();
+    start_ = result_;
+    poles_ = possible_poles();
   }
 
-  Punctured_sphere run() {
+  // Rows that can be at infinity: the one with most neighbours, and others.
+  const std::vector<std::uint32_t>& poles() const { return poles_; }
+
+  Punctured_sphere run(std::uint32_t pole) {
+    result_ = start_;
+    result_.pole = pole;
+    base_ = start_.metric.scale_factors;
+    surface_.scale(base_);
+    surface_.read(faces_);
     std::vector<std::uint32_t> fixed = neighbours();
     // neighbours are right long before rounding ends the iteration
     while (result_.rounds < 20 && !result_.is_convex && result_.metric.residual < 1e-4) {
       const Punctured_sphere before = result_;
       ++result_.rounds;
-      normalise(fixed);
+      if (!normalise(fixed)) return restored(before);
       flatten(fixed);
       if (result_.rounds > 1 && !(result_.metric.residual < 1e-4)) return restored(before);
       std::vector<std::uint32_t> now = neighbours();
@@ -91,13 +109,18 @@ public:
       result_.is_convex = now == fixed;
       fixed = std::move(now);
     }
-    return std::move(result_);
+    return result_;
   }
 
 private:
   // A round that found no metric is undone: the map before is one, though it is not convex.
-  Punctured_sphere restored(const Punctured_sphere& before) {
+  Punctured_sphere restored(Punctured_sphere before) const {
     surface_.scale(before.metric.scale_factors);
+    if (before.rounds == 0) {
+      before.metric.status = Status::stalled;
+      before.metric.residual = std::numeric_limits<double>::infinity();
+      before.metric.proven_residual.reset();
+    }
     return before;
   }
 
@@ -112,23 +135,30 @@ private:
                           "and lay surfaces with handles or a border out in the plane");
   }
 
-  // The row with the most neighbours, if these are different.
-  std::uint32_t best_pole() const {
+  // Rows with neighbours that are different: the one with the most, and others all over the mesh.
+  std::vector<std::uint32_t> possible_poles() const {
     std::vector<std::vector<int>> around(base_.size());
     for (const Ideal_face& f : faces_)
       for (std::size_t k = 0; k < 3; ++k)
         around[static_cast<std::size_t>(f.rows[k])].push_back(f.rows[(k + 1) % 3]);
+    std::vector<std::uint32_t> possible;
     std::size_t best = 0, most = 0;
-    for (std::size_t v = 0; v < around.size(); ++v) {
+    for (std::uint32_t v = 0; v < around.size(); ++v) {
       std::vector<int>& rows = around[v];
       std::ranges::sort(rows);
-      if (rows.size() > most && std::ranges::find(rows, static_cast<int>(v)) == rows.end() &&
-          std::ranges::adjacent_find(rows) == rows.end() && rows.size() + 2 < faces_.size()) {
-        best = v;
-        most = rows.size();
-      }
+      if (rows.empty() || std::ranges::find(rows, static_cast<int>(v)) != rows.end() ||
+          std::ranges::adjacent_find(rows) != rows.end() || rows.size() + 2 >= faces_.size())
+        continue;
+      if (rows.size() > most) best = possible.size();
+      most = std::max(most, rows.size());
+      possible.push_back(v);
     }
-    return static_cast<std::uint32_t>(best);
+    if (possible.empty()) return {0};
+    std::vector<std::uint32_t> poles{possible[best]};
+    constexpr double golden = 0.6180339887498949; // its multiples are spread evenly modulo 1
+    for (double x = golden; poles.size() < 12; x += golden - (x + golden >= 1 ? 1 : 0))
+      poles.push_back(possible[static_cast<std::size_t>(x * static_cast<double>(possible.size()))]);
+    return poles;
   }
 
   // Gives all vertices the same curvature: then neighbours of the pole are nearly the right ones,
@@ -163,7 +193,8 @@ private:
 
   // Scales the neighbours such that they are at the same distance from the pole, and then the pole,
   // such that this is far: link edges look short from there, and edges to the pole are Delaunay.
-  void normalise(const std::vector<std::uint32_t>& fixed) {
+  // \return whether there are neighbours to scale, and all factors are in range
+  bool normalise(const std::vector<std::uint32_t>& fixed) {
     std::vector<char> is_fixed(base_.size(), 0);
     for (const std::uint32_t v : fixed) is_fixed[v] = 1;
     double first = 0;
@@ -174,7 +205,7 @@ private:
       if (first == 0) first = f.lambda[k];
       base_[row] *= first / f.lambda[k];
     });
-    surface_.scale(base_);
+    if (first == 0 || !surface_.scale(base_)) return false;
     surface_.read(faces_);
     double least = first, greatest = 0;
     for_each_at_pole([&](const Ideal_face& f, std::size_t k) {
@@ -183,6 +214,7 @@ private:
     });
     // rounding hides flips of edges to the pole if it is 5e7 times as far as link edges are long
     base_[result_.pole] *= std::max(1e6 * least, 1e3 * greatest) / first;
+    return are_in_range(base_);
   }
 
   void flatten(const std::vector<std::uint32_t>& fixed) {
@@ -223,13 +255,65 @@ private:
   Ideal_surface& surface_;
   std::vector<double> base_; // factors of rows
   std::vector<Ideal_face> faces_;
-  Punctured_sphere result_;
+  Punctured_sphere result_, start_; // the round surface
+  std::vector<std::uint32_t> poles_;
 };
+
+// Takes a result to the sphere. Positions go by rows.
+Conformal_sphere projected(const Ideal_surface& surface, Punctured_sphere found,
+                           const Sphere_projector& project) {
+  const std::vector<std::uint32_t>& row = surface.row_of_vertex();
+  std::uint32_t pole_vertex = 0;
+  std::vector<double> areas(row.size(), 0);
+  for (std::uint32_t v = 0; v < row.size(); ++v) {
+    if (row[v] == Gluing::none) continue;
+    areas[v] = found.areas[row[v]];
+    if (row[v] == found.pole) pole_vertex = v;
+  }
+  Conformal_sphere result{std::move(found.metric), project(pole_vertex, areas), found.rounds,
+                          found.is_convex};
+  std::vector<std::array<double, 3>> by_row(surface.number_of_rows());
+  for (std::uint32_t v = 0; v < row.size(); ++v)
+    if (row[v] != Gluing::none) by_row[row[v]] = result.layout.positions[v];
+  result.layout.positions = std::move(by_row);
+  result.layout.pole = found.pole;
+  return result;
+}
+
+// The less, the better.
+std::tuple<bool, std::size_t, bool> faults(const Conformal_sphere& s) {
+  return {s.metric.status != Status::done, s.layout.flipped_faces, !s.is_convex};
+}
+
+// Tries poles until nothing is wrong, else takes the best one.
+Conformal_sphere best_sphere(Ideal_surface& surface, Sphere_puncturer& puncturer,
+                             const Sphere_projector& project) {
+  std::optional<Conformal_sphere> best;
+  std::optional<Invalid_input> refusal;
+  for (const std::uint32_t pole : puncturer.poles()) {
+    try {
+      Conformal_sphere sphere = projected(surface, puncturer.run(pole), project);
+      if (!best || faults(sphere) < faults(*best)) best = std::move(sphere);
+      if (faults(*best) == std::tuple(false, std::size_t{0}, false)) return *std::move(best);
+    } catch (const Invalid_input& e) { // no disk is left without this pole
+      refusal = e;
+    }
+  }
+  if (!best) throw *refusal;
+  surface.scale(best->metric.scale_factors);
+  return *std::move(best);
+}
 
 } // namespace
 
-Punctured_sphere punctured_sphere(Ideal_surface& surface, std::optional<std::uint32_t> pole) {
-  return Sphere_puncturer(surface, pole).run();
+Conformal_sphere conformal_sphere(Ideal_surface& surface, std::optional<std::uint32_t> pole,
+                                  const Sphere_projector& project) {
+  if (pole && *pole >= surface.number_of_rows())
+    throw Invalid_input::about(Element_kind::vertex, *pole,
+                               ", which is to be at infinity, does not exist");
+  Sphere_puncturer puncturer(surface);
+  if (pole) return projected(surface, puncturer.run(*pole), project);
+  return best_sphere(surface, puncturer, project);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -84,7 +84,8 @@ Flat_layout planar_rest(const Surface_to_cut& s, std::uint32_t pole) {
                                " cannot be at infinity: the triangles without it are no disk with "
                                "all other vertices; choose another vertex");
   };
-  std::vector<char> is_used(s.gluing.number_of_vertices, 0);
+  std::vector<char> is_used(s.gluing.number_of_vertices, 1); // or isolated
+  for (const std::uint32_t v : s.gluing.origin) is_used[v] = 0;
   is_used[pole] = 1;
   for (const std::uint32_t v : rest.gluing.origin) is_used[v] = 1;
   if (rest.gluing.origin.empty() || std::count(is_used.begin(), is_used.end(), 0) > 0) fail();
