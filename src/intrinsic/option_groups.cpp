@@ -439,7 +439,7 @@ void add_uniformize_options(CLI::App& command, Options& options) {
   Uniformize_options& u = options.uniformize;
   add_common_options(command, options);
   add_output_option(command, "-o", options.output, {Contents::values, Contents::subdivision});
-  add_view_option(command, options, "the logarithm of the scale");
+  add_view_option(command, options, "a checkerboard of the layout, or the logarithm of the scale");
   add_metric_option(command, options);
   CLI::Option* const angles = command.add_option(
       "--angles", u.angles,
@@ -455,8 +455,15 @@ void add_uniformize_options(CLI::App& command, Options& options) {
   command
       .add_option("--start", u.start,
                   "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
-                  "triangulation, default) or input (those of the mesh)")
+                  "triangulation) or input (those of the mesh); by default delaunay, but input for "
+                  "a layout in the plane that is written or shown")
       ->check(CLI::IsMember({"delaunay", "input"}));
+  command
+      .add_option("--target", u.target,
+                  "plane (flat but for cones), sphere (the round one) or torus (flat, with its "
+                  "period); by default, without --angles and --cones, sphere and torus for closed "
+                  "surfaces of genus 0 and 1, else plane")
+      ->check(CLI::IsMember({"plane", "sphere", "torus", "disk"}));
 }
 
 void add_distance_options(CLI::App& command, Options& options) {

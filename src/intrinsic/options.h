@@ -88,9 +88,10 @@ struct Application_options {
 
 /// Which angles a surface gets, and from which triangles.
 struct Uniformize_options {
-  std::string angles;             ///< file of angles, one per vertex; empty: none
-  std::string cones;              ///< number of cones, or file of them; empty: none
-  std::string start = "delaunay"; ///< `delaunay` or `input`
+  std::string angles; ///< file of angles, one per vertex; empty: none
+  std::string cones;  ///< number of cones, or file of them; empty: none
+  std::string start;  ///< `delaunay` or `input`; empty: input where a layout is written
+  std::string target; ///< `plane`, `sphere`, `torus` or `disk`; empty: what the surface allows
 };
 
 /// The options on the command line.

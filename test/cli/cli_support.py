@@ -272,6 +272,38 @@ def product(matrix, vector):
     return result
 
 
+def torus(n, m):
+    """Cells of a torus in space, in squares; vertex (x, y) has number n y + x."""
+    points, faces = [], []
+    for i in range(n * m):
+        a, b = 2 * math.pi * (i % n) / n, 2 * math.pi * (i // n) / m
+        r = 3 + math.cos(b)
+        points.append((r * math.cos(a), r * math.sin(a), math.sin(b)))
+        x, y, right, up = i % n, i // n, (i % n + 1) % n, (i // n + 1) % m
+        faces.append([n * y + x, n * y + right, n * up + right, n * up + x])
+    return points, faces
+
+
+def triangles(faces):
+    """Two of each square."""
+    return [t for a, b, c, d in faces for t in ([a, b, c], [a, c, d])]
+
+
+def read_obj(path):
+    """Points, places in the plane, and the pairs of both at the corners of faces."""
+    points, places, faces = [], [], []
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["v"]:
+                points.append(tuple(map(float, words[1:])))
+            elif words[:1] == ["vt"]:
+                places.append(tuple(map(float, words[1:])))
+            elif words[:1] == ["f"]:
+                faces.append([tuple(int(i) - 1 for i in w.split("/")) for w in words[1:]])
+    return points, places, faces
+
+
 def main():
     """Runs the tests of the calling script; the options are those that ctest gives."""
     parser = argparse.ArgumentParser()

@@ -4,7 +4,7 @@
 
 import math
 
-from cli_support import CUBE, Cli_test, grid, icosphere, main
+from cli_support import CUBE, Cli_test, grid, icosphere, main, read_obj, torus, triangles
 
 
 def angle_sums(points, faces, u):
@@ -66,10 +66,87 @@ class Uniformize(Cli_test):
         file = self.write("a.txt", "free\n" * len(points))
         self.assertEqual(self.scale("g.off", "--angles", file)[1], u)
 
+    def layout(self, mesh, *arguments):
+        """The corners of the pieces in space and in the plane; all turn counterclockwise."""
+        result = self.stats("uniformize", mesh, "-o", "x.obj", *arguments)["conformal"]
+        self.assertEqual((result["status"], result["start"]), ("done", "input"))
+        self.assertEqual((result["flipped_faces"], result["degenerate_faces"]), (0, 0))
+        self.assertTrue(result["locally_injective"])
+        points, places, faces = read_obj(self.path("x.obj"))
+        for face in faces:
+            z = [complex(*places[c]) for _, c in face]
+            self.assertGreater(sum((a.conjugate() * b).imag for a, b in zip(z, z[1:] + z[:1])), 0)
+        return result, points, places, faces
+
+    def test_layouts_in_the_plane_keep_the_shape_of_flat_surfaces(self):
+        for shape, arguments in ((CUBE, ("--cones", "8")), (grid(6), ())):
+            mesh = self.write_off("flat.off", *shape)
+            result, x, places, corners = self.layout(mesh, *arguments)
+            self.assertTrue(result["injective"])
+            self.assertLess(abs(result["mean_quasi_conformal"] - 1), 1e-9)
+            self.assertLess(abs(result["max_scale_ratio"] - 1), 1e-9)
+            for face in corners:
+                for (v, s), (w, t) in zip(face, face[1:] + face[:1]):
+                    self.assertLess(
+                        abs(math.dist(x[v], x[w]) - math.dist(places[s], places[t])), 1e-9)
+
+    def test_layouts_in_the_plane(self):
+        mesh = self.write_off("s.off", *icosphere(3))
+        sphere = icosphere(3)[0]
+        result, x, places, _ = self.layout(mesh, "--cones", "8", "--view", "x.html")
+        for p, q in zip(sphere, x):  # vertices keep their order
+            self.assertLess(math.dist(p, q), 1e-12)
+        self.assertLess(result["mean_quasi_conformal"], 1.5)
+        self.assertGreater(len(places), len(x))
+        with open(self.path("x.html"), encoding="utf-8") as file:
+            self.assertIn("checks", file.read())
+        self.stats("uniformize", mesh, "--cones", "8", "-o", "x.vtp")
+        with open(self.path("x.vtp"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn('Name="homogeneous_uv"', text)
+        self.assertIn('NumberOfComponents="3"', text)
+
+    def test_tori_repeat(self):
+        points, faces = torus(12, 8)
+        result, _, places, corners = self.layout(self.write_off("t.off", points, triangles(faces)))
+        self.assertEqual((result["target"], result["cones"]), ("torus", 0))
+        x, y = result["period"]
+        self.assertLess(abs(x) * abs(x - 0.5), 1e-9)
+        self.assertGreaterEqual(math.hypot(x, y), 1 - 1e-9)
+        found = {}
+        for v, c in {corner for face in corners for corner in face}:
+            found.setdefault(v, []).append(places[c])
+        self.assertGreater(max(map(len, found.values())), 1)
+        for copies in found.values():
+            for place in copies:
+                for a, b in zip(place, copies[0]):
+                    self.assertLess(abs(a - b - round(a - b)), 1e-6)
+
+    def test_spheres_become_round(self):
+        points, faces = icosphere(2)
+        mesh = self.write_off("s.off", [(x, y, 3 * z) for x, y, z in points], faces)
+        stats, u = self.scale(mesh)
+        result = stats["conformal"]
+        self.assertEqual((result["status"], result["target"]), ("done", "sphere"))
+        self.assertTrue(result["injective"])
+        self.assertEqual(len(u), len(points))
+        self.assertEqual(result["largest_u"], max(u))
+        self.stats("uniformize", mesh, "-o", "x.obj", "--view", "x.html")
+        for p in read_obj(self.path("x.obj"))[0][:len(points)]:
+            self.assertLess(abs(math.hypot(*p) - 1), 1e-12)
+        result = self.layout(mesh, "--target", "plane", "--cones", "3")[0]
+        self.assertEqual((result["target"], result["cones"]), ("plane", 3))
+
     def test_bad_angles_are_refused(self):
         mesh = self.write_off("cube.off", *CUBE)
         refused = lambda *a: self.run_program("uniformize", mesh, *a)
-        self.assert_fails(refused(), "cube.off", "Gauss and Bonnet", "too large by", "(4 pi)")
+        for target in ("plane", "torus"):
+            self.assert_fails(refused("--target", target), "cube.off", "Gauss and Bonnet",
+                              "too large by", "(4 pi)")
+        self.assert_fails(refused("--target", "disk"), "--target plane")
+        self.assert_fails(refused("--target", "sphere", "--cones", "8"), "leave --angles and")
+        self.assert_fails(refused("--cones", "8", "--start", "delaunay", "-o", "x.obj"), "x.obj",
+                          "--start input")
         self.assert_fails(refused("--cones", "2"), "place at least 3")
         for text, words in (("pi\n", ("has 1 angles", "8 vertices")),
                             ("-1\n" * 8, ("a.txt:1:", "not positive")),

@@ -8,7 +8,9 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <Eigen/Core>
 
@@ -53,6 +55,19 @@ struct Marks {
 /// returns a number, or null if it is not finite.
 inline Json finite_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
+/// A surface of polygons in space, with numbers and vectors on it.
+struct Surface_with_fields {
+  IT::Common_subdivision s; ///< labelled with the polygons of the file
+  std::vector<std::array<double, 3>> points;
+  std::vector<IT::Subdivision_field> fields;
+};
+
+/// A surface that was laid out in the plane.
+struct Laid_out {
+  Surface_with_fields opened; ///< cut open; its first two fields are places in the plane
+  Surface_with_fields closed; ///< not cut, with places at corners
+};
+
 /// What a command has computed.
 struct Computed {
   std::string command; ///< key of `json` among the statistics
@@ -74,6 +89,8 @@ struct Computed {
   std::function<void(std::ostream&, Json&)> write{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.
   Eigen::MatrixXd displacements{};
+  /// What files and pages show in place of the functions on the triangulation; or none.
+  std::optional<Laid_out> laid_out{};
   std::string timed = "solve"; ///< key of the seconds that it took
 };
 

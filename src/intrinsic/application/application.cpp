@@ -271,6 +271,36 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
     });
 }
 
+// Writes a surface that was laid out in the plane; formats without numbers at corners get it cut.
+void write_laid_out(const Laid_out& laid_out, const Options& options, const Json& json,
+                    Output_files& files) {
+  constexpr std::array<std::string_view, 1> without_corners{"vtp"};
+  const Surface_with_fields& opened = laid_out.opened;
+  if (!options.view.empty()) {
+    Viewed viewed;
+    viewed.is_plain = true;
+    std::vector<IT::Subdivision_field> shown;
+    for (const IT::Subdivision_field& field : opened.fields)
+      if (field.is_function()) shown.push_back(field);
+    std::vector<std::array<double, 2>> texture;
+    for (std::size_t v = 0; v < opened.points.size(); ++v)
+      texture.push_back({shown[0].values[v], shown[1].values[v]});
+    viewed.fields = shown;
+    viewed.shown_field = shown.size(); // none
+    viewed.texture = texture;
+    files.write(options.view, [&](std::ostream& out) {
+      write_view(out, opened.s, opened.points, options, json, viewed);
+    });
+  }
+  if (!is_mesh_output(options)) return;
+  const Surface_with_fields& written =
+      IT::has_extension(options.output, without_corners) ? opened : laid_out.closed;
+  files.write(options.output, [&](std::ostream& out) {
+    IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
+                                 written.s, written.points, written.fields);
+  });
+}
+
 /// writes isolines of the first function as polylines in space, and counts them.
 template <class Triangulation>
 void write_isolines(std::ostream& out, const Loaded<Triangulation>& loaded,
@@ -294,7 +324,11 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
                    const Options& options, Json& json, Output_files& files, Progress& progress,
                    Stopwatch& watch) {
   const bool is_on_input = options.application.on == "input";
-  if (needs_subdivision(options)) {
+  if (computed.laid_out) {
+    expect_points(loaded, options);
+    progress.show("writing");
+    write_laid_out(*computed.laid_out, options, json, files);
+  } else if (needs_subdivision(options)) {
     progress.show("subdividing");
     if (is_on_input)
       write_on_surface(loaded, input_alone(loaded, options), computed, options, json, files,

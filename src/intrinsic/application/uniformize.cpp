@@ -4,20 +4,31 @@
 #include "../commands.h"
 #include "../status_name.h"
 #include "application.h"
+#include "conformal_layout.h"
 #include "prescribed_angles.h"
 
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_sphere.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace program {
 
@@ -47,32 +58,153 @@ Json cones_json(const IT::Prescribed_angles& angles) {
 }
 
 Json json_of(const IT::Conformal_metric& m, const IT::Prescribed_angles& angles,
-             const Options& options) {
-  const auto [least, most] = std::minmax_element(m.u.begin(), m.u.end());
+             const Uniformize_options& options) {
   const Json cones = cones_json(angles);
-  Json json = {{"status", name(m.status)},   {"start", options.uniformize.start},
-               {"iterations", m.iterations}, {"residual", m.residual},
-               {"flips", m.flips},           {"cones", cones.size()},
-               {"least_u", *least},          {"largest_u", *most}};
+  Json json = {{"status", name(m.status)},   {"start", options.start}, {"target", options.target},
+               {"iterations", m.iterations}, {"residual", m.residual}, {"flips", m.flips},
+               {"cones", cones.size()}};
   json["proven_residual"] = m.proven_residual ? finite_or_null(*m.proven_residual) : Json(nullptr);
-  if (!options.uniformize.cones.empty()) json["cone_angles"] = cones;
+  if (!options.cones.empty()) json["cone_angles"] = cones;
   return json;
 }
 
+// Text has the values alone.
+bool writes_text(const Options& options) {
+  return !options.output.empty() && !is_mesh_output(options);
+}
+
+// Whether files show the surface in its new shape.
+bool writes_shape(const Options& options) {
+  return needs_subdivision(options) && !writes_text(options);
+}
+
+// What a surface becomes, if the options do not say it.
 template <class Triangulation>
-Computed uniformized(const Triangulation& t, const Options& options) {
+std::string target_of(const Triangulation& t, const Uniformize_options& options) {
+  if (options.target == "disk")
+    throw std::runtime_error("--target disk does not exist yet; give cones to --target plane");
+  const bool has_angles = !options.angles.empty() || !options.cones.empty();
+  if (has_angles && !options.target.empty() && options.target != "plane")
+    throw std::runtime_error("--target " + options.target +
+                             " has no cones; leave --angles and --cones out");
+  if (!options.target.empty()) return options.target;
+  if (has_angles || t.input().names().sheets != 1) return "plane";
+  std::ptrdiff_t isolated = 0;
+  for (const auto v : vertices(t.mesh()))
+    if (halfedge(v, t.mesh()).index == IT::Gluing::none) ++isolated;
+  const auto components = static_cast<std::ptrdiff_t>(IT::connected_components(t.mesh()).count);
+  const std::ptrdiff_t euler = IT::euler_characteristic(t.mesh()) - isolated;
+  if (components != 1 || (euler != 0 && euler != 2)) return "plane";
+  return euler == 2 ? "sphere" : "torus";
+}
+
+// The u that makes chords of the sphere of edges as they were before they were scaled, by rows: in
+// a triangle ijk, e^u_i is the ratio of ij ik / jk on the sphere and before.
+template <class Ideal>
+Eigen::VectorXd scale_on_sphere(const Ideal& ideal, const IT::Sphere_layout& layout) {
+  const auto& mesh = ideal.mesh();
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(ideal.number_of_vertices());
+  const auto ratio = [&](auto h) { // of the length on the sphere to that before
+    const std::uint32_t i = ideal.input_vertex(source(h, mesh)),
+                        j = ideal.input_vertex(target(h, mesh));
+    const Point &p = layout.positions[i], &q = layout.positions[j];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) *
+           (ideal.metric().factor(i) * ideal.metric().factor(j)) / ideal.lambda(edge(h, mesh));
+  };
+  for (const auto v : vertices(mesh)) {
+    const auto in = halfedge(v, mesh);
+    if (in.index == IT::Gluing::none) continue;
+    const auto out = next(in, mesh);
+    u[ideal.input_vertex(v)] = std::log(ratio(in) * ratio(out) / ratio(next(out, mesh)));
+  }
+  return u;
+}
+
+void report_scale(Computed& computed) {
+  const Eigen::VectorXd& u = computed.functions.front().values;
+  computed.json["least_u"] = u.minCoeff();
+  computed.json["largest_u"] = u.maxCoeff();
+  computed.json["max_scale_ratio"] = finite_or_null(std::exp(u.maxCoeff() - u.minCoeff()));
+  computed.timed = "uniformize";
+}
+
+template <class Ideal>
+Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
+  const IT::Conformal_sphere s = IT::conformal_sphere(ideal);
+  Computed computed{"conformal",
+                    json_of(s.metric, IT::Prescribed_angles(), options.uniformize),
+                    {{"u", scale_on_sphere(ideal, s.layout)}}};
+  if (!computed.functions.front().values.allFinite())
+    throw std::runtime_error("vertices fall together on the sphere in doubles; take --target plane "
+                             "with --cones");
+  if (!s.is_convex) computed.json["status"] = name(IT::Status::stalled);
+  computed.json["pole"] = s.layout.pole;
+  computed.json["rounds"] = s.rounds;
+  computed.json["convex"] = s.is_convex;
+  computed.json["injective"] = s.layout.is_injective();
+  computed.json["flipped_faces"] = s.layout.flipped_faces;
+  if (writes_shape(options)) { // vertices move to the sphere
+    computed.displacements = Eigen::MatrixXd::Zero(ideal.number_of_vertices(), 3);
+    for (std::size_t v = 0; v < points.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        computed.displacements(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(c)) =
+            s.layout.positions[v][c] - points[v][c];
+  }
+  report_scale(computed);
+  return computed;
+}
+
+template <class Ideal>
+Laid_out layout_of(const Ideal& ideal, IT::Flat_surface start, const IT::Conformal_metric& m,
+                   const IT::Prescribed_angles& angles, const IT::Input_names& names,
+                   const std::optional<IT::Flat_torus>& torus, const Points& points, Json& json) {
+  Scaled_surface surface{std::move(start),
+                         IT::flat_surface(ideal),
+                         IT::common_subdivision(ideal),
+                         {},
+                         m.scale_factors,
+                         names,
+                         angles};
+  surface.row.assign(surface.flat.gluing.number_of_vertices, IT::Gluing::none);
+  for (const auto v : vertices(ideal.mesh())) surface.row[ideal.index(v)] = ideal.input_vertex(v);
+  return lay_out(surface, torus ? &*torus : nullptr, points, json);
+}
+
+template <class Triangulation>
+Computed uniformized(const Triangulation& t, const Points& points, const Options& given) {
   using Traits =
       std::conditional_t<Triangulation::Metric::is_exact, IT::Exact_ideal_hyperbolic_traits,
                          IT::Ideal_hyperbolic_traits<double>>;
   using Ideal = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
-  Ideal ideal(options.uniformize.start == "input" ? IT::ideal_start(t.input())
-                                                  : IT::ideal_start(t));
-  const IT::Prescribed_angles angles = angles_of(ideal, options.uniformize);
+  Options options = given;
+  Uniformize_options& asked = options.uniformize;
+  asked.target = target_of(t, asked);
+  if (asked.start.empty())
+    asked.start = asked.target != "sphere" && writes_shape(options) ? "input" : "delaunay";
+  Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
+  if (asked.target == "sphere") return on_sphere(ideal, points, options);
+  IT::Flat_surface start = IT::flat_surface(ideal);
+  const IT::Prescribed_angles angles = angles_of(ideal, asked);
   const IT::Conformal_metric m = IT::conformal_metric(ideal, angles);
-  Computed computed{"conformal", json_of(m, angles, options), {}};
-  computed.functions = {
-      {"u", Eigen::VectorXd::Map(m.u.data(), static_cast<Eigen::Index>(m.u.size()))}};
-  computed.timed = "uniformize";
+  Computed computed{
+      "conformal",
+      json_of(m, angles, asked),
+      {{"u", Eigen::VectorXd::Map(m.u.data(), static_cast<Eigen::Index>(m.u.size()))}}};
+  std::optional<IT::Flat_torus> torus;
+  if (asked.target == "torus") {
+    torus = IT::flat_torus(IT::flat_surface(ideal));
+    computed.json["period"] = {torus->period.real(), torus->period.imag()};
+  }
+  if (writes_shape(options) && asked.start == "input")
+    computed.laid_out = layout_of(ideal, std::move(start), m, angles, t.input().names(), torus,
+                                  points, computed.json);
+  else if (is_mesh_output(options))
+    throw std::runtime_error(
+        options.output +
+        ": triangles of the Delaunay triangulation bend over edges of the mesh, so "
+        "that the layout has no flat pieces; take --start input, or write u to a "
+        "file .txt");
+  report_scale(computed);
   return computed;
 }
 
@@ -82,8 +214,8 @@ void run_uniformize(const Options& given) {
   Options options = given;
   // the double of a surface with border
   if (options.domain == "auto" && !is_triangulation_file(options.input)) options.domain = "closed";
-  run_application(options, [&](auto& t, const Sources&, const Points&, Progress&) {
-    return uniformized(t, options);
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
+    return uniformized(t, points, options);
   });
 }
 
