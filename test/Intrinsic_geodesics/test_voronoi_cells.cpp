@@ -62,13 +62,28 @@ struct Case {
       : t(of), tolerance(tol), all(of, sources),
         cells(IT::voronoi_cells(all, parameters::tolerance(tol))) {
     for (const Surface_point& p : sources) alone.emplace_back(of, p);
+    cell_of_source.resize(sources.size());
+    std::iota(cell_of_source.begin(), cell_of_source.end(), 0U);
   }
+  /// A cell for each set of sources.
+  Case(const Triangulation& of, const std::vector<std::vector<Surface_point>>& sets, double tol)
+      : t(of), tolerance(tol), all(of, sets) {
+    for (const auto& set : sets) {
+      cell_of_source.insert(cell_of_source.end(), set.size(),
+                            static_cast<std::uint32_t>(alone.size()));
+      alone.emplace_back(of, set);
+    }
+    cells = IT::voronoi_cells(all, cell_of_source, parameters::tolerance(tol));
+  }
+  /// The cell of a vertex.
+  std::uint32_t cell_at(Vertex v) const { return cell_of_source[all.nearest_source(v)]; }
 
   const Triangulation& t;
   double tolerance;
   Distance all;
   IT::Voronoi_cells cells;
   std::vector<Distance> alone;
+  std::vector<std::uint32_t> cell_of_source{};
 };
 
 /// A point is that near to one where two of the nearest sources are as near: distances change by no
@@ -116,7 +131,7 @@ void expect_labels_on_edges(const Case& c) {
     const auto breaks = found == of_edge.end() ? std::vector<IT::Cell_break>() : found->second;
     if (!breaks.empty() && breaks.front().point.halfedge != number) continue;
     double begin = 0;
-    std::uint32_t label = c.all.nearest_source(source(h, c.t.mesh()));
+    std::uint32_t label = c.cell_at(source(h, c.t.mesh()));
     for (std::size_t i = 0; i <= breaks.size(); ++i) {
       const double end = i < breaks.size() ? breaks[i].point.parameter : 1;
       EXPECT_LE(begin, end);
@@ -129,7 +144,7 @@ void expect_labels_on_edges(const Case& c) {
       label = breaks[i].after;
       begin = end;
     }
-    EXPECT_EQ(label, c.all.nearest_source(target(h, c.t.mesh())));
+    EXPECT_EQ(label, c.cell_at(target(h, c.t.mesh())));
   }
 }
 
@@ -205,6 +220,22 @@ TEST(Voronoi_cells, are_those_of_searches_from_each_source_alone) {
       expect_areas(c, m);
       expect_lines_join(c, true);
     }
+  }
+}
+
+TEST(Voronoi_cells, of_sets_are_those_of_searches_from_each_set_alone) {
+  unsigned seed = 0;
+  for (const meshes::Mesh& m : {meshes::rough_grid(6, 5), meshes::sphere(2), meshes::box(3, 2, 2),
+                                meshes::sheared_grid(4, 4, 3.7)}) {
+    SCOPED_TRACE(++seed);
+    const Triangulation t(m.input());
+    const auto points = random_points(t, 10, 10 * seed, true);
+    std::vector<std::vector<Surface_point>> sets(4);
+    for (std::size_t i = 0; i < points.size(); ++i) sets[i % 4].push_back(points[i]);
+    const Case c(t, sets, 1e-3);
+    expect_cells(c);
+    expect_areas(c, m);
+    expect_lines_join(c, true);
   }
 }
 
@@ -289,6 +320,17 @@ TEST(Voronoi_cells, of_the_corners_of_a_cube_are_alike) {
   double length = 0; // four halves of middle lines on each of the six sides
   for (const IT::Cell_boundary& b : c.cells.boundaries) length += IT::trace_boundary(t, b).length;
   EXPECT_NEAR(length, 24, 1e-3);
+}
+
+TEST(Voronoi_cells, of_one_set_have_no_boundary) {
+  const meshes::Mesh m = meshes::potato(2, 2);
+  const Triangulation t(m.input());
+  const std::vector sets(1, random_points(t, 7, 2, true));
+  const Case c(t, sets, 1e-3);
+  EXPECT_TRUE(c.cells.boundaries.empty());
+  EXPECT_TRUE(c.cells.breaks.empty());
+  EXPECT_NEAR(c.cells.areas.front(), IT::total_area(t), 1e-11 * c.cells.areas.front());
+  EXPECT_THROW(IT::voronoi_cells(c.all, std::vector<std::uint32_t>(6)), std::invalid_argument);
 }
 
 TEST(Voronoi_cells, of_one_source_have_no_boundary) {

@@ -9,31 +9,32 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-/// A place on a side of a face where the nearest source changes.
+/// A place on a side of a face where the cell changes.
 struct Side_break {
   std::uint32_t side;   ///< a corner
   double parameter;     ///< from 0 at the source of the side to 1 at its target
-  std::uint32_t before; ///< index of the source nearest before it
-  std::uint32_t after;  ///< index of the source nearest after it
+  std::uint32_t before; ///< index of the cell before it
+  std::uint32_t after;  ///< index of the cell after it
 };
 
 /// A straight piece of the boundary between two cells, in a face.
 struct Boundary_segment {
   std::array<std::uint32_t, 2> nodes; ///< where it begins and ends; pieces join at nodes
   std::array<Path_place, 2> places;   ///< the same in the face
-  std::uint32_t left;                 ///< index of the source of the cell on its left
-  std::uint32_t right;                ///< index of the source of the cell on its right
+  std::uint32_t left;                 ///< index of the cell on its left
+  std::uint32_t right;                ///< index of the cell on its right
 };
 
 /// A place where boundaries meet.
 struct Boundary_junction {
   std::uint32_t node;                 ///< its number
   Path_place place;                   ///< where it is
-  std::vector<std::uint32_t> sources; ///< the sources of the cells around it, clockwise
+  std::vector<std::uint32_t> sources; ///< the cells around it, clockwise
 };
 
 /// A line of pieces that follow each other.
@@ -50,14 +51,14 @@ struct Cell_partition {
   std::uint32_t nodes = 0; ///< number of nodes
   std::vector<Boundary_segment> segments;   ///< in any order
   std::vector<Boundary_junction> junctions; ///< by the numbers of their nodes
-  std::vector<double> areas;                ///< per source
+  std::vector<double> areas;                ///< per cell
   bool is_complete = true;                  ///< whether rounding has never hidden how lines go on
 };
 
-/// finds the boundaries of the cells of sources, in faces and across edges. `tolerance` is in
-/// scaled units. \pre windows are kept
-Cell_partition cell_boundaries(const Distance_field& field, std::uint32_t sources,
-                               double tolerance);
+/// finds the boundaries of cells, in faces and across edges, from the cell of each source.
+/// `tolerance` is in scaled units. \pre windows are kept
+Cell_partition cell_boundaries(const Distance_field& field,
+                               std::span<const std::uint32_t> cell_of_source, double tolerance);
 
 /// returns a thousandth of the mean length of the sides, in scaled units.
 double default_cell_tolerance(const Corner_table& table);

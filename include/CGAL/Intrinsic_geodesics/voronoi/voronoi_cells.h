@@ -24,7 +24,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -100,31 +102,41 @@ behind a vertex with more than a full turn that has two, it goes to one of them.
 of the surface. In faces of no height, 10^-9 of their longest side, three or more lines meet at the
 mean of where they come in, whatever the tolerance.
 
+Sources may share a cell: a set of them has the points that are nearest to one of the set. Results
+name the cell where they name a source.
+
 \tparam Triangulation a model of `NumberedTriangulation`; of a cover, cells are on the cover
 \tparam NP a chain of named parameters
 \param distance the search
+\param cell_of_source index of the cell of each source, from 0
 \param np optional named parameters:
   - `tolerance(x)`: of polylines and junctions, in the units of the input; no less than 10^-9 of a
     face. Default: a thousandth of the mean edge length
 \return the cells
-\throws std::invalid_argument if the search did not go everywhere
+\throws std::invalid_argument if the search did not go everywhere, or there is not a cell for each
+  source
 \complexity linear in the number of windows, which the first query keeps, see `Polyhedral_distance`;
   and, for each face with k windows that a boundary crosses, about k^2
 */
 template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
+                            const std::vector<std::uint32_t>& cell_of_source,
                             const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::tolerance>(np);
   if (distance.status() != Status::done || std::isfinite(distance.reached_distance()))
     throw std::invalid_argument("cells need a search that goes everywhere; leave out "
                                 "maximum_distance, targets, and caps");
+  if (cell_of_source.size() != distance.number_of_sources())
+    throw std::invalid_argument("each source needs the index of its cell; there are " +
+                                std::to_string(distance.number_of_sources()) + " sources, not " +
+                                std::to_string(cell_of_source.size()));
   const Triangulation& t = distance.triangulation();
   const internal::Distance_field& field = distance.field_with_windows();
   const double unit = field.table.unit;
   const double tolerance = internal::value_or<internal::tags::tolerance>(
       np, unit * internal::default_cell_tolerance(field.table));
   const internal::Cell_partition found =
-      internal::cell_boundaries(field, distance.number_of_sources(), tolerance / unit);
+      internal::cell_boundaries(field, cell_of_source, tolerance / unit);
   Voronoi_cells cells;
   if (!found.is_complete) cells.status = Status::inaccurate;
   for (const double area : found.areas) cells.areas.push_back(area * unit * unit);
@@ -142,6 +154,15 @@ Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
     cells.boundaries.push_back(std::move(boundary));
   }
   return cells;
+}
+
+/// divides a surface into a cell for each source; see the overload with a cell of each source.
+template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
+                            const NP& np = parameters::default_values()) {
+  std::vector<std::uint32_t> own(distance.number_of_sources());
+  std::iota(own.begin(), own.end(), 0U);
+  return voronoi_cells(distance, own, np);
 }
 
 /*!

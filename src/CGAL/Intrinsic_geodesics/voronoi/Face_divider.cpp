@@ -126,11 +126,12 @@ void Face_divider::divide(std::uint32_t face, const Face_part& whole) {
   parts_ = 0;
   is_flat_ = !(shape.apex.y > rounding * size);
   std::vector<Plane_point> sources;
-  for (const std::uint32_t s : field_.sources_in_face(face)) {
-    const Point_in_face& p = field_.face_sources[s];
-    sources.push_back(field_.turned_to(3 * face, p.point, p.side));
+  const Distance_field& field = labelled_.field;
+  for (const std::uint32_t s : field.sources_in_face(face)) {
+    const Point_in_face& p = field.face_sources[s];
+    sources.push_back(field.turned_to(3 * face, p.point, p.side));
   }
-  divide(whole, sites_of_face(field_, face), std::move(sources), 0);
+  divide(whole, sites_of_face(labelled_, face), std::move(sources), 0);
 }
 
 void Face_divider::divide(const Face_part& part, const Sites& all, std::vector<Plane_point> sources,

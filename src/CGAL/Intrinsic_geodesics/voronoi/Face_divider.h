@@ -34,7 +34,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /// A point on the boundary of a part of a face.
 struct Part_corner {
   Plane_point point;                 ///< in the frame of the first side of the face
-  std::uint32_t label;               ///< nearest source of what follows on the boundary
+  std::uint32_t label;               ///< cell of what follows on the boundary
   std::uint32_t node = Gluing::none; ///< where the label changes, the number of this place
   std::uint32_t side = Gluing::none; ///< the side of the face on which that place is, or none
   double parameter = 0;              ///< where on that side
@@ -49,8 +49,8 @@ using Face_part = std::vector<Part_corner>;
 class Face_divider {
 public:
   /// writes to a partition. `tolerance` is that of lines, in scaled units.
-  Face_divider(const Distance_field& field, double tolerance, Cell_partition& partition)
-      : field_(field), table_(field.table), given_tolerance_(tolerance), out_(partition) {}
+  Face_divider(const Labelled_field& labelled, double tolerance, Cell_partition& partition)
+      : labelled_(labelled), table_(labelled.field.table), given_tolerance_(tolerance), out_(partition) {}
 
   /// divides a face along the boundary of which labels are known.
   void divide(std::uint32_t face, const Face_part& whole);
@@ -82,7 +82,7 @@ private:
   void add_area(std::uint32_t label, double area);
   Path_place place(const Part_corner& c) const;
 
-  const Distance_field& field_;
+  const Labelled_field& labelled_;
   const Corner_table& table_;
   double given_tolerance_;
   Cell_partition& out_;

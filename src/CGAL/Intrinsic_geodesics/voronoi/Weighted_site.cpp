@@ -22,11 +22,13 @@ namespace {
 
 // The site of a window in the frame of its side. As for distances of points, the interval is wider
 // by what rounding may have lost.
-Weighted_site site_of(const Distance_field& field, const Stored_windows::Record& w, double length) {
+Weighted_site site_of(const Labelled_field& labelled, const Stored_windows::Record& w,
+                      double length) {
   const double tolerance = window_angle_tolerance * length;
   const Plane_point begin{Stored_windows::place(w.begin, length) - tolerance, 0},
       end{Stored_windows::place(w.end, length) + tolerance, 0};
-  return {w.image, field.offset(w.source), field.origin(w.source), begin - w.image, end - w.image};
+  return {w.image, labelled.field.offset(w.source), labelled.label(w.source), begin - w.image,
+          end - w.image};
 }
 
 // A site as a function on a segment.
@@ -168,7 +170,8 @@ private:
 
 } // namespace
 
-std::vector<Weighted_site> sites_of_face(const Distance_field& field, std::uint32_t face) {
+std::vector<Weighted_site> sites_of_face(const Labelled_field& labelled, std::uint32_t face) {
+  const Distance_field& field = labelled.field;
   std::vector<Weighted_site> result;
   const std::uint32_t first = 3 * face;
   const auto turned = [&](Plane_point p, std::uint32_t from) {
@@ -177,9 +180,9 @@ std::vector<Weighted_site> sites_of_face(const Distance_field& field, std::uint3
   for (std::uint32_t side = first; side < first + 3; ++side) {
     const std::uint32_t v = field.table.corners[side].origin;
     const Plane_point corner = turned({0, 0}, side);
-    result.push_back({corner, field.offset(v), field.origin(v)});
+    result.push_back({corner, field.offset(v), labelled.label(v)});
     field.windows.for_each(side, [&](const Stored_windows::Record& w) {
-      Weighted_site site = site_of(field, w, field.table.corners[side].length);
+      Weighted_site site = site_of(labelled, w, field.table.corners[side].length);
       const Plane_point begin = site.place + site.to_begin, end = site.place + site.to_end;
       site.place = turned(site.place, side);
       site.to_begin = turned(begin, side) - site.place;
@@ -189,23 +192,24 @@ std::vector<Weighted_site> sites_of_face(const Distance_field& field, std::uint3
   }
   for (const std::uint32_t s : field.sources_in_face(face)) {
     const Point_in_face& p = field.face_sources[s];
-    result.push_back({turned(p.point, p.side), 0, field.origins[s]});
+    result.push_back({turned(p.point, p.side), 0, labelled.cell_of_source[field.origins[s]]});
   }
   return result;
 }
 
-std::vector<Weighted_site> sites_of_edge(const Distance_field& field, std::uint32_t side) {
+std::vector<Weighted_site> sites_of_edge(const Labelled_field& labelled, std::uint32_t side) {
+  const Distance_field& field = labelled.field;
   const Corner_table& table = field.table;
   const double length = table.corners[side].length;
   const std::uint32_t v = table.corners[side].origin,
                       w = table.corners[Corner_table::next(side)].origin;
-  std::vector<Weighted_site> result{{{0, 0}, field.offset(v), field.origin(v)},
-                                    {{length, 0}, field.offset(w), field.origin(w)}};
+  std::vector<Weighted_site> result{{{0, 0}, field.offset(v), labelled.label(v)},
+                                    {{length, 0}, field.offset(w), labelled.label(w)}};
   field.windows.for_each(side, [&](const Stored_windows::Record& record) {
-    result.push_back(site_of(field, record, length));
+    result.push_back(site_of(labelled, record, length));
   });
   field.windows.for_each(table.corners[side].opposite, [&](const Stored_windows::Record& record) {
-    Weighted_site site = site_of(field, record, length);
+    Weighted_site site = site_of(labelled, record, length);
     site.place = {length - site.place.x, -site.place.y};
     site.to_begin = {-site.to_begin.x, -site.to_begin.y};
     site.to_end = {-site.to_end.x, -site.to_end.y};

@@ -33,7 +33,7 @@ The wedge is bounded by two rays from the place; it is all of the plane if they 
 struct Weighted_site {
   Plane_point place;          ///< of the source
   double weight;              ///< distance of the source from the nearest true one
-  std::uint32_t label;        ///< index of that true one
+  std::uint32_t label;        ///< cell of that true one
   Plane_point to_begin{0, 0}; ///< direction of a ray that has the wedge on its right
   Plane_point to_end{0, 0};   ///< direction of a ray that has the wedge on its left
 
@@ -50,25 +50,38 @@ struct Weighted_site {
   }
 };
 
+/// What a search found, and the cell of each of its sources.
+struct Labelled_field {
+  const Distance_field& field;
+  std::span<const std::uint32_t> cell_of_source; ///< by the index of the source
+
+  /// returns the cell of the true source where the shortest path to the source of a window begins;
+  /// `Gluing::none` if there is none.
+  std::uint32_t label(std::uint32_t source) const {
+    const std::uint32_t origin = field.origin(source);
+    return origin == Gluing::none ? origin : cell_of_source[origin];
+  }
+};
+
 /// returns the sites of a face, in the frame of its first side: what windows show in it, its
 /// corners, and the sources in it. \pre windows are kept
-std::vector<Weighted_site> sites_of_face(const Distance_field& field, std::uint32_t face);
+std::vector<Weighted_site> sites_of_face(const Labelled_field& labelled, std::uint32_t face);
 
 /// returns the sites of a side that has faces on both sides, in its frame: what windows of both
 /// show, and its ends.
-std::vector<Weighted_site> sites_of_edge(const Distance_field& field, std::uint32_t side);
+std::vector<Weighted_site> sites_of_edge(const Labelled_field& labelled, std::uint32_t side);
 
 /// returns the least distance of a point from sites that see it, infinity if none does.
 double least_distance(std::span<const Weighted_site> sites, Plane_point p);
 
-/// A part of a segment with one nearest source.
+/// A part of a segment in one cell.
 struct Labelled_piece {
   double end;          ///< where it ends, from the begin of the segment on
-  std::uint32_t label; ///< the source; `Gluing::none` if there is none
+  std::uint32_t label; ///< the cell; `Gluing::none` if there is none
 };
 
 /*!
-\brief finds the parts of a segment with one nearest source each.
+\brief finds the parts of a segment that are in one cell each.
 \param sites the sites
 \param from the begin of the segment
 \param to its end

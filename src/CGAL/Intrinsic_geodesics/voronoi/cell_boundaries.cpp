@@ -23,9 +23,9 @@ namespace {
 // Finds breaks on all edges, then divides the faces.
 class Cell_finder {
 public:
-  Cell_finder(const Distance_field& field, double tolerance, Cell_partition& out)
-      : field_(field), table_(field.table), out_(out), divider_(field, tolerance, out),
-        first_break_(table_.corners.size() + 1, 0) {}
+  Cell_finder(const Labelled_field& labelled, double tolerance, Cell_partition& out)
+      : labelled_(labelled), field_(labelled.field), table_(field_.table), out_(out),
+        divider_(labelled, tolerance, out), first_break_(table_.corners.size() + 1, 0) {}
 
   void run() {
     for (std::uint32_t side = 0; side < table_.corners.size(); ++side) {
@@ -45,13 +45,13 @@ private:
     return c.origin != Gluing::none && (c.opposite == Gluing::none || side < c.opposite);
   }
 
-  // Whether all that is seen on a side comes from one source.
-  bool has_one_source(std::uint32_t side) const {
-    const std::uint32_t label = field_.origin(table_.corners[side].origin);
-    bool is_one = field_.origin(table_.corners[Corner_table::next(side)].origin) == label;
+  // Whether all that is seen on a side comes from the sources of one cell.
+  bool has_one_label(std::uint32_t side) const {
+    const std::uint32_t label = labelled_.label(table_.corners[side].origin);
+    bool is_one = labelled_.label(table_.corners[Corner_table::next(side)].origin) == label;
     for (const std::uint32_t s : {side, table_.corners[side].opposite})
       field_.windows.for_each(s, [&](const Stored_windows::Record& w) {
-        is_one = is_one && field_.origin(w.source) == label;
+        is_one = is_one && labelled_.label(w.source) == label;
       });
     return is_one;
   }
@@ -61,17 +61,17 @@ private:
     const Face_corner& c = table_.corners[side];
     constexpr double rounding = 1e-12;
     const bool is_border = c.opposite == Gluing::none;
-    if (!is_border && has_one_source(side)) return;
+    if (!is_border && has_one_label(side)) return;
     const Plane_point from{0, 0}, to{c.length, 0};
     std::vector<Labelled_piece> pieces;
     if (is_border) {
       const auto turned = [&](Plane_point p) { return field_.turned_to(side - side % 3, p, side); };
-      pieces = nearest_on_segment(sites_of_face(field_, side / 3), turned(from), turned(to),
+      pieces = nearest_on_segment(sites_of_face(labelled_, side / 3), turned(from), turned(to),
                                   rounding * c.length);
     } else {
-      pieces = nearest_on_segment(sites_of_edge(field_, side), from, to, rounding * c.length);
+      pieces = nearest_on_segment(sites_of_edge(labelled_, side), from, to, rounding * c.length);
     }
-    std::uint32_t label = field_.origin(c.origin);
+    std::uint32_t label = labelled_.label(c.origin);
     const auto change_to = [&](std::uint32_t next, double parameter) {
       if (next != label) out_.breaks.push_back({side, parameter, label, next});
       label = next;
@@ -81,7 +81,7 @@ private:
       if (piece.label != Gluing::none) change_to(piece.label, begin / c.length);
       begin = piece.end;
     }
-    change_to(field_.origin(table_.corners[Corner_table::next(side)].origin), 1);
+    change_to(labelled_.label(table_.corners[Corner_table::next(side)].origin), 1);
   }
 
   // Adds a side of a face with its breaks to the boundary of the face.
@@ -90,7 +90,7 @@ private:
     const auto point = [&](double parameter) {
       return field_.turned_to(side - side % 3, {parameter * c.length, 0}, side);
     };
-    part.push_back({point(0), field_.origin(c.origin)});
+    part.push_back({point(0), labelled_.label(c.origin)});
     const bool is_own = is_first(side);
     const std::uint32_t stored = is_own ? side : c.opposite;
     const std::size_t begin = first_break_[stored], end = first_break_[stored + 1];
@@ -109,6 +109,7 @@ private:
     divider_.divide(face, part);
   }
 
+  const Labelled_field& labelled_;
   const Distance_field& field_;
   const Corner_table& table_;
   Cell_partition& out_;
@@ -173,11 +174,13 @@ private:
 
 } // namespace
 
-Cell_partition cell_boundaries(const Distance_field& field, std::uint32_t sources,
-                               double tolerance) {
+Cell_partition cell_boundaries(const Distance_field& field,
+                               std::span<const std::uint32_t> cell_of_source, double tolerance) {
   Cell_partition result;
-  result.areas.assign(sources, 0);
-  Cell_finder(field, tolerance, result).run();
+  for (const std::uint32_t cell : cell_of_source)
+    if (cell >= result.areas.size()) result.areas.resize(cell + std::size_t{1}, 0);
+  const Labelled_field labelled{field, cell_of_source};
+  Cell_finder(labelled, tolerance, result).run();
   return result;
 }
 
