@@ -64,8 +64,9 @@ struct Surface_with_fields {
 
 /// A surface that was laid out in the plane.
 struct Laid_out {
-  Surface_with_fields opened; ///< cut open; its first two fields are places in the plane
-  Surface_with_fields closed; ///< not cut, with places at corners
+  Surface_with_fields opened;        ///< cut open; its first two fields are places in the plane
+  Surface_with_fields closed;        ///< not cut, with places at corners
+  std::vector<IT::Polyline> seams{}; ///< the edges that were cut
 };
 
 /// What a command has computed.

@@ -279,6 +279,7 @@ void write_laid_out(const Laid_out& laid_out, const Options& options, const Json
   if (!options.view.empty()) {
     Viewed viewed;
     viewed.is_plain = true;
+    viewed.curves = laid_out.seams;
     std::vector<IT::Subdivision_field> shown;
     for (const IT::Subdivision_field& field : opened.fields)
       if (field.is_function()) shown.push_back(field);

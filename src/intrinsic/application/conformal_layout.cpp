@@ -33,7 +33,8 @@ public:
 
   Laid_out run(const IT::Flat_torus* torus, Json& json) {
     find_front();
-    layout_ = laid_out();
+    const std::vector<char> is_cut = edges_to_cut();
+    layout_ = laid_out(is_cut);
     const IT::Map_distortion d = IT::internal::measure_distortion(pieces(), layout_.positions);
     json["mean_quasi_conformal"] = finite_or_null(d.mean_quasi_conformal);
     json["max_quasi_conformal"] = finite_or_null(d.maximum_quasi_conformal);
@@ -44,7 +45,7 @@ public:
     json["flipped_faces"] = c.flipped;
     json["degenerate_faces"] = c.degenerate;
     name_faces();
-    return {opened(), closed()};
+    return {opened(), closed(), seams(is_cut)};
   }
 
 private:
@@ -93,8 +94,7 @@ private:
     return result;
   }
 
-  IT::Subdivision_layout laid_out() const {
-    const std::vector<char> is_cut = edges_to_cut();
+  IT::Subdivision_layout laid_out(const std::vector<char>& is_cut) const {
     IT::Flat_subdivision arrays{in_.subdivision, in_.flat, in_.flat.side, is_cut, is_wanted_};
     for (const std::uint32_t row : in_.row)
       arrays.factors.push_back(row == none ? 1 : in_.factors[row]);
@@ -186,6 +186,20 @@ private:
     for (std::uint32_t& f : s.input_face) rename(f);
     for (IT::Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
     s.sheet.clear();
+  }
+
+  std::vector<IT::Polyline> seams(const std::vector<char>& is_cut) const {
+    std::vector<IT::Polyline> result;
+    const std::vector<std::uint32_t>& origin = in_.start.gluing.origin;
+    for (std::uint32_t e = 0; e < is_cut.size(); ++e) {
+      const std::uint32_t side = in_.start.side[2 * e];
+      if (is_cut[e] == 0 || is_on_border(e) || !is_front(side)) continue;
+      result.push_back(
+          {{points_[in_.row[origin[side]]], points_[in_.row[origin[IT::Gluing::next(side)]]]},
+           false,
+           0});
+    }
+    return result;
   }
 
   Surface_with_fields opened() const {
