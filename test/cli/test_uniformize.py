@@ -100,6 +100,15 @@ class Uniformize(Cli_test):
         self.assertGreater(len(places), len(x))
         with open(self.path("x.html"), encoding="utf-8") as file:
             self.assertIn("checks", file.read())
+        disk = self.write_off("d.off", *grid(6))
+        result, x, places, _ = self.layout(disk, "--cones", "2")
+        self.assertEqual((result["cones"], len(x) >= 49, len(places) > len(x)), (2, True, True))
+        moebius = [(math.cos(t / 3) * (2 + r * math.cos(t / 6)),
+                    math.sin(t / 3) * (2 + r * math.cos(t / 6)), r * math.sin(t / 6))
+                   for t in map(lambda i: i * math.pi, range(6)) for r in (-1, 1)]
+        strip = [[2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2] for i in range(5)] + [[10, 11, 0, 1]]
+        self.assert_fails(self.run_program("uniformize", self.write_off("m.off", moebius, strip),
+                                           "-o", "m.obj"), "not oriented alike", ".txt")
         self.stats("uniformize", mesh, "--cones", "8", "-o", "x.vtp")
         with open(self.path("x.vtp"), encoding="utf-8") as file:
             text = file.read()

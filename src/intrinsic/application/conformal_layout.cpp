@@ -68,8 +68,9 @@ private:
       if (other == none || is_front(h) == is_front(other)) continue;
       if (in_.names.sheets > 2 ||
           in_.names.faces.user(h / 3) / 2 != in_.names.faces.user(other / 3) / 2)
-        throw std::runtime_error("the surface has no front that can be laid out, as it is not "
-                                 "orientable; write values to a file .txt");
+        throw std::runtime_error(
+            "the faces are not oriented alike, so that the surface has no front "
+            "that can be laid out; orient them, or write u to a file .txt");
       opened_.gluing.glue[h] = none;
     }
   }

@@ -38,7 +38,7 @@ struct Scaled_surface {
 \param torus nothing, or the torus that it is: coordinates are then in the basis of its translations
 \param points where the vertices of the mesh are
 \param json gets what is reported
-\throws std::runtime_error if the front of a cover is no surface
+\throws std::runtime_error if the surface is a cover that is no double, and has no front
 */
 Laid_out lay_out(const Scaled_surface& surface, const IT::Flat_torus* torus,
                  std::span<const std::array<double, 3>> points, Json& json);
