@@ -178,6 +178,23 @@ TEST(Make_bezier_curve, passes_vertices_that_are_midpoints_up_to_rounding) {
   }
 }
 
+// Midpoints that lie in thin faces are moved by rounding, here by up to 2^-12 of a side of the curve:
+// sides end there still.
+TEST(Make_bezier_curve, ends_short_sides_at_vertices_that_rounding_moved) {
+  using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                             IT::Integer_coordinates>;
+  for (const unsigned seed : {995U, 1331U}) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const meshes::Mesh m = planar_bezier::random_square(6 + seed % 50, random, 3 + seed % 14);
+    std::vector<Point> points;
+    Double t(m.input());
+    const auto c = curve_of(t, random_control(m, 3 + seed % 4, random, points), seed % 6);
+    ASSERT_EQ(c.status, IT::Status::done);
+    EXPECT_NEAR(c.length, length_after(points, seed % 6), 1e-6);
+  }
+}
+
 // Many vertices are on one line: at a joint there, rounding makes both angles less than pi.
 TEST(Make_bezier_curve, is_the_planar_curve_in_doubles_where_vertices_are_collinear) {
   using Rounded = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,

@@ -85,8 +85,12 @@ public:
       const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total);
       if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
-      if (length <= e.distance + (on_border ? rounding * total : tolerance(walk, e)))
-        return has_target ? reach_beyond(walk, target, length, nearness * total)
+      const bool ends = length <= e.distance + (on_border ? rounding * total : tolerance(walk, e));
+      if (has_target && (ends || is_at_vertex(walk, e)) &&
+          reaches(walk, target, length, nearness_at_end * total))
+        return Move_status::done;
+      if (ends)
+        return has_target ? reach_beyond(walk, target, length, nearness_at_end * total)
                           : finish(walk.point(e, std::min(length, e.distance)));
       length -= e.distance;
       const Move_status s = pass(walk, e, has_target, d);
@@ -103,6 +107,8 @@ private:
   static constexpr double rounding = 0x1p-26;
   // The part of a line by which it may miss its target.
   static constexpr double nearness = 0x1p-16;
+  // The same at its end. Rounding in larger faces that are thin has moved its ends by 2^-12 of it.
+  static constexpr double nearness_at_end = 0x1p-10;
 
   // the halfedge before h in its face
   std::uint32_t last(std::uint32_t h) const { return view_.next(view_.next(h)); }

@@ -50,7 +50,8 @@ class Face_divider {
 public:
   /// writes to a partition. `tolerance` is that of lines, in scaled units.
   Face_divider(const Labelled_field& labelled, double tolerance, Cell_partition& partition)
-      : labelled_(labelled), table_(labelled.field.table), given_tolerance_(tolerance), out_(partition) {}
+      : labelled_(labelled), table_(labelled.field.table), given_tolerance_(tolerance),
+        out_(partition) {}
 
   /// divides a face along the boundary of which labels are known.
   void divide(std::uint32_t face, const Face_part& whole);
