@@ -201,6 +201,54 @@ TEST(Conformal_metric, ProvesResidualsOfWildMetrics) {
   EXPECT_LE(*m.proven_residual, 1e-9);
 }
 
+// At the start all triangles are needles whose angles are lost in rounding, also with doubles.
+TEST(Conformal_metric, BalancesFactorsOverTwentyPowersOfTen) {
+  Exact t(rough_torus(8, 0.3, 1).input());
+  IT::flip_to_delaunay(t);
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Scaled s = scaled_at_random(t, 46, seed); // factors exp(u/2)
+    const IT::Prescribed_angles angles(angles_of(t));
+    Ideal ideal(s.input);
+    Double_ideal rounded(s.input);
+    const IT::Conformal_metric exact = IT::conformal_metric(ideal, angles),
+                               inexact = IT::conformal_metric(rounded, angles);
+    EXPECT_EQ(exact.status, IT::Status::done) << seed;
+    EXPECT_EQ(inexact.status, IT::Status::done) << seed;
+    EXPECT_LE(exact.proven_residual.value_or(1), 1e-9) << seed;
+    double mean = 0;
+    for (const double u : s.u) mean += u / static_cast<double>(s.u.size());
+    for (std::size_t v = 0; v < s.u.size(); ++v) {
+      EXPECT_NEAR(exact.u[v], s.u[v] - mean, 1e-8) << seed << ' ' << v;
+      EXPECT_NEAR(inexact.u[v], s.u[v] - mean, 1e-8) << seed << ' ' << v;
+    }
+  }
+}
+
+// A disk with the border angles of a regular polygon: their differences from full and straight
+// angles sum to 2 pi exactly, and symmetric meshes get equal sides.
+TEST(Conformal_metric, DisksBecomeRegularPolygons) {
+  for (const std::uint32_t n : {5U, 6U, 9U}) { // more than four: the fan stays Delaunay
+    Shape fan;                                 // about a raised centre
+    fan.points.push_back({0, 0, 0.9});
+    for (std::uint32_t k = 0; k < n; ++k) {
+      fan.points.push_back({std::cos(2 * pi * k / n), std::sin(2 * pi * k / n), 0});
+      fan.triangles.push_back({0, k + 1, (k + 1) % n + 1});
+    }
+    Ideal t = ideal_delaunay(fan.input());
+    IT::Prescribed_angles angles(n + 1);
+    for (std::size_t v = 1; v <= n; ++v) angles.set(v, IT::Multiple_of_pi{n - 2, n});
+    const IT::Conformal_metric m = IT::conformal_metric(t, angles);
+    EXPECT_EQ(m.status, IT::Status::done);
+    EXPECT_LE(m.proven_residual.value_or(1), 1.1e-10);
+    // sides 2 sin(pi / n) times w^2 and spokes sqrt(1 + 0.81) times w w_0 have these proportions
+    const double side = 2 * std::sin(pi / n), spoke = std::sqrt(1.81);
+    for (std::size_t v = 1; v <= n; ++v)
+      EXPECT_NEAR(side * m.scale_factors[v] / (spoke * m.scale_factors[0]), side, 1e-9) << n;
+    angles.set(1, IT::Multiple_of_pi{2 * n - 3, 2 * n});
+    EXPECT_THROW(IT::conformal_metric(t, angles), IT::Invalid_input);
+  }
+}
+
 TEST(Conformal_metric, ConesArePlacedWithTheCurvatureOfTheSurface) {
   for (const std::size_t cones : {3U, 4U, 7U, 8U, 12U}) {
     const meshes::Mesh potato = meshes::potato(3, 1);

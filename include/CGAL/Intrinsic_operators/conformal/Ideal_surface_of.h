@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -76,7 +77,8 @@ public:
   }
 
   std::optional<std::vector<Enclosed_ideal_face>> enclosures() const override {
-    if constexpr (std::floating_point<typename Triangulation::FT>)
+    if constexpr (!Triangulation::Metric::is_exact &&
+                  !std::is_same_v<typename Triangulation::FT, Interval_nt<false>>)
       return std::nullopt;
     else {
       std::vector<Enclosed_ideal_face> result;

@@ -70,20 +70,30 @@ void Angle_system::read(const std::vector<Ideal_face>& faces) {
 
 Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) const {
   diagonal = Eigen::VectorXd::Zero(number_of_unknowns_);
-  std::vector<Symmetric_entry> between;
+  std::vector<Symmetric_entry> between, sizes; // sizes: without signs
   between.reserve(entries_.size());
+  sizes.reserve(entries_.size());
   for (const Symmetric_entry& e : entries_) {
     const int i = unknown_[static_cast<std::size_t>(e.i)],
               j = unknown_[static_cast<std::size_t>(e.j)];
-    if (i != fixed && j != fixed)
+    if (i != fixed && j != fixed) {
       between.push_back({i, j, -e.value});
-    else if (i != fixed || j != fixed)
+      sizes.push_back({i, j, std::abs(e.value)});
+    } else if (i != fixed || j != fixed)
       diagonal[std::max(i, j)] += e.value;
   }
-  Eigen::SparseMatrix<double> m =
-      Symmetric_columns(between, number_of_unknowns_).matrix([](int, auto, auto) { return 0.; });
-  // Edges of a Delaunay triangulation have no negative weight but by rounding.
-  for (Eigen::Index k = 0; k < m.nonZeros(); ++k) m.valuePtr()[k] = std::min(m.valuePtr()[k], 0.);
+  const auto assembled = [this](const std::vector<Symmetric_entry>& entries) {
+    return Symmetric_columns(entries, number_of_unknowns_).matrix([](int, auto, auto) {
+      return 0.;
+    });
+  };
+  Eigen::SparseMatrix<double> m = assembled(between);
+  const Eigen::SparseMatrix<double> size = assembled(sizes);
+  // Edges of a Delaunay triangulation have no negative weight but by rounding. Where all digits are
+  // lost, the weight is as large as the error, so that no vertex comes apart from the others.
+  constexpr double error = 0x1p-50;
+  for (Eigen::Index k = 0; k < m.nonZeros(); ++k)
+    m.valuePtr()[k] = std::min(m.valuePtr()[k], -error * size.valuePtr()[k]);
   diagonal = diagonal.cwiseMax(0);
   return m;
 }

@@ -34,12 +34,12 @@ public:
   // zero in components where it is fixed nowhere.
   // \pre b is zero where x is fixed, and has the mean zero up to rounding where it is fixed nowhere
   Eigen::VectorXd solve(Eigen::VectorXd b);
+  // Subtracts its mean from x in components where nothing is fixed.
+  void centre(Eigen::VectorXd& x) const;
 
 private:
   static constexpr int fixed = -1;
 
-  // Subtracts its mean from x in components where nothing is fixed.
-  void centre(Eigen::VectorXd& x) const;
   void factor();
   Eigen::SparseMatrix<double> matrix(Eigen::VectorXd& diagonal) const;
   bool has_same_pattern(const Eigen::SparseMatrix<double>& m) const;

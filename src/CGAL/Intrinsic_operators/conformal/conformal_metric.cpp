@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
 #include <CGAL/Intrinsic_operators/conformal/angle_enclosures.h>
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double near = 1e-8; // residuals in radians that rounding may leave
 
 // Newton's method.
 class Conformal_newton {
@@ -43,6 +45,11 @@ private:
   double residual(const Eigen::VectorXd& excess) const {
     return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
   }
+  // Takes steps until the status of the result is known.
+  void iterate(Conformal_metric& result);
+  // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many powers
+  // of ten, triangles are needles whose angles are lost in rounding.
+  void balance();
   // Goes along Newton's direction. \return the part of it, or zero: rounding hides a better place
   double step();
 
@@ -91,7 +98,12 @@ std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Eigen::VectorXd
 double Conformal_newton::step() {
   constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
   constexpr double shortest = 0x1p-30;
-  const Eigen::VectorXd direction = system_->solve(excess_);
+  Eigen::VectorXd direction;
+  try {
+    direction = system_->solve(excess_);
+  } catch (const Indefinite_matrix&) { // weights differ by more than doubles can
+    return 0;
+  }
   const double slope = -direction.dot(excess_);
   const double largest = direction.lpNorm<Eigen::Infinity>();
   if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
@@ -107,8 +119,32 @@ double Conformal_newton::step() {
   return 0;
 }
 
-Conformal_metric Conformal_newton::solve() {
-  Conformal_metric result;
+void Conformal_newton::balance() {
+  constexpr int sweeps = 30;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    std::vector<double> sum(factors_.size(), 0), count(factors_.size(), 0);
+    double mean = 0;
+    for (const Ideal_face& f : faces_)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double logarithm = std::log(f.lambda[k]);
+        mean += logarithm / (3 * static_cast<double>(faces_.size()));
+        for (const int row : {f.rows[k], f.rows[(k + 1) % 3]}) {
+          sum[static_cast<std::size_t>(row)] += logarithm;
+          ++count[static_cast<std::size_t>(row)];
+        }
+      }
+    Eigen::VectorXd u = u_;
+    for (std::size_t r = 0; r < count.size(); ++r)
+      if (is_fixed_[r] == 0) u[static_cast<Eigen::Index>(r)] += mean - sum[r] / count[r];
+    system_->centre(u);
+    std::optional<Eigen::VectorXd> excess = excess_at(u);
+    if (!excess) break;
+    u_ = u;
+    excess_ = *std::move(excess);
+  }
+}
+
+void Conformal_newton::iterate(Conformal_metric& result) {
   result.residual = residual(excess_);
   result.status = Status::cap;
   while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
@@ -117,7 +153,6 @@ Conformal_metric Conformal_newton::solve() {
     ++result.iterations;
     const double now = residual(excess_);
     // Near the solution a step that does not help much ends at rounding errors.
-    constexpr double near = 1e-8;
     if (part == 0 || (result.residual < near && now > result.residual / 2)) {
       if (part == 0 || now >= result.residual) {
         u_ = u;
@@ -134,6 +169,15 @@ Conformal_metric Conformal_newton::solve() {
     }
   }
   if (result.residual <= options_.tolerance) result.status = Status::done;
+}
+
+Conformal_metric Conformal_newton::solve() {
+  Conformal_metric result;
+  iterate(result);
+  if (result.status == Status::stalled && result.residual > near) {
+    balance();
+    iterate(result);
+  }
   result.flips = flips_;
   result.u.assign(u_.data(), u_.data() + u_.size());
   result.scale_factors = std::move(factors_);
