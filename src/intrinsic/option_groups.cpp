@@ -508,12 +508,19 @@ void add_distance_options(CLI::App& command, Options& options) {
                   "separated by commas; a whole number alone is how many")
       ->check(level_list())
       ->needs(isolines);
+  CLI::Option* const voronoi =
+      command
+          .add_option("--voronoi", a.voronoi,
+                      "with --method exact: write the lines between the cells of the nearest "
+                      "source, or set of --sources, to " +
+                          extensions_of(Contents::curves))
+          ->check(file_of({Contents::curves}));
   command
-      .add_option(
-          "--voronoi", a.voronoi,
-          "with --method exact: write the lines between the cells of the nearest source to " +
-              extensions_of(Contents::curves))
-      ->check(file_of({Contents::curves}));
+      .add_option("--cell-tolerance", a.cell_tolerance,
+                  "how far off these lines may be, in units of the file; default a thousandth of "
+                  "the mean edge")
+      ->check(positive())
+      ->needs(voronoi);
 }
 
 namespace {
@@ -528,8 +535,8 @@ std::string batch_misuse(const Options& o) {
            "--targets, --curve and --signed";
   if (o.adaptive.is_asked_for)
     return "--adaptive refines about one point; give it with --source, or another criterion";
-  if (!a.voronoi.empty())
-    return "--voronoi divides the surface among sources; give them with --source";
+  if (!a.voronoi.empty() && !a.pairs.empty())
+    return "--voronoi divides the surface among sources; give them with --source or --sources";
   if (!o.view.empty() || !a.isolines.empty())
     return "a page and isolines show one function; for one set give --source, not --pairs or "
            "--sources";
@@ -537,6 +544,13 @@ std::string batch_misuse(const Options& o) {
     return "searches between pairs end where they arrive; leave --max-distance out";
   if (!a.pairs.empty() && !o.output.empty() && !is_file_of(Contents::values, o.output))
     return o.output + ": write distances of pairs to " + extensions_of(Contents::values);
+  if (!a.source_sets.empty() && !a.voronoi.empty()) {
+    if (!o.output.empty() && !is_file_of(Contents::values, o.output))
+      return "with --voronoi, --sources gives the distance of the nearest set; write it with -o "
+             "to " +
+             extensions_of(Contents::values);
+    return {};
+  }
   if (!a.source_sets.empty() && !is_file_of(Contents::full_matrix, o.output))
     return "--sources makes a matrix; write it with -o to " + extensions_of(Contents::full_matrix);
   return {};

@@ -66,11 +66,13 @@ struct Application_options {
   std::vector<std::string> targets; ///< points, separated by commas, at which the search may end
   /// where the search ends, in units of the input
   std::optional<double> maximum_distance = std::nullopt;
-  std::string pairs;              ///< file of two vertices on each line; empty: none
-  std::string source_sets;        ///< file of vertices that are sources together; empty: none
-  std::string isolines;           ///< file of lines of equal distance; empty: none
-  std::string levels = "10";      ///< how many, or which, separated by commas
-  std::string voronoi;            ///< file of the lines between cells of sources; empty: none
+  std::string pairs;         ///< file of two vertices on each line; empty: none
+  std::string source_sets;   ///< file of vertices that are sources together; empty: none
+  std::string isolines;      ///< file of lines of equal distance; empty: none
+  std::string levels = "10"; ///< how many, or which, separated by commas
+  std::string voronoi;       ///< file of the lines between cells of sources; empty: none
+  /// of these lines, in the units of the file; none: a thousandth of the mean edge
+  std::optional<double> cell_tolerance{};
   std::string on = "subdivision"; ///< `input`, `intrinsic` or `subdivision`
   double time_factor = 1;         ///< of the time step that a method chooses
   std::size_t count = 10;         ///< of eigenpairs

@@ -31,13 +31,29 @@ class Cells(Cli_test):
             labels = [int(float(line.split()[1])) for line in file]
         self.assertEqual([labels.count(i) for i in (0, 1)], cells["vertices"])
 
+    def test_sets_of_sources_share_cells(self):
+        self.write("sets.txt", "0 20\n4 24\n")  # two sides of the square
+        stats = self.stats("distance", self.mesh, "--method", "exact", "--sources",
+                           self.path("sets.txt"), "--voronoi", self.path("lines.obj"),
+                           "--cell-tolerance", "1e-6", "--on", "input", "-o",
+                           self.path("d.txt"))["distance"]
+        cells = stats["cells"]
+        self.assertEqual((stats["sets"], cells["boundaries"], cells["junctions"]), (2, 1, 0))
+        whole = sum(cells["areas"])
+        for area in cells["areas"]:
+            self.assertAlmostEqual(area, whole / 2, delta=1e-5 * whole)
+        with open(self.path("d.txt"), encoding="ascii") as file:
+            labels = [int(float(line.split()[1])) for line in file]
+        self.assertEqual([labels.count(i) for i in (0, 1)], cells["vertices"])
+
     def test_bad_usage(self):
         self.write("sets.txt", "0\n")
         for options in (("--source", "0", "--voronoi", "l.obj"),
                         ("--source", "0", "--method", "exact", "--max-distance", "1",
                          "--voronoi", "l.obj"),
                         ("--pairs", self.path("sets.txt"), "--method", "exact",
-                         "--voronoi", "l.obj")):
+                         "--voronoi", "l.obj"),
+                        ("--source", "0", "--method", "exact", "--cell-tolerance", "1")):
             run = self.run_program("distance", self.mesh, *options)
             self.assertEqual(run.code, 2, run.err)
             self.assertIn("--voronoi", run.err)

@@ -106,18 +106,29 @@ Computed heat_distances(const Triangulation& t, const Sources& sources,
                    heat.time());
 }
 
-// Divides the surface among the sources.
 template <class Triangulation>
-void add_cells(const IT::Polyhedral_distance<Triangulation>& search, Computed& computed) {
+IT::Voronoi_cells cells_of(const IT::Polyhedral_distance<Triangulation>& search,
+                           const std::vector<std::uint32_t>& cell_of_source,
+                           const Application_options& o) {
+  return o.cell_tolerance ? IT::voronoi_cells(search, cell_of_source,
+                                              IT::parameters::tolerance(*o.cell_tolerance))
+                          : IT::voronoi_cells(search, cell_of_source);
+}
+
+// Divides the surface among the sources, or sets of them.
+template <class Triangulation>
+void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
+               const std::vector<std::uint32_t>& cell_of_source, const Application_options& o,
+               Computed& computed) {
   const Triangulation& t = search.triangulation();
-  IT::Voronoi_cells cells = IT::voronoi_cells(search);
-  std::vector<std::size_t> sizes(search.number_of_sources());
+  IT::Voronoi_cells cells = cells_of(search, cell_of_source, o);
+  std::vector<std::size_t> sizes(cells.areas.size());
   Function nearest{"nearest_source", computed.functions.front().values};
   for (const auto v : vertices(t.mesh())) {
     const std::uint32_t source = search.nearest_source(v);
     const bool is_reached = source != IT::Gluing::none;
-    nearest.values[t.input_vertex(v)] = is_reached ? double(source) : -1;
-    if (is_reached) ++sizes[source];
+    nearest.values[t.input_vertex(v)] = is_reached ? double(cell_of_source[source]) : -1;
+    if (is_reached) ++sizes[cell_of_source[source]];
   }
   computed.functions.push_back(std::move(nearest));
   computed.json["cells"] = {{"vertices", sizes},
@@ -148,7 +159,29 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   computed.json["status"] = program::name(search.status());
   computed.json["reached"] = finite_or_null(search.reached_distance());
   computed.json["targets"] = std::move(to_targets);
-  if (!o.voronoi.empty()) add_cells(search, computed);
+  if (!o.voronoi.empty()) {
+    std::vector<std::uint32_t> own(points.size());
+    std::iota(own.begin(), own.end(), 0U);
+    add_cells(search, own, o, computed);
+  }
+  return computed;
+}
+
+// The distance of the nearest set of sources in a file, and the cells of the sets.
+template <class Triangulation>
+Computed cells_of_sets(const Triangulation& t, const Application_options& o) {
+  const std::vector<Vertices> sets =
+      vertices_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
+  const IT::Polyhedral_distance<Triangulation> search(t, sets);
+  const std::vector<double> by_row = search.distances();
+  const auto rows = static_cast<Eigen::Index>(by_row.size());
+  Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
+  computed.json["sets"] = sets.size();
+  computed.json["status"] = program::name(search.status());
+  std::vector<std::uint32_t> set_of_source;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    set_of_source.insert(set_of_source.end(), sets[i].size(), static_cast<std::uint32_t>(i));
+  add_cells(search, set_of_source, o, computed);
   return computed;
 }
 
@@ -223,8 +256,8 @@ Computed distance_matrix(const Triangulation& t, const Options& options, Progres
   const Vertex_sets asked = read_vertex_sets(options.application.source_sets, rows, false);
   Computed computed{"distance", {}, {}};
   computed.json = {{"method", options.application.distance}, {"sets", asked.rows.size()}};
-  computed.write = [&t, &options, &progress, rows,
-                    sets = vertices_of(t, asked)](std::ostream& out, Json& json) {
+  computed.write = [&t, &options, &progress, rows, sets = vertices_of(t, asked)](std::ostream& out,
+                                                                                 Json& json) {
     const Distance_columns<Triangulation> columns(t, options.application, progress);
     Column_writer file(out, options.output, rows, sets.size());
     Range range;
@@ -302,7 +335,8 @@ void run_distance(const Options& options) {
                                Progress& progress) {
     const Application_options& o = options.application;
     if (!o.pairs.empty()) return distances_of_pairs(t, options, progress);
-    if (!o.source_sets.empty()) return distance_matrix(t, options, progress);
+    if (!o.source_sets.empty())
+      return o.voronoi.empty() ? distance_matrix(t, options, progress) : cells_of_sets(t, o);
     return o.distance == "exact" ? exact_distances(t, sources, o) : heat_distances(t, sources, o);
   });
 }
