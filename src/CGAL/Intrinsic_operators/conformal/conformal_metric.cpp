@@ -47,8 +47,8 @@ private:
   }
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
-  // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many powers
-  // of ten, triangles are needles whose angles are lost in rounding.
+  // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
+  // powers of ten, triangles are needles whose angles are lost in rounding.
   void balance();
   // Goes along Newton's direction. \return the part of it, or zero: rounding hides a better place
   double step();
