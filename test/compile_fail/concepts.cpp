@@ -5,6 +5,7 @@
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
@@ -100,6 +101,14 @@ template <class Triangulation, class Correspondence>
   requires IntrinsicCorrespondence<Correspondence, Triangulation>
 void use(Correspondence&) {}
 void misuse(Hears_too_late& correspondence) { use<Intrinsic_triangulation<>>(correspondence); }
+
+#elif defined CASE_Has_horocycles
+// Euclid's lengths have no factors of vertices.
+// case Has_horocycles: satisfaction of .Has_horocycles<
+void misuse(Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>>& t,
+            const Prescribed_angles& angles) {
+  conformal_metric(t, angles);
+}
 
 #elif defined CASE_IntrinsicMetric
 // A metric that decides nothing.
