@@ -267,13 +267,14 @@ Common_subdivision common_subdivision(const Triangulation& t) {
 \brief extracts the common subdivision of a triangulation with an ideal hyperbolic metric and its
 input; see the other overload, and `ideal_crossing_parameters()` for where crossings are.
 \tparam Triangulation a model of `IndexedTriangulation` whose correspondence is by curves
+\param ideal the triangulation
 \throws std::length_error if there are more than 2^31 crossings
 */
 template <IndexedTriangulation Triangulation>
   requires internal::Scales_vertices<typename Triangulation::Metric> &&
       internal::Has_curves<Triangulation>
-          Common_subdivision common_subdivision(const Triangulation& t) {
-    return internal::extract_subdivision(t, t.correspondence());
+          Common_subdivision common_subdivision(const Triangulation& ideal) {
+    return internal::extract_subdivision(ideal, ideal.correspondence());
   }
 
 /// \cond

@@ -104,7 +104,7 @@ that no face is inverted and no edge bent.
 \tparam Mesh a model of `MutableDeltaComplex`
 \tparam Traits a model of `IntrinsicTriangulationTraits`, with an ideal hyperbolic metric
 \tparam Correspondence `Integer_coordinates` or `Explicit_crossings`
-\param t the triangulation
+\param ideal the triangulation
 \complexity linear in the number of crossings, mostly
 */
 template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits, class Correspondence>
@@ -112,8 +112,8 @@ template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits, class C
     c.integer_coordinates();
   }
 Delaunay_certificate
-certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& t) {
-  return internal::Ideal_delaunay_certifier(t).certificate();
+certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& ideal) {
+  return internal::Ideal_delaunay_certifier(ideal).certificate();
 }
 
 } // namespace CGAL::Intrinsic_triangulations
