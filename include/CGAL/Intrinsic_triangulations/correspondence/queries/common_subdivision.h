@@ -251,8 +251,9 @@ Common_subdivision extract_subdivision(const Triangulation& t, const Coordinates
 course).
 
 Its connectivity follows from integers alone, so that rounding of the crossings cannot invalidate
-it.
-\tparam Triangulation a model of `CorrespondingTriangulation`
+it. For where crossings are with an ideal hyperbolic metric, see `ideal_crossing_parameters()`.
+\tparam Triangulation a model of `CorrespondingTriangulation`; or of `IndexedTriangulation`, with an
+  ideal hyperbolic metric and a correspondence by curves
 \param t the triangulation
 \throws std::length_error if there are more than 2^31 crossings
 \throws Invalid_input naming an intrinsic edge whose path signposts cannot find
@@ -263,13 +264,7 @@ Common_subdivision common_subdivision(const Triangulation& t) {
   return internal::extract_subdivision(t, internal::queries(t).curves());
 }
 
-/*!
-\brief extracts the common subdivision of a triangulation with an ideal hyperbolic metric and its
-input; see the other overload, and `ideal_crossing_parameters()` for where crossings are.
-\tparam Triangulation a model of `IndexedTriangulation` whose correspondence is by curves
-\param ideal the triangulation
-\throws std::length_error if there are more than 2^31 crossings
-*/
+/// \cond the same with an ideal hyperbolic metric: doxygen cannot tell the two apart
 template <IndexedTriangulation Triangulation>
   requires internal::Scales_vertices<typename Triangulation::Metric> &&
       internal::Has_curves<Triangulation>
@@ -277,7 +272,6 @@ template <IndexedTriangulation Triangulation>
     return internal::extract_subdivision(ideal, ideal.correspondence());
   }
 
-/// \cond
 CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(common_subdivision)
 /// \endcond
 

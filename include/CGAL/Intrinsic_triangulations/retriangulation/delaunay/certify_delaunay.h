@@ -48,9 +48,12 @@ Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t)
 It uses only where edges run on the input, and unfolds them there (see
 `Integer_only_triangulation`); it reads no lengths, areas or history. Inserted vertices are where
 `Integer_coordinates::location()` says, with weights rounded by `representable_weights()`.
+With an ideal hyperbolic metric it reads the factors of vertices, too.
 \tparam Mesh a model of `MutableDeltaComplex`
-\tparam Traits a model of `IntrinsicTriangulationTraits`, with a `EuclideanMetric`
-\tparam Correspondence any that answers queries
+\tparam Traits a model of `IntrinsicTriangulationTraits`, with a `EuclideanMetric` or an ideal
+  hyperbolic metric
+\tparam Correspondence any that answers queries; for ideal hyperbolic metrics
+  `Integer_coordinates` or `Explicit_crossings`
 \param t the triangulation
 \throws Invalid_input and std::length_error as the constructor of `Integer_only_triangulation`
 \complexity see the other overload

@@ -94,19 +94,10 @@ private:
 
 } // namespace internal
 
-/*!
-\brief decides exactly whether a triangulation with an ideal hyperbolic metric from any arithmetic
-is ideal Delaunay.
-
-It uses only where edges run on the input, the lengths there, and the factors of vertices: no stored
-lambda lengths and no history. Normal coordinates define straight edges, and there are no areas, so
-that no face is inverted and no edge bent.
-\tparam Mesh a model of `MutableDeltaComplex`
-\tparam Traits a model of `IntrinsicTriangulationTraits`, with an ideal hyperbolic metric
-\tparam Correspondence `Integer_coordinates` or `Explicit_crossings`
-\param ideal the triangulation
-\complexity linear in the number of crossings, mostly
-*/
+/// \cond see the overload for Euclid's metric: doxygen cannot tell the two apart
+// Uses only where edges run on the input, the lengths there, and the factors of vertices: no stored
+// lambda lengths and no history. Normal coordinates define straight edges, and there are no areas,
+// so that no face is inverted and no edge bent.
 template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits, class Correspondence>
   requires internal::Scales_vertices<typename Traits::Metric> && requires(const Correspondence& c) {
     c.integer_coordinates();
@@ -115,6 +106,7 @@ Delaunay_certificate
 certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& ideal) {
   return internal::Ideal_delaunay_certifier(ideal).certificate();
 }
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 
