@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -161,12 +162,13 @@ double length_after(const std::vector<Point>& b, unsigned rounds) {
   return length_after(left, rounds - 1) + length_after(right, rounds - 1);
 }
 
-// On a lattice many midpoints are vertices, up to rounding. All of these failed while the ends of
-// halves were beside such vertices.
-TEST(Make_bezier_curve, passes_vertices_that_are_midpoints_up_to_rounding) {
+namespace {
+
+// Makes curves in doubles in flat squares with vertices on lattice lines, one for each seed.
+void expect_planar_curves(std::initializer_list<unsigned> seeds, double tolerance) {
   using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                              IT::Integer_coordinates>;
-  for (const unsigned seed : {73U, 392U, 448U, 535U, 580U, 643U, 691U, 812U, 931U}) {
+  for (const unsigned seed : seeds) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
     const meshes::Mesh m = planar_bezier::random_square(6 + seed % 50, random, 3 + seed % 14);
@@ -174,25 +176,22 @@ TEST(Make_bezier_curve, passes_vertices_that_are_midpoints_up_to_rounding) {
     Double t(m.input());
     const auto c = curve_of(t, random_control(m, 3 + seed % 4, random, points), seed % 6);
     ASSERT_EQ(c.status, IT::Status::done);
-    EXPECT_NEAR(c.length, length_after(points, seed % 6), 1e-10);
+    EXPECT_NEAR(c.length, length_after(points, seed % 6), tolerance);
   }
+}
+
+} // namespace
+
+// On a lattice many midpoints are vertices, up to rounding. All of these failed while the ends of
+// halves were beside such vertices.
+TEST(Make_bezier_curve, passes_vertices_that_are_midpoints_up_to_rounding) {
+  expect_planar_curves({73U, 392U, 448U, 535U, 580U, 643U, 691U, 812U, 931U}, 1e-10);
 }
 
 // Midpoints that lie in thin faces are moved by rounding, here by up to 2^-12 of a side of the curve:
 // sides end there still.
 TEST(Make_bezier_curve, ends_short_sides_at_vertices_that_rounding_moved) {
-  using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
-                                             IT::Integer_coordinates>;
-  for (const unsigned seed : {995U, 1331U}) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    std::mt19937 random(seed);
-    const meshes::Mesh m = planar_bezier::random_square(6 + seed % 50, random, 3 + seed % 14);
-    std::vector<Point> points;
-    Double t(m.input());
-    const auto c = curve_of(t, random_control(m, 3 + seed % 4, random, points), seed % 6);
-    ASSERT_EQ(c.status, IT::Status::done);
-    EXPECT_NEAR(c.length, length_after(points, seed % 6), 1e-6);
-  }
+  expect_planar_curves({995U, 1331U}, 1e-6);
 }
 
 // Many vertices are on one line: at a joint there, rounding makes both angles less than pi.

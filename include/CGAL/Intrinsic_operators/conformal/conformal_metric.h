@@ -42,7 +42,7 @@ struct Conformal_metric {
   std::optional<double> proven_residual;
 };
 
-/// What a visitor of `conformal_metric()` is told after each step.
+/// What a visitor of `conformal_metric()` gets after each step.
 struct Conformal_progress {
   unsigned iteration = 0; ///< from 1
   double residual = 0;    ///< see `Conformal_metric`
