@@ -60,17 +60,14 @@ comparisons.
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-namespace {
-
-// The nearest window of a side that shows the far corner.
+// The nearest window of a side that shows the far corner. Not in an anonymous namespace: g++ warns
+// of classes with such members.
 struct Split {
   double distance = std::numeric_limits<double>::infinity();
   double crossing =
       std::numeric_limits<double>::infinity(); // of its line to the corner and the side
   bool operator==(const Split&) const = default;
 };
-
-} // namespace
 
 struct Propagation_memory::Arrays {
   explicit Arrays(const Distance_field& field)
