@@ -1,0 +1,15 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Intrinsic triangulations of surfaces, with exact predicates.
+
+>>> import intrinsic as it
+>>> V = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+>>> s = it.Surface(V, [[0, 1, 2], [0, 2, 3]])
+>>> s
+<intrinsic.Surface: 4 vertices, 2 faces>
+"""
+
+from ._points import Point
+from ._surface import Surface
+
+__all__ = ["Point", "Surface"]

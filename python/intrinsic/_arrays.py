@@ -1,0 +1,110 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arrays that users give, checked, and matrices that they get."""
+
+import numpy as np
+
+
+def numbers(x, name, shape=None):
+    """Returns finite numbers of any type as a C-contiguous array of doubles.
+
+    `shape` is a tuple, in which None stands for any size.
+    """
+    try:
+        a = np.asarray(x)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{name} has rows of different lengths; give an array") from error
+    if a.dtype.kind == "O":
+        try:
+            a = a.astype(np.float64)
+        except (TypeError, ValueError):
+            pass
+    if a.dtype.kind not in "iufb":
+        raise ValueError(f"{name} has no real numbers but {a.dtype}; give an array of numbers")
+    if shape is not None:
+        expect_shape(a, name, shape)
+    a = np.ascontiguousarray(a, dtype=np.float64)
+    bad = ~np.isfinite(a)
+    if bad.any():
+        at = tuple(int(i) for i in np.argwhere(bad)[0])
+        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; give finite numbers")
+    return a
+
+
+def expect_shape(a, name, shape):
+    """Checks the shape of an array."""
+    if a.ndim == len(shape) and all(n is None or n == m for n, m in zip(shape, a.shape)):
+        return
+    wanted = ", ".join("n" if n is None else str(n) for n in shape)
+    wanted += "," if len(shape) == 1 else ""
+    raise ValueError(f"{name} has the shape {a.shape}; give an array of the shape ({wanted})")
+
+
+def indices(x, name, shape=None, count=None):
+    """Returns whole numbers of any type as a C-contiguous array of int64.
+
+    `count` says how many elements there are, whose numbers they are.
+    """
+    try:
+        a = np.asarray(x)
+    except ValueError as error:
+        raise ValueError(f"{name} has rows of different lengths; give an array") from error
+    if a.size == 0 and a.dtype.kind == "f":
+        a = a.astype(np.int64)
+    if a.dtype.kind == "O":
+        try:
+            a = a.astype(np.int64)
+        except (TypeError, ValueError, OverflowError):
+            pass
+    if a.dtype.kind == "f":
+        whole = np.isfinite(a) & (a == np.floor(a)) & (np.abs(a) < 2**62)
+        if not whole.all():
+            at = tuple(int(i) for i in np.argwhere(~whole)[0])
+            raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; give whole numbers")
+    elif a.dtype.kind not in "iu":
+        raise ValueError(f"{name} has no whole numbers but {a.dtype}; give an array of integers")
+    if shape is not None:
+        expect_shape(a, name, shape)
+    if a.dtype == np.uint64 and a.size and a.max() > 2**62:
+        raise ValueError(f"{name} has the number {a.max()}, which no element has")
+    a = np.ascontiguousarray(a, dtype=np.int64)
+    if count is not None and a.size and not (0 <= a.min() and a.max() < count):
+        at = tuple(int(i) for i in np.argwhere((a < 0) | (a >= count))[0])
+        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; "
+                         f"give numbers from 0 to {count - 1}")
+    return a
+
+
+def points(x, name):
+    """Returns points in space, or in the plane, as an array of shape (n, 3)."""
+    a = numbers(x, name)
+    if a.ndim == 2 and a.shape[1] == 2:
+        a = np.column_stack([a, np.zeros(len(a))])
+    expect_shape(a, name, (None, 3))
+    return a
+
+
+def polygons(x, name):
+    """Returns the corners of all faces, and where those of each face begin, and one entry more."""
+    try:
+        a = np.asarray(x)
+        is_array = a.ndim == 2 and a.dtype.kind != "O"
+    except ValueError:  # faces of different sizes
+        is_array = False
+    if is_array:
+        corners = indices(a, name)
+        return corners.ravel(), np.arange(len(corners) + 1) * corners.shape[1]
+    faces = [indices(face, f"{name}[{i}]", (None,)) for i, face in enumerate(x)]
+    begins = np.zeros(len(faces) + 1, dtype=np.int64)
+    np.cumsum([len(face) for face in faces], out=begins[1:])
+    return np.concatenate([np.zeros(0, dtype=np.int64), *faces]), begins
+
+
+def sparse(parts, symmetric=False):
+    """Returns a matrix of scipy, stored by rows, of what `_core` gives; without a copy if it can."""
+    from scipy.sparse import csc_matrix, csr_matrix
+
+    data, columns, begins, shape, has_rows = parts
+    if has_rows or symmetric:
+        return csr_matrix((data, columns, begins), shape=shape)
+    return csc_matrix((data, columns, begins), shape=shape).tocsr()

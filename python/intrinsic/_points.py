@@ -1,0 +1,59 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Points on a surface: vertices, and places in faces."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _arrays
+
+
+class Point(NamedTuple):
+    """A place in a face of the user's mesh, which is a triangle.
+
+    `barycentric` are the weights of its corners, in the order in which the face lists them; they
+    sum to 1.
+    """
+
+    face: int
+    barycentric: tuple
+
+
+def is_point(x):
+    """Tells whether something is one point: the number of a vertex, or a `Point`."""
+    return isinstance(x, Point) or np.ndim(x) == 0
+
+
+def place_arrays(points, name, vertices, faces):
+    """Returns numbers of faces, barycentric coordinates and numbers of vertices of points.
+
+    `points` is a point, or a sequence of points: numbers of vertices and `Point`s, mixed. A point
+    that is a vertex has the face -1, and one in a face the vertex -1. `vertices` and `faces` are
+    how many there are.
+    """
+    if is_point(points):
+        points = [points]
+    if isinstance(points, (list, tuple)) and any(isinstance(p, Point) for p in points):
+        return _mixed_places(points, name, vertices, faces)
+    vertex = np.atleast_1d(_arrays.indices(points, name, (None,), count=vertices))
+    return np.full(len(vertex), -1), np.zeros((len(vertex), 3)), vertex
+
+
+def _mixed_places(points, name, vertices, faces):
+    face = np.full(len(points), -1)
+    vertex = np.full(len(points), -1)
+    weights = np.zeros((len(points), 3))
+    for i, p in enumerate(points):
+        here = f"{name}[{i}]"
+        if not isinstance(p, Point):
+            vertex[i] = _arrays.indices(p, here, (), count=vertices)
+            continue
+        face[i] = _arrays.indices(p.face, here + ".face", (), count=faces)
+        weights[i] = _arrays.numbers(p.barycentric, here + ".barycentric", (3,))
+        total = weights[i].sum()
+        if (weights[i] < 0).any() or abs(total - 1) > 1e-6:
+            raise ValueError(f"{here}.barycentric is {tuple(p.barycentric)}; give three weights "
+                             "that are not negative and sum to 1")
+        weights[i] /= total
+    return face, weights, vertex

@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PYTHON_WATCH_H
+#define INTRINSIC_PYTHON_WATCH_H
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <utility>
+
+namespace python {
+
+/*!
+\brief watches long work, which runs without the interpreter's lock: ten times in a second it lets
+Python handle signals, so that Ctrl-C ends the work, and calls the user's function.
+
+Visitors of the library call it and end the work if it returns false. After that, `rethrow()` throws
+what Python raised: `with_triangulation()` does so.
+*/
+class Watch {
+public:
+  /// \param progress called with the name of a stage and how far that is, a whole number; or `None`
+  explicit Watch(pybind11::object progress = pybind11::none()) : progress_(std::move(progress)) {}
+
+  /*!
+  \brief returns whether to go on. It is called without the interpreter's lock.
+  \param stage what is being done, such as "flips", of which there are
+  \param count so many
+  */
+  bool operator()(const char* stage, std::uint64_t count = 0) {
+    if (error_) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return true;
+    const pybind11::gil_scoped_acquire lock;
+    try {
+      if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+      if (!progress_.is_none()) progress_(stage, count);
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    last_ = std::chrono::steady_clock::now(); // the function takes its time, too
+    return !error_;
+  }
+
+  /// throws what ended the work, if anything did. It is called with the interpreter's lock.
+  void rethrow() {
+    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+  }
+
+private:
+  pybind11::object progress_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  std::exception_ptr error_;
+};
+
+} // namespace python
+
+#endif // INTRINSIC_PYTHON_WATCH_H
