@@ -17,10 +17,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// The plane that triangles are in.
+enum class Geometry : std::uint8_t { euclidean, hyperbolic };
+
 // A face of an ideal triangulation: side k runs from corner k to the next one.
 struct Ideal_face {
   std::array<int, 3> rows;      // of the corners
   std::array<double, 3> lambda; // of the sides, scaled
+
+  // of the Euclidean triangle; zero if there is none
+  double area() const;
 };
 
 // The same with the vertices in place of their rows, and enclosed values.
@@ -46,6 +52,8 @@ public:
   // the row of each vertex, several of them on a double
   virtual const std::vector<std::uint32_t>& row_of_vertex() const = 0;
   virtual std::size_t number_of_rows() const = 0;
+  // lambdas of faces are 2^this times those in the units of the user
+  virtual int scale_exponent() const = 0;
   // how many copies of each face there are
   virtual std::uint32_t sheets() const = 0;
   // Sets scale factors and flips to ideal Delaunay. \return the number of flips; nothing, and there

@@ -54,6 +54,7 @@ public:
 
   const std::vector<std::uint32_t>& row_of_vertex() const override { return row_; }
   std::size_t number_of_rows() const override { return t_.number_of_vertices(); }
+  int scale_exponent() const override { return t_.metric().scale_exponent(); }
   std::uint32_t sheets() const override { return t_.input().names().sheets; }
 
   std::optional<std::size_t> scale(std::span<const double> factors) override {

@@ -88,6 +88,13 @@ std::vector<double> checked_gauss_bonnet(const Prescribed_angles& angles,
                                          const std::vector<std::size_t>& faces,
                                          std::uint32_t sheets);
 
+// Checks angles of a hyperbolic metric: their number, that they are positive and finite, and that
+// they leave an area to each component without free vertices, F pi minus their sum in a closed
+// surface of F faces (Gauss and Bonnet). \throws Invalid_input
+void check_hyperbolic_angles(const Prescribed_angles& angles,
+                             const std::vector<std::uint32_t>& component,
+                             const std::vector<std::size_t>& faces, std::uint32_t sheets);
+
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations

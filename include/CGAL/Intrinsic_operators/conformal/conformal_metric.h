@@ -18,15 +18,15 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds the scale factors of a metric with prescribed angles, as `conformal_metric()` finds
-them.
+\brief holds the scale factors of a metric with prescribed angles, as `conformal_metric()` and
+`hyperbolic_metric()` find them.
 */
 struct Conformal_metric {
   /// `done`: the residual is at most the tolerance; `cap`: the number of iterations was reached;
   /// `stalled`: rounding hides how to go on; `cancelled`: by the visitor.
   Status status = Status::done;
   /// u at each vertex of the user, zero where it is free or isolated, and with mean zero on
-  /// components without free vertices.
+  /// components without free vertices if the metric is flat.
   std::vector<double> u;
   /// The doubles nearest exp(u/2). They define the metric: lambda_ij becomes w_i lambda_ij w_j
   /// exactly.
@@ -42,7 +42,7 @@ struct Conformal_metric {
   std::optional<double> proven_residual;
 };
 
-/// What a visitor of `conformal_metric()` gets after each step.
+/// What a visitor of `conformal_metric()` or `hyperbolic_metric()` gets after each step.
 struct Conformal_progress {
   unsigned iteration = 0; ///< from 1
   double residual = 0;    ///< see `Conformal_metric`
@@ -53,12 +53,24 @@ struct Conformal_progress {
 namespace internal {
 
 struct Conformal_options {
+  Geometry geometry = Geometry::euclidean;
   unsigned maximum_iterations = 100;
   double tolerance = 1e-10;
   std::function<bool(const Conformal_progress&)> progress{};
 };
 
-// Throws as `conformal_metric()` does.
+template <class Parameters>
+Conformal_options conformal_options(const Parameters& np, Geometry geometry) {
+  expect_names<tags::number_of_iterations, tags::tolerance, tags::visitor>(np);
+  Conformal_options options;
+  options.geometry = geometry;
+  options.maximum_iterations = value_or<tags::number_of_iterations>(np, options.maximum_iterations);
+  options.tolerance = value_or<tags::tolerance>(np, options.tolerance);
+  options.progress = progress_of(np);
+  return options;
+}
+
+// Throws as `conformal_metric()` and `hyperbolic_metric()` do.
 Conformal_metric conformal_metric(Ideal_surface& surface, const Prescribed_angles& angles,
                                   const Conformal_options& options);
 
@@ -106,15 +118,9 @@ template <IndexedTriangulation Triangulation, NamedParameters Parameters = param
   requires internal::Has_horocycles<Triangulation>
       Conformal_metric conformal_metric(Triangulation& t, const Prescribed_angles& angles,
                                         const Parameters& np = parameters::default_values()) {
-    namespace tags = internal::tags;
-    internal::expect_names<tags::number_of_iterations, tags::tolerance, tags::visitor>(np);
-    internal::Conformal_options options;
-    options.maximum_iterations =
-        internal::value_or<tags::number_of_iterations>(np, options.maximum_iterations);
-    options.tolerance = internal::value_or<tags::tolerance>(np, options.tolerance);
-    options.progress = internal::progress_of(np);
     internal::Ideal_surface_of<Triangulation> surface(t);
-    return internal::conformal_metric(surface, angles, options);
+    return internal::conformal_metric(
+        surface, angles, internal::conformal_options(np, internal::Geometry::euclidean));
   }
 
 } // namespace CGAL::Intrinsic_triangulations

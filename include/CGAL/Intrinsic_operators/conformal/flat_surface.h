@@ -17,8 +17,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a surface of Euclidean triangles, for layouts, with its sides named by the triangulation
-that it was made of.
+\brief is a surface of triangles with lengths, for layouts, with its sides named by the
+triangulation that it was made of.
 */
 struct Flat_surface : Surface_to_cut {
   /// The side that each halfedge of the triangulation is, by its number; `Gluing::none` on the

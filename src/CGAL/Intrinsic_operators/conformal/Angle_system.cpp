@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
+#include <CGAL/Intrinsic_operators/conformal/triangle_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -10,35 +11,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-namespace {
-
-// Angles and half cotangents at the corners opposite the sides of a triangle. With the sides
-// divided by half of their sum, x_k = 1 - a_k and the radius r of the incircle is sqrt(x_0 x_1
-// x_2): tan(angle_k / 2) = r / x_k, and cot(angle_k) = (x_k - x_i x_j) / (2 r).
-struct Triangle_angles {
-  std::array<double, 3> angle, half_cotangent;
-
-  explicit Triangle_angles(const std::array<double, 3>& sides) {
-    // In an ideal Delaunay triangulation all x are positive; rounding may lose that.
-    constexpr double least = 0x1p-60;
-    const double half = (sides[0] + sides[1] + sides[2]) / 2;
-    std::array<double, 3> x;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double rest = (sides[(k + 1) % 3] - sides[k]) + sides[(k + 2) % 3];
-      x[k] = std::max(rest / (2 * half), least);
-    }
-    const double r = std::sqrt(x[0] * x[1] * x[2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      angle[k] = 2 * std::atan2(r, x[k]);
-      half_cotangent[k] = (x[k] - x[(k + 1) % 3] * x[(k + 2) % 3]) / (4 * r);
-    }
-  }
-};
-
-} // namespace
-
-Angle_system::Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed)
-    : components_(components), is_pinned_(components.faces.size(), 1),
+Angle_system::Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed,
+                           Geometry geometry, double unit)
+    : components_(components), geometry_(geometry), unit_(unit),
+      is_pinned_(components.faces.size(), geometry == Geometry::euclidean ? 1 : 0),
       unknown_(components.of_row.size(), fixed) {
   for (std::size_t r = 0; r < unknown_.size(); ++r)
     if (components.of_row[r] != Gluing::none && is_fixed[r] != 0)
@@ -54,22 +30,29 @@ Angle_system::Angle_system(const Ideal_components& components, const std::vector
 }
 
 void Angle_system::read(const std::vector<Ideal_face>& faces) {
-  sums_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown_.size()));
+  sums_ = excess_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown_.size()));
   factor_.reset();
   entries_.clear();
   entries_.reserve(3 * faces.size());
   for (const Ideal_face& f : faces) {
-    const Triangle_angles t({f.lambda[1], f.lambda[2], f.lambda[0]}); // opposite the corners
+    std::array<double, 3> sides{f.lambda[1], f.lambda[2], f.lambda[0]}; // opposite the corners
+    if (geometry_ == Geometry::hyperbolic)
+      for (double& side : sides) side *= unit_;
+    const Triangle_angles t =
+        geometry_ == Geometry::hyperbolic ? hyperbolic_angles(sides) : euclidean_angles(sides);
     for (std::size_t k = 0; k < 3; ++k) {
       sums_[f.rows[k]] += t.angle[k];
       const int i = f.rows[(k + 1) % 3], j = f.rows[(k + 2) % 3];
-      if (i != j) entries_.push_back({i, j, t.half_cotangent[k]});
+      for (const int row : {i, j}) excess_[row] += t.excess[k];
+      if (i != j) entries_.push_back({i, j, t.weight[k]});
     }
   }
 }
 
 Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) const {
   diagonal = Eigen::VectorXd::Zero(number_of_unknowns_);
+  for (std::size_t r = 0; r < unknown_.size(); ++r)
+    if (unknown_[r] != fixed) diagonal[unknown_[r]] = excess_[static_cast<Eigen::Index>(r)];
   std::vector<Symmetric_entry> between, sizes; // sizes: without signs
   between.reserve(entries_.size());
   sizes.reserve(entries_.size());

@@ -18,23 +18,27 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sums of the angles of Euclidean triangles, whose sides are the scaled lambdas, as functions
-// of u at rows. Their derivative is minus the cotangent Laplacian (Springborn 2020).
+// The sums of the angles of triangles as functions of u at rows, and their derivative. The sides of
+// Euclidean triangles are the scaled lambdas; the derivative is minus the cotangent Laplacian
+// (Springborn 2020), which does not see constants. Hyperbolic ones have lambda = 2 sinh(l/2) in the
+// units of the user; the derivative is negative definite (Bobenko, Pinkall, Springborn 2015).
 class Angle_system {
 public:
   // \param is_fixed for each row, whether u is fixed there
-  Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed);
+  // \param unit by which lambdas are multiplied in hyperbolic triangles
+  Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed,
+               Geometry geometry = Geometry::euclidean, double unit = 1);
 
   // Takes faces in place of those before.
   void read(const std::vector<Ideal_face>& faces);
   // the sum of angles at each row
   const Eigen::VectorXd& angle_sums() const { return sums_; }
 
-  // Solves `L x = b` with the Laplacian of the faces. x is zero where it is fixed, and has mean
-  // zero in components where it is fixed nowhere.
-  // \pre b is zero where x is fixed, and has the mean zero up to rounding where it is fixed nowhere
+  // Solves `L x = b` with minus the derivative at the faces. x is zero where it is fixed, and in
+  // flat components where it is fixed nowhere it has mean zero.
+  // \pre b is zero where x is fixed, and has the mean zero up to rounding in such components
   Eigen::VectorXd solve(Eigen::VectorXd b);
-  // Subtracts its mean from x in components where nothing is fixed.
+  // Subtracts its mean from x in flat components where nothing is fixed.
   void centre(Eigen::VectorXd& x) const;
 
 private:
@@ -45,10 +49,12 @@ private:
   bool has_same_pattern(const Eigen::SparseMatrix<double>& m) const;
 
   const Ideal_components& components_;
+  Geometry geometry_;
+  double unit_;
   std::vector<char> is_pinned_; // per component: nothing is fixed but one row of ours
   std::vector<int> unknown_;    // of each row
   int number_of_unknowns_ = 0;
-  Eigen::VectorXd sums_;
+  Eigen::VectorXd sums_, excess_;        // at rows
   std::vector<Symmetric_entry> entries_; // between rows
   Eigen::SparseMatrix<double> last_;     // whose analysis we have
   Shared_analysis analysis_;

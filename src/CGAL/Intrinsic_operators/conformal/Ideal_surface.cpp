@@ -4,11 +4,19 @@
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 bool are_in_range(std::span<const double> factors) {
   return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-240 && w <= 0x1p240; });
+}
+
+double Ideal_face::area() const {
+  const double half = (lambda[0] + lambda[1] + lambda[2]) / 2;
+  double squared = half;
+  for (const double side : lambda) squared *= std::max(half - side, 0.);
+  return std::sqrt(squared);
 }
 
 Ideal_components components_of(const std::vector<Ideal_face>& faces, std::size_t rows) {

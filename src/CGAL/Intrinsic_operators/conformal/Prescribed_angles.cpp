@@ -58,6 +58,11 @@ void expect_positive(const Prescribed_angles& angles, std::size_t v) {
 std::vector<Component_angles> angle_sums(const Prescribed_angles& angles,
                                          const std::vector<std::uint32_t>& component,
                                          std::size_t components) {
+  if (angles.size() != component.size())
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(angles.size()) + " angles for " +
+                            std::to_string(component.size()) +
+                            " vertices; give one number per vertex, in the order of the mesh");
   std::vector<Component_angles> sums(components);
   std::vector<std::size_t> full_turns(components, 0);
   for (std::size_t v = 0; v < angles.size(); ++v) {
@@ -84,6 +89,23 @@ std::vector<Component_angles> angle_sums(const Prescribed_angles& angles,
   return sums;
 }
 
+// By how much a sum is larger than that of a flat surface of so many faces.
+struct Excess {
+  double radians;
+  int sign; // zero if the sum is that one, up to rounding
+
+  Excess(const Component_angles& sum, std::size_t faces, std::uint32_t sheets) {
+    const CGAL::Gmpq needed =
+        CGAL::Gmpq(static_cast<double>(faces)) / CGAL::Gmpq(static_cast<double>(sheets));
+    const CGAL::Gmpq rest = sum.multiples - needed;
+    radians = CGAL::to_double(rest) * std::numbers::pi + sum.radians + sum.rounded;
+    // Sixteen units in the last place of each angle: of those the user's program rounded.
+    const double total = CGAL::to_double(needed) * std::numbers::pi;
+    const bool is_zero = std::abs(radians) <= total * 0x1p-48;
+    sign = static_cast<int>(sum.is_rational ? CGAL::sign(rest) : CGAL::sign(is_zero ? 0 : radians));
+  }
+};
+
 [[noreturn]] void throw_gauss_bonnet(const Component_angles& sum, double excess) {
   std::ostringstream message;
   message.precision(std::numeric_limits<double>::max_digits10);
@@ -102,28 +124,36 @@ std::vector<double> checked_gauss_bonnet(const Prescribed_angles& angles,
                                          const std::vector<std::uint32_t>& component,
                                          const std::vector<std::size_t>& faces,
                                          std::uint32_t sheets) {
-  if (angles.size() != component.size())
-    throw Invalid_input(Element_kind::none, 0,
-                        "there are " + std::to_string(angles.size()) + " angles for " +
-                            std::to_string(component.size()) +
-                            " vertices; give one number per vertex, in the order of the mesh");
   std::vector<double> correction(faces.size(), 0);
   const std::vector<Component_angles> sums = angle_sums(angles, component, faces.size());
   for (std::size_t c = 0; c < faces.size(); ++c) {
     const Component_angles& sum = sums[c];
     if (sum.has_free || sum.count == 0) continue;
-    const CGAL::Gmpq needed =
-        CGAL::Gmpq(static_cast<double>(faces[c])) / CGAL::Gmpq(static_cast<double>(sheets));
-    const CGAL::Gmpq rest = sum.multiples - needed;
-    const double excess = CGAL::to_double(rest) * std::numbers::pi + sum.radians + sum.rounded;
-    // Sixteen units in the last place of each angle: of those the user's program rounded.
-    const double total = CGAL::to_double(needed) * std::numbers::pi;
-    const bool is_kept =
-        sum.is_rational ? rest == CGAL::Gmpq(0) : std::abs(excess) <= total * 0x1p-48;
-    if (!is_kept) throw_gauss_bonnet(sum, excess);
-    if (!sum.is_rational) correction[c] = -excess / static_cast<double>(sum.count);
+    const Excess excess(sum, faces[c], sheets);
+    if (excess.sign != 0) throw_gauss_bonnet(sum, excess.radians);
+    if (!sum.is_rational) correction[c] = -excess.radians / static_cast<double>(sum.count);
   }
   return correction;
+}
+
+void check_hyperbolic_angles(const Prescribed_angles& angles,
+                             const std::vector<std::uint32_t>& component,
+                             const std::vector<std::size_t>& faces, std::uint32_t sheets) {
+  const std::vector<Component_angles> sums = angle_sums(angles, component, faces.size());
+  for (std::size_t c = 0; c < faces.size(); ++c) {
+    if (sums[c].has_free || sums[c].count == 0) continue;
+    const Excess excess(sums[c], faces[c], sheets);
+    if (excess.sign < 0) continue;
+    std::ostringstream message;
+    message.precision(std::numeric_limits<double>::max_digits10);
+    message
+        << "the component of vertex " << sums[c].first
+        << " has no hyperbolic metric with these angles: by the theorem of Gauss and Bonnet its "
+           "area would be "
+        << -excess.radians << " (" << -excess.radians / std::numbers::pi
+        << " pi); the surface needs genus 2 or more, or cones with smaller angles";
+    throw Invalid_input(Element_kind::vertex, sums[c].first, message.str());
+  }
 }
 
 } // namespace internal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/conformal/angle_enclosures.h>
+#include <CGAL/Intrinsic_operators/conformal/triangle_angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,19 @@ std::array<Angle_interval, 3> enclosed_angles(const std::array<Angle_interval, 3
   return result;
 }
 
-std::optional<double> proven_residual(const Ideal_surface& surface,
-                                      const Prescribed_angles& angles) {
+std::array<Angle_interval, 3>
+enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda) {
+  const auto positive = [](const Angle_interval& x) {
+    return Angle_interval(std::max(x.inf(), 0.), std::max(x.sup(), 0.));
+  };
+  std::array<Angle_interval, 3> result = squared_half_tangents<Angle_interval>(
+      {lambda[0] / 2, lambda[1] / 2, lambda[2] / 2}, positive);
+  for (Angle_interval& angle : result) angle = Angle_interval(2) * enclosed_atan(CGAL::sqrt(angle));
+  return result;
+}
+
+std::optional<double> proven_residual(const Ideal_surface& surface, const Prescribed_angles& angles,
+                                      Geometry geometry) {
   const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
   const std::optional<std::vector<Enclosed_ideal_face>> faces = surface.enclosures();
   if (!faces) return std::nullopt;
@@ -64,9 +76,13 @@ std::optional<double> proven_residual(const Ideal_surface& surface,
   std::vector<Angle_interval> sum(rows.size(), 0);
   std::vector<double> copies(angles.size(), 0);
   std::vector<char> has_faces(rows.size(), 0);
+  const double unit = std::ldexp(1., -surface.scale_exponent());
   for (const Enclosed_ideal_face& f : *faces) {
+    const auto& [a, b, c] = f.lambda;
     const std::array<Angle_interval, 3> angle =
-        enclosed_angles({f.lambda[1], f.lambda[2], f.lambda[0]});
+        geometry == Geometry::hyperbolic
+            ? enclosed_hyperbolic_angles({b * unit, c * unit, a * unit})
+            : enclosed_angles({b, c, a});
     for (std::size_t k = 0; k < 3; ++k) {
       sum[f.vertices[k]] += angle[k];
       has_faces[f.vertices[k]] = 1;

@@ -14,15 +14,18 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Enclosures of the angles at the corners opposite the sides of a Euclidean triangle. The functions
-// of the C library may err by four units in the last place: that of GNU documents one, for each
-// direction of rounding. \pre rounding is upwards
+// Enclosures of the angles at the corners opposite the sides of a triangle: a Euclidean one, or the
+// hyperbolic one whose sides have lengths l with lambda = 2 sinh(l/2). The functions of the C
+// library may err by four units in the last place: that of GNU documents one, for each direction of
+// rounding. \pre rounding is upwards
 std::array<Interval_nt<false>, 3> enclosed_angles(const std::array<Interval_nt<false>, 3>& sides);
+std::array<Interval_nt<false>, 3>
+enclosed_hyperbolic_angles(const std::array<Interval_nt<false>, 3>& lambda);
 
 // A bound of the differences between the angles at vertices and prescribed ones, in radians;
 // nothing if the surface does not enclose values.
-std::optional<double> proven_residual(const Ideal_surface& surface,
-                                      const Prescribed_angles& angles);
+std::optional<double> proven_residual(const Ideal_surface& surface, const Prescribed_angles& angles,
+                                      Geometry geometry = Geometry::euclidean);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

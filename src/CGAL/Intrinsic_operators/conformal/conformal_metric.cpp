@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -30,15 +31,22 @@ public:
     surface_.read(faces_);
     components_ = components_of(faces_, surface.number_of_rows());
     prescribe(angles);
-    system_.emplace(components_, is_fixed_);
-    const auto infinite = Eigen::VectorXd::Constant(u_.size(), infinity);
-    excess_ = excess_at(u_).value_or(infinite);
+    system_.emplace(components_, is_fixed_, options.geometry,
+                    std::ldexp(1., -surface.scale_exponent()));
+    go_to(u_);
+    if (is_hyperbolic()) match_areas();
   }
 
   Conformal_metric solve();
 
 private:
+  bool is_hyperbolic() const { return options_.geometry == Geometry::hyperbolic; }
   void prescribe(const Prescribed_angles& angles);
+  // Scales by `u`, where angles may be out of reach.
+  void go_to(const Eigen::VectorXd& u) {
+    u_ = u;
+    excess_ = excess_at(u).value_or(Eigen::VectorXd::Constant(u.size(), infinity));
+  }
   // Scales by `u`. \return angles minus prescribed ones, zero where it is free; nothing if they
   // cannot be computed
   std::optional<Eigen::VectorXd> excess_at(const Eigen::VectorXd& u);
@@ -50,6 +58,9 @@ private:
   // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
   // powers of ten, triangles are needles whose angles are lost in rounding.
   void balance();
+  // Scales hyperbolic components without fixed rows such that their triangles, in Euclid's plane,
+  // have the areas that prescribed angles leave to them: small triangles are nearly Euclidean.
+  void match_areas();
   // Goes along Newton's direction. \return the part of it, or zero: rounding hides a better place
   double step();
 
@@ -66,8 +77,12 @@ private:
 };
 
 void Conformal_newton::prescribe(const Prescribed_angles& angles) {
-  const std::vector<double> correction =
-      checked_gauss_bonnet(angles, components_.of_row, components_.faces, surface_.sheets());
+  std::vector<double> correction(components_.faces.size(), 0);
+  if (is_hyperbolic())
+    check_hyperbolic_angles(angles, components_.of_row, components_.faces, surface_.sheets());
+  else
+    correction =
+        checked_gauss_bonnet(angles, components_.of_row, components_.faces, surface_.sheets());
   total_ = Eigen::VectorXd::Zero(u_.size());
   for (std::size_t r = 0; r < angles.size(); ++r) {
     const std::uint32_t c = components_.of_row[r];
@@ -91,6 +106,29 @@ std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Eigen::VectorXd
   for (std::size_t r = 0; r < factors_.size(); ++r)
     if (is_fixed_[r] != 0) excess[static_cast<Eigen::Index>(r)] = 0;
   return excess;
+}
+
+void Conformal_newton::match_areas() {
+  std::vector<double> wanted, area(components_.faces.size(), 0);
+  for (const std::size_t faces : components_.faces)
+    wanted.push_back(static_cast<double>(faces) * std::numbers::pi);
+  const auto component = [this](int row) {
+    return components_.of_row[static_cast<std::size_t>(row)];
+  };
+  for (const Ideal_face& f : faces_) area[component(f.rows[0])] += f.area();
+  std::vector<char> is_kept(area.size(), 0);
+  for (std::size_t r = 0; r < is_fixed_.size(); ++r)
+    if (const std::uint32_t c = components_.of_row[r]; c != Gluing::none) {
+      wanted[c] -= total_[static_cast<Eigen::Index>(r)];
+      if (is_fixed_[r] != 0) is_kept[c] = 1;
+    }
+  const double unit = std::ldexp(1., -surface_.scale_exponent());
+  Eigen::VectorXd u = u_;
+  for (std::size_t r = 0; r < is_fixed_.size(); ++r)
+    if (const std::uint32_t c = components_.of_row[r];
+        c != Gluing::none && is_kept[c] == 0 && area[c] > 0)
+      u[static_cast<Eigen::Index>(r)] += std::log(wanted[c] / area[c]) / 2 - std::log(unit);
+  go_to(u);
 }
 
 // The energy is convex. At the end of the step its derivative along it may be positive by a tenth
@@ -142,6 +180,7 @@ void Conformal_newton::balance() {
     u_ = u;
     excess_ = *std::move(excess);
   }
+  if (is_hyperbolic()) match_areas();
 }
 
 void Conformal_newton::iterate(Conformal_metric& result) {
@@ -189,7 +228,7 @@ Conformal_metric Conformal_newton::solve() {
 Conformal_metric conformal_metric(Ideal_surface& surface, const Prescribed_angles& angles,
                                   const Conformal_options& options) {
   Conformal_metric result = Conformal_newton(surface, angles, options).solve();
-  result.proven_residual = proven_residual(surface, angles);
+  result.proven_residual = proven_residual(surface, angles, options.geometry);
   return result;
 }
 

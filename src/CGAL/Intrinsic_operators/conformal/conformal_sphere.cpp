@@ -35,6 +35,7 @@ public:
     return surface_.row_of_vertex();
   }
   std::size_t number_of_rows() const override { return surface_.number_of_rows(); }
+  int scale_exponent() const override { return surface_.scale_exponent(); }
   std::uint32_t sheets() const override { return surface_.sheets(); }
   std::optional<std::size_t> scale(std::span<const double> factors) override {
     std::vector<double> product(base_);

@@ -88,12 +88,8 @@ Cone_placer::Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_
 
 void Cone_placer::find_areas(const std::vector<Ideal_face>& faces) {
   area_.resize(angles_.size(), 0);
-  for (const Ideal_face& f : faces) {
-    const double half = (f.lambda[0] + f.lambda[1] + f.lambda[2]) / 2;
-    double squared = half;
-    for (const double side : f.lambda) squared *= std::max(half - side, 0.);
-    for (const int r : f.rows) area_[static_cast<std::size_t>(r)] += std::sqrt(squared);
-  }
+  for (const Ideal_face& f : faces)
+    for (const int r : f.rows) area_[static_cast<std::size_t>(r)] += f.area();
   for (std::size_t r = 0; r < area_.size(); ++r)
     if (is_chosen_[r] == 0) component_[components_.of_row[r]].area += area_[r];
 }
