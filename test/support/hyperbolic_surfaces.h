@@ -60,8 +60,8 @@ inline gallery::Surface bolza() {
   return gallery::abstract("Bolza", gallery::glue(16, pairs), {6, 24, 16, 0, 1, 2});
 }
 
-/// The quartic of Klein: 56 triangles, seven at each vertex. Its sides are the elements of the group
-/// PSL(2, 7), of which r of order 3 turns around triangles, and s of order 2 across edges.
+/// The quartic of Klein: 56 triangles, seven at each vertex. Its sides are the elements of the
+/// group PSL(2, 7), of which r of order 3 turns around triangles, and s of order 2 across edges.
 inline gallery::Surface klein_quartic() {
   using Matrix = std::array<int, 4>;
   const auto times = [](const Matrix& a, const Matrix& b) {

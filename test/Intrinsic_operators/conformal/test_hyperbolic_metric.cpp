@@ -144,8 +144,8 @@ TEST(Hyperbolic_metric, ScaledSurfacesComeBack) {
     }
 }
 
-// In a Delaunay triangulation circumcircles are empty: the angles at an edge minus those opposite it
-// sum to a positive number; and so do cosines of Euclidean triangles with sides 2 sinh(l/2).
+// In a Delaunay triangulation circumcircles are empty: the angles at an edge minus those opposite
+// it sum to a positive number; so do cosines of Euclidean triangles with sides 2 sinh(l/2).
 TEST(Hyperbolic_metric, DelaunayTrianglesAreThoseOfIdealOnes) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> logarithm(-3, 2);

@@ -32,17 +32,16 @@ maps and ideal hyperbolic polyhedra, 2015, §6), with the gradient
 
 and a second derivative that is positive definite. `conformal_metric()` has the same solver, which
 also flips in the same way: an edge is Delaunay among hyperbolic triangles if and only if it is
-ideal Delaunay for the lambda lengths. The circumcircle of a triangle with corners in the hyperboloid is a
-circle in the plane through these corners. There the angle A opposite an edge with
-s = sinh(l/2) is that of the Euclidean triangle with sides lambda, and the radius to the end of the
-edge meets the edge in the hyperbolic plane at an angle whose sine is proportional to the cosine
-of A:
+ideal Delaunay for the lambda lengths. The circumcircle of a triangle with corners in the
+hyperboloid is a circle in the plane through these corners. There the angle A opposite an edge with
+s = sinh(l/2) is that of the Euclidean triangle with sides lambda, and in the hyperbolic plane the
+radius to an end of the edge meets the edge at the angle d with
 
     sin d = cos A / sqrt(1 + s^2).
 
 Hyperbolic circles are empty if d + d' >= 0 for the two triangles of each edge, ideal ones if
-cos A + cos A' >= 0, which is the same since s is. Triangle inequalities of lambda lengths, which hold in
-ideal Delaunay triangulations, imply those of l, since the inverse of sinh is concave.
+cos A + cos A' >= 0, which is the same since s is. Triangle inequalities of lambda lengths, which
+hold in ideal Delaunay triangulations, imply those of l, since the inverse of sinh is concave.
 
 \tparam Triangulation, Parameters see `conformal_metric()`
 \param t the triangulation. It is scaled by the result and ideal Delaunay afterwards

@@ -52,8 +52,8 @@ Triangle_angles euclidean_angles(const std::array<double, 3>& sides) {
 //
 // over the sides of triangles, where d is the angle between the side and the radius to its end of
 // the circumcircle (Bobenko, Pinkall, Springborn 2015, §6). The Euclidean triangle with sides
-// lambda has the same circumcircle in the plane through its corners in the hyperboloid model, of radius
-// sinh R there, and the angle A opposite the side: tan(d) = cot(A) / cosh(R).
+// lambda has the same circumcircle in the plane through its corners in the hyperboloid model, of
+// radius sinh R there, and the angle A opposite the side: tan(d) = cot(A) / cosh(R).
 Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda) {
   const Incircle t(lambda);
   std::array<double, 3> s;
