@@ -4,30 +4,17 @@
 #include "../commands.h"
 #include "application.h"
 
-#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 
-#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace program {
 
 namespace {
 
-// The lumped mass of an isolated vertex is zero. With any positive mass instead, it only has a
-// function that is zero elsewhere.
-Eigen::SparseMatrix<double> positive_mass(Eigen::SparseMatrix<double> m) {
-  const double mean = m.diagonal().sum() / static_cast<double>(std::max<Eigen::Index>(m.rows(), 1));
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    if (!(m.coeff(i, i) > 0)) m.coeffRef(i, i) = mean;
-  return m;
-}
-
-Computed eigenfunctions(const Eigen::SparseMatrix<double>& laplacian,
-                        const Eigen::SparseMatrix<double>& mass, std::size_t count) {
-  const auto n = std::min(static_cast<Eigen::Index>(count), laplacian.rows());
-  const IT::Eigenpairs pairs = IT::smallest_eigenpairs(laplacian, positive_mass(mass), n);
+Computed eigenfunctions(const IT::Eigenpairs& pairs) {
+  const Eigen::Index n = pairs.values.size();
   Computed computed{"eigen", {}, {}};
   computed.json = {{"count", n},
                    {"values", std::vector<double>(pairs.values.begin(), pairs.values.end())}};
@@ -42,8 +29,7 @@ Computed eigenfunctions(const Eigen::SparseMatrix<double>& laplacian,
 
 void run_eigen(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
-    return eigenfunctions(IT::cotangent_laplacian(t), IT::lumped_mass_matrix(t),
-                          options.application.count);
+    return eigenfunctions(IT::surface_modes(t, options.application.count));
   });
 }
 

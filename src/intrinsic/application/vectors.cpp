@@ -7,13 +7,13 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,16 +51,6 @@ std::vector<Asked_vector> read_vectors(const Options& options, std::size_t verti
     vectors.push_back({rows[i], std::polar(1., words[1] * std::numbers::pi / 180) * length});
   }
   return vectors;
-}
-
-// the number of the first copy of the vertex of each row
-template <class Triangulation>
-std::vector<std::uint32_t> first_copies(const Triangulation& t) {
-  const IT::internal::Vertex_copies copies(t);
-  std::vector<std::uint32_t> first(t.number_of_vertices(), IT::Gluing::none);
-  for (const auto v : vertices(t.mesh()))
-    first[t.input_vertex(v)] = std::min(first[t.input_vertex(v)], copies(v));
-  return first;
 }
 
 // a value per row, that of one copy of a vertex; no number where there is none
@@ -136,7 +126,7 @@ Direction_field transported(const Triangulation& t, const std::vector<Asked_vect
   for (const Asked_vector& v : asked) sources.push_back({IT::vertex_of_row(t, v.row), v.z});
   const IT::Vector_heat_method<Triangulation> heat(
       t, IT::parameters::time_factor(options.application.time_factor));
-  return {"vector", heat.transport(sources), 1, first_copies(t)};
+  return {"vector", heat.transport(sources), 1, IT::first_copies_of_rows(t)};
 }
 
 template <class Triangulation>
@@ -158,20 +148,6 @@ Computed transport(const Triangulation& t, const Options& options, const Points&
 }
 
 using Complex = std::complex<double>;
-
-// The number of the copy of the vertex of each row with the shortest vector.
-template <class Triangulation>
-std::vector<std::uint32_t> nearest_copies(const Triangulation& t, const std::vector<Complex>& log) {
-  const IT::internal::Vertex_copies copies(t);
-  std::vector<std::uint32_t> nearest(t.number_of_vertices(), IT::Gluing::none);
-  for (const auto v : vertices(t.mesh())) {
-    std::uint32_t& best = nearest[t.input_vertex(v)];
-    if (best == IT::Gluing::none || !std::isfinite(std::abs(log[best])) ||
-        std::abs(log[copies(v)]) < std::abs(log[best]))
-      best = copies(v);
-  }
-  return nearest;
-}
 
 // Where a map is torn, or stretched more than this many times.
 constexpr double greatest_stretch = 3;
@@ -243,7 +219,7 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   const std::vector<Complex> log =
       is_cloud(t) ? cloud_logarithms(t, t.input_vertex(sources[0][0]), options, points)
                   : logarithms(t, sources[0][0], options, method);
-  const std::vector<std::uint32_t> nearest = is_cloud(t) ? all_rows(t) : nearest_copies(t, log);
+  const std::vector<std::uint32_t> nearest = is_cloud(t) ? all_rows(t) : IT::nearest_copies_of_rows(t, log);
   Computed computed{"logmap", {}, {}};
   computed.functions = {{"u", by_rows(nearest, log, [](const Complex& z) { return z.real(); })},
                         {"v", by_rows(nearest, log, [](const Complex& z) { return z.imag(); })}};
@@ -328,7 +304,7 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
   computed.directions = {"direction", field.directions(), options.application.degree,
-                         first_copies(t), singular.index};
+                         IT::first_copies_of_rows(t), singular.index};
   computed.marks = {"singularities", centres(t, singular.index, points)};
   computed.json = {
       {"degree", degree},

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 
@@ -287,6 +288,22 @@ TEST(Eigenpairs, of_one_edge_are_zeros_and_its_own) {
   l.makeCompressed();
   const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, 5);
   EXPECT_LE(pairs.values.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+// The modes are those of the matrices; an isolated vertex has one of its own, with value zero.
+TEST(Surface_modes, are_eigenpairs_of_the_matrices_and_of_isolated_vertices) {
+  const Exact t(torus(20, 0));
+  const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+  EXPECT_EQ(IT::surface_modes(t, 5).vectors, IT::smallest_eigenpairs(l, m, 5).vectors);
+  Shape cubes = cube();
+  cubes.points.push_back({9, 9, 9});
+  const Exact isolated(cubes.input());
+  const IT::Eigenpairs all = IT::surface_modes(isolated, 100);
+  ASSERT_EQ(all.values.size(), 9);
+  EXPECT_LE(all.values.head(2).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_GT(all.values[2], 0.1);
+  // functions of the cube have no value at the isolated vertex
+  EXPECT_LE(all.vectors.row(8).tail(7).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(Eigenpairs, refuses_what_makes_no_sense) {

@@ -110,6 +110,24 @@ TEST(Point_cloud_vectors, logarithms_and_transport_on_a_sphere_are_near_closed_f
   }
 }
 
+TEST(Point_cloud_vectors, extends_values_between_their_extremes_and_by_the_nearest_source) {
+  const std::vector<Point> points = random_square(800, 4, 1);
+  const Cloud cloud(points);
+  const std::vector<double> values = cloud.extend_scalars({{0, -2}, {9, 5}});
+  const double apart = (vector(points[0]) - vector(points[9])).norm();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_GE(values[i], -2);
+    EXPECT_LE(values[i], 5);
+    const double first = (vector(points[i]) - vector(points[0])).norm(),
+                 second = (vector(points[i]) - vector(points[9])).norm();
+    if (std::abs(first - second) < 0.5 * apart) continue; // near the middle
+    EXPECT_NEAR(values[i], first < second ? -2 : 5, 0.2) << i;
+  }
+  EXPECT_EQ(cloud.extend_scalars({{3, 1.5}}), std::vector<double>(points.size(), 1.5));
+  EXPECT_THROW((void)cloud.extend_scalars({}), std::invalid_argument);
+  EXPECT_THROW((void)cloud.extend_scalars({{800, 1}}), std::invalid_argument);
+}
+
 TEST(Point_cloud_vectors, does_not_depend_on_the_order_of_points) {
   const std::vector<Point> points = random_sphere(500, 9);
   std::vector<Point> reversed(points.rbegin(), points.rend());

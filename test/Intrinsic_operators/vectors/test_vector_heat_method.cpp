@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-
+#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -280,6 +280,22 @@ TEST(Vector_heat_method, knows_nothing_of_components_without_a_source_and_isolat
   EXPECT_THROW(heat.logarithm_at(std::vector<Complex>(2 * n), p, p), std::invalid_argument);
 }
 
+// Of the copies of each row, the first one and the one with the shortest vector are chosen.
+void expect_copies_of_rows(const Exact& t, const std::vector<Complex>& log) {
+  const IT::internal::Vertex_copies copies(t);
+  const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t),
+                                   nearest = IT::nearest_copies_of_rows(t, log);
+  ASSERT_EQ(first.size(), t.number_of_vertices());
+  ASSERT_EQ(nearest.size(), t.number_of_vertices());
+  for (const auto v : vertices(t.mesh())) {
+    const std::uint32_t row = t.input_vertex(v);
+    EXPECT_LE(first[row], copies(v));
+    EXPECT_FALSE(std::abs(log[copies(v)]) < std::abs(log[nearest[row]]));
+    EXPECT_TRUE(std::isfinite(std::abs(log[nearest[row]])) ||
+                !std::isfinite(std::abs(log[copies(v)])));
+  }
+}
+
 TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexes) {
   std::vector<IT::Intrinsic_input> inputs;
   for (const meshes::Mesh& m : {soups::book(), soups::three_fins(), soups::moebius_strip()})
@@ -294,6 +310,7 @@ TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexe
       const IT::Tangent_field field = heat.transport(v, {1, 1});
       ASSERT_EQ(field.size(), copies.size());
       const std::vector<Complex> paths = heat.logarithmic_map(v);
+      expect_copies_of_rows(t, paths);
       const auto expect_known = [&](const std::vector<Complex>& found) {
         for (std::size_t i = 0; i < found.size(); ++i) {
           const bool is_known = std::isfinite(found[i].real()) && std::isfinite(found[i].imag());

@@ -60,6 +60,16 @@ public:
   std::array<double, 3> in_space(std::size_t i, const Complex& z) const;
 
   /*!
+  \brief extends values at points to all points, see `Vector_heat_method::extend_scalars()`.
+  \param sources numbers of points, and their values
+  \return a value per point; not a number on components without a source
+  \throws std::invalid_argument if there is none, a number is out of range, a point has no
+    triangles, or a value is not finite
+  */
+  std::vector<double>
+  extend_scalars(const std::vector<std::pair<std::size_t, double>>& sources) const;
+
+  /*!
   \brief transports vectors from points to all points, see `Vector_heat_method::transport()`.
   \param sources numbers of points, and vectors in their axes
   \throws std::invalid_argument if there is none, a number is out of range, a point has no

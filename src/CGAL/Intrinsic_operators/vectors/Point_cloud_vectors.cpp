@@ -50,6 +50,17 @@ void Point_cloud_vectors::expect_plane(std::size_t i) const {
                                 "neighbours, or an earlier point has the same place");
 }
 
+std::vector<double> Point_cloud_vectors::extend_scalars(
+    const std::vector<std::pair<std::size_t, double>>& sources) const {
+  internal::Vector_sources s(size());
+  for (const auto& [i, value] : sources) {
+    expect_plane(i);
+    s.add(static_cast<Eigen::Index>(i), 1, value);
+  }
+  const Eigen::VectorXd values = heat_->extended(s);
+  return {values.begin(), values.end()};
+}
+
 Tangent_field
 Point_cloud_vectors::transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const {
   internal::Vector_sources s(size());
