@@ -7,11 +7,13 @@ set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Intrinsic_triangulations")
 set(package_component Intrinsic_triangulations_Development)
 
 set_target_properties(Intrinsic_triangulations_header_only PROPERTIES EXPORT_NAME header_only)
+set_target_properties(Intrinsic_triangulations_usual PROPERTIES EXPORT_NAME usual)
 set_target_properties(Intrinsic_triangulations_core PROPERTIES EXPORT_NAME core)
 set_target_properties(Intrinsic_triangulations_geodesics PROPERTIES EXPORT_NAME geodesics)
 set_target_properties(Intrinsic_triangulations_operators PROPERTIES EXPORT_NAME operators)
-install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic_triangulations_geodesics
-    Intrinsic_triangulations_operators Intrinsic_triangulations_header_only
+install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_usual Intrinsic_triangulations_core
+    Intrinsic_triangulations_geodesics Intrinsic_triangulations_operators
+    Intrinsic_triangulations_header_only
   EXPORT Intrinsic_triangulations_targets
   ARCHIVE
     DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${package_component}

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -114,6 +115,22 @@ std::string curve_output_misuse(const Options& o) {
 }
 
 } // namespace
+
+CLI::Validator file_of(std::vector<Contents> offered) {
+  return CLI::Validator(
+      [offered = std::move(offered)](std::string& path) {
+        for (const Contents contents : offered)
+          if (is_file_of(contents, path)) return std::string();
+        return path + ": the format is not offered; write " + listed_with_extensions(offered);
+      },
+      "FILE");
+}
+
+CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                               const std::vector<Contents>& offered) {
+  return command.add_option(name, path, "write " + listed_with_extensions(offered))
+      ->check(file_of(offered));
+}
 
 void add_common_options(CLI::App& command, Options& options) {
   command
@@ -388,11 +405,6 @@ std::string cut_misuse(const Options& o) {
 }
 
 void add_curve_output_options(CLI::App& command, Options& options) {
-  command
-      .add_option("--correspondence", options.correspondence,
-                  "how to store where edges run on the input: integer (coordinates, default), "
-                  "signposts or crossings")
-      ->check(CLI::IsMember({"integer", "signposts", "crossings"}));
   command
       .add_option("-o", options.output,
                   "write " + listed_with_extensions({Contents::curves, Contents::triangulation}))

@@ -15,6 +15,14 @@
 
 namespace program {
 
+/// returns a check that the extension of a file allows one of several contents; the error lists
+/// them with their extensions.
+CLI::Validator file_of(std::vector<Contents> offered);
+/// adds an option that names a file to be written with one of several contents; its help lists
+/// them with their extensions.
+CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                               const std::vector<Contents>& offered);
+
 /// adds the input, and the options of all commands.
 void add_common_options(CLI::App& command, Options& options);
 /// adds edges that are kept.

@@ -11,8 +11,6 @@ from math import dist as distance
 
 from cli_support import CUBE, Cli_test, beside, grid, jittered_grid, main, shuffled
 
-KINDS = ("integer", "signposts", "crossings")
-
 
 def prism(n, height):
     """A cylinder of n sides without ends, rows of vertices at integer heights; every side is 1 wide."""
@@ -58,21 +56,20 @@ class Curves(Geodesic_test):
         points, faces = jittered_grid(12)
         mesh = self.write_off("g.off", points, faces)
         a, b = 4 * 13 + 5, 9 * 13 + 7
-        for kind in KINDS:
-            for arithmetic in ("exact", "double"):
-                g = self.geodesic(mesh, "--path", f"{a},{b}", "--correspondence", kind,
-                                  "--arithmetic", arithmetic, "-o", "c.obj")
-                self.assertEqual(g["status"], "geodesic")
-                self.assertEqual(g["certified"], arithmetic == "exact" or kind == "integer")
-                self.assert_close(g["length"], distance(points[a], points[b]), 1e-12)
-                self.assertEqual(len(g["curves"]), 1)
-                self.assertEqual(g["curves"][0]["length"], g["length"])
-                self.assertFalse(g["curves"][0]["is_loop"])
-                self.assertGreater(g["flips"], 0)
-                where, curves = self.obj("c.obj")
-                self.assertEqual(list(curves), [0])
-                self.assertEqual((where[0], where[-1]), (points[a], points[b]))
-                self.assert_close(self.length(where, curves[0]), g["length"], 1e-9)
+        for arithmetic in ("exact", "double"):
+            g = self.geodesic(mesh, "--path", f"{a},{b}", "--arithmetic", arithmetic,
+                              "-o", "c.obj")
+            self.assertEqual(g["status"], "geodesic")
+            self.assertTrue(g["certified"])
+            self.assert_close(g["length"], distance(points[a], points[b]), 1e-12)
+            self.assertEqual(len(g["curves"]), 1)
+            self.assertEqual(g["curves"][0]["length"], g["length"])
+            self.assertFalse(g["curves"][0]["is_loop"])
+            self.assertGreater(g["flips"], 0)
+            where, curves = self.obj("c.obj")
+            self.assertEqual(list(curves), [0])
+            self.assertEqual((where[0], where[-1]), (points[a], points[b]))
+            self.assert_close(self.length(where, curves[0]), g["length"], 1e-9)
 
     def test_opposite_corners_of_a_cube(self):
         mesh = self.write_off("c.off", *CUBE)
@@ -98,20 +95,18 @@ class Curves(Geodesic_test):
     def test_points_in_faces(self):
         points, faces = grid(6)
         mesh = self.write_off("g.off", points, faces)
-        # the second line passes a vertex, where rounding may mislead signposts
-        for one, other, kinds in (((0.25, 0.2, 0.55), (0.3, 0.25, 0.45), KINDS),
-                                  ((0.25, 0.25, 0.5), (0.25, 0.25, 0.5), ("integer", "crossings"))):
+        # the second line passes a vertex
+        for one, other in (((0.25, 0.2, 0.55), (0.3, 0.25, 0.45)),
+                           ((0.25, 0.25, 0.5), (0.25, 0.25, 0.5))):
             ends = [[sum(w * points[v][k] for w, v in zip(weights, faces[f])) for k in range(3)]
                     for f, weights in ((3, one), (61, other))]
             names = [f"{f}:" + ":".join(map(str, w)) for f, w in ((3, one), (61, other))]
-            for kind in kinds:
-                g = self.geodesic(mesh, "--path", ",".join(names), "-o", "c.obj",
-                                  "--correspondence", kind)
-                self.assert_geodesic(g)
-                self.assert_close(g["length"], distance(*ends), 1e-9)
-                where, _ = self.obj("c.obj")
-                for p, q in zip(ends, (where[0], where[-1])):
-                    self.assertLess(distance(p, q), 1e-9)
+            g = self.geodesic(mesh, "--path", ",".join(names), "-o", "c.obj")
+            self.assert_geodesic(g)
+            self.assert_close(g["length"], distance(*ends), 1e-9)
+            where, _ = self.obj("c.obj")
+            for p, q in zip(ends, (where[0], where[-1])):
+                self.assertLess(distance(p, q), 1e-9)
         g = self.geodesic(mesh, "--path", "3:1:0:0,48")
         self.assert_close(g["length"], distance(points[faces[3][0]], points[48]), 1e-12)
 
@@ -247,22 +242,21 @@ class Refinement(Geodesic_test):
         mesh = self.write_off("g.off", points, faces)
         a, b = 23, 76
         along = [points[b][k] - points[a][k] for k in range(2)]
-        for kind in KINDS:
-            stats = self.stats("geodesic", mesh, "--path", "5:0.5:0.25:0.25,9", "--path", f"{a},{b}",
-                               "--refine", "--min-angle", "25", "--max-edge-length", "0.3",
-                               "--subdivision", "-o", "s.ply", "--correspondence", kind)
-            self.assert_geodesic(stats["geodesic"])
-            self.assert_certified(stats)
-            self.assertGreater(stats["refine"]["segment_splits"], 0)
-            self.assertEqual(stats["refine"]["unsatisfied"]["refused"], 0)
-            on_curve = [p for p, curve in self.vertices("s.ply") if curve == 1]
-            self.assertGreater(len(on_curve), 5)
-            for x, y, _ in on_curve:
-                off = along[0] * (y - points[a][1]) - along[1] * (x - points[a][0])
-                self.assertLess(abs(off), 1e-9)
-            steps = sorted(on_curve)
-            self.assertEqual((steps[0], steps[-1]), tuple(sorted((points[a], points[b]))))
-            self.assertLessEqual(max(distance(p, q) for p, q in zip(steps, steps[1:])), 0.3 + 1e-9)
+        stats = self.stats("geodesic", mesh, "--path", "5:0.5:0.25:0.25,9", "--path", f"{a},{b}",
+                           "--refine", "--min-angle", "25", "--max-edge-length", "0.3",
+                           "--subdivision", "-o", "s.ply")
+        self.assert_geodesic(stats["geodesic"])
+        self.assert_certified(stats)
+        self.assertGreater(stats["refine"]["segment_splits"], 0)
+        self.assertEqual(stats["refine"]["unsatisfied"]["refused"], 0)
+        on_curve = [p for p, curve in self.vertices("s.ply") if curve == 1]
+        self.assertGreater(len(on_curve), 5)
+        for x, y, _ in on_curve:
+            off = along[0] * (y - points[a][1]) - along[1] * (x - points[a][0])
+            self.assertLess(abs(off), 1e-9)
+        steps = sorted(on_curve)
+        self.assertEqual((steps[0], steps[-1]), tuple(sorted((points[a], points[b]))))
+        self.assertLessEqual(max(distance(p, q) for p, q in zip(steps, steps[1:])), 0.3 + 1e-9)
 
     def test_optimization_keeps_curves(self):
         points, faces = jittered_grid(9)
@@ -436,12 +430,6 @@ class Errors(Geodesic_test):
             self.assert_fails(self.run_program("geodesic", file, "--path", "0:1:0:0,4"),
                               "face 0", "polygon")
             self.assertEqual(self.run_program("geodesic", file, "--path", "2:1:0:0,4").code, 1)
-
-    def test_a_stored_triangulation_has_integer_coordinates(self):
-        self.stats("delaunay", self.mesh, "-o", "t.idt")
-        for kind in ("crossings", "signposts"):
-            run = self.run_program("geodesic", "t.idt", "--path", "0,3", "--correspondence", kind)
-            self.assert_fails(run, "t.idt", "start from the mesh")
 
 
 if __name__ == "__main__":

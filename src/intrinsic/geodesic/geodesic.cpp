@@ -13,10 +13,6 @@
 
 namespace program {
 
-// Not here, to compile in little memory.
-void run_geodesic_with_crossings(const Options& options);
-void run_geodesic_with_signposts(const Options& options);
-
 std::string geodesic_status(IT::Status status, bool is_contracted) {
   switch (status) {
   case IT::Status::done:
@@ -47,12 +43,9 @@ void print_geodesic_summary_on_terminal(const Json& json) {
 }
 
 void run_geodesic(const Options& options) {
-  if (options.correspondence == "crossings")
-    run_geodesic_with_crossings(options);
-  else if (options.correspondence == "signposts")
-    run_geodesic_with_signposts(options);
-  else
-    run_geodesic_with<IT::Integer_coordinates>(options);
+  Progress progress(options.logs_progress);
+  with_loaded<IT::Integer_coordinates>(
+      options, progress, [&](auto& loaded) { geodesic(loaded, options, progress); });
 }
 
 } // namespace program

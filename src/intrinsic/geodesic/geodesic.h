@@ -110,14 +110,6 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   print_geodesic_summary_on_terminal(json);
 }
 
-/// runs the command with a correspondence.
-template <class Correspondence>
-void run_geodesic_with(const Options& options) {
-  Progress progress(options.logs_progress);
-  with_loaded<Correspondence>(options, progress,
-                              [&](auto& loaded) { geodesic(loaded, options, progress); });
-}
-
 } // namespace program
 
 #endif // INTRINSIC_GEODESIC_GEODESIC_H

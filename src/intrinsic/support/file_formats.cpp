@@ -13,7 +13,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace program {
@@ -65,7 +64,7 @@ bool is_file_of(Contents contents, const std::string& path) {
 std::string extensions_of(Contents contents) {
   std::vector<std::string> words;
   for (const std::string_view extension : format(contents).extensions)
-    words.push_back("." + std::string(extension));
+    words.emplace_back(".").append(extension);
   return listed(words);
 }
 
@@ -74,22 +73,6 @@ std::string listed_with_extensions(const std::vector<Contents>& contents) {
   for (const Contents c : contents)
     words.push_back(std::string(format(c).words) + " to " + extensions_of(c));
   return listed(words);
-}
-
-CLI::Validator file_of(std::vector<Contents> offered) {
-  return CLI::Validator(
-      [offered = std::move(offered)](std::string& path) {
-        for (const Contents contents : offered)
-          if (is_file_of(contents, path)) return std::string();
-        return path + ": the format is not offered; write " + listed_with_extensions(offered);
-      },
-      "FILE");
-}
-
-CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                               const std::vector<Contents>& offered) {
-  return command.add_option(name, path, "write " + listed_with_extensions(offered))
-      ->check(file_of(offered));
 }
 
 } // namespace program

@@ -4,8 +4,6 @@
 #ifndef INTRINSIC_SUPPORT_FILE_FORMATS_H
 #define INTRINSIC_SUPPORT_FILE_FORMATS_H
 
-#include "command_line.h"
-
 #include <string>
 #include <vector>
 
@@ -32,13 +30,6 @@ bool is_file_of(Contents contents, const std::string& path);
 std::string extensions_of(Contents contents);
 /// returns several contents with their extensions: "values to .txt or curves to .obj or .vtp".
 std::string listed_with_extensions(const std::vector<Contents>& contents);
-/// returns a check that the extension of a file allows one of several contents; the error lists
-/// them with their extensions.
-CLI::Validator file_of(std::vector<Contents> offered);
-/// adds an option that names a file to be written with one of several contents; its help lists
-/// them with their extensions.
-CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                               const std::vector<Contents>& offered);
 
 } // namespace program
 
