@@ -21,6 +21,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>

@@ -24,6 +24,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.cpp>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.cpp>
 #include <CGAL/Intrinsic_operators/conformal/triangle_angles.cpp>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>

@@ -108,7 +108,7 @@ class Uniformize(Cli_test):
                    for t in map(lambda i: i * math.pi, range(6)) for r in (-1, 1)]
         strip = [[2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2] for i in range(5)] + [[10, 11, 0, 1]]
         self.assert_fails(self.run_program("uniformize", self.write_off("m.off", moebius, strip),
-                                           "-o", "m.obj"), "not oriented alike", ".txt")
+                                           "-o", "m.obj"), "not oriented alike", "scale factors")
         self.stats("uniformize", mesh, "--cones", "8", "-o", "x.vtp")
         with open(self.path("x.vtp"), encoding="utf-8") as file:
             text = file.read()

@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 
@@ -29,6 +29,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -98,26 +99,8 @@ std::string target_of(const Triangulation& t, const Uniformize_options& options)
   return euler == 2 ? "sphere" : "torus";
 }
 
-// The u that makes chords of the sphere of edges as they were before they were scaled, by rows: in
-// a triangle ijk, e^u_i is the ratio of ij ik / jk on the sphere and before.
-template <class Ideal>
-Eigen::VectorXd scale_on_sphere(const Ideal& ideal, const IT::Sphere_layout& layout) {
-  const auto& mesh = ideal.mesh();
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(ideal.number_of_vertices());
-  const auto ratio = [&](auto h) { // of the length on the sphere to that before
-    const std::uint32_t i = ideal.input_vertex(source(h, mesh)),
-                        j = ideal.input_vertex(target(h, mesh));
-    const Point &p = layout.positions[i], &q = layout.positions[j];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) *
-           (ideal.metric().factor(i) * ideal.metric().factor(j)) / ideal.lambda(edge(h, mesh));
-  };
-  for (const auto v : vertices(mesh)) {
-    const auto in = halfedge(v, mesh);
-    if (in.index == IT::Gluing::none) continue;
-    const auto out = next(in, mesh);
-    u[ideal.input_vertex(v)] = std::log(ratio(in) * ratio(out) / ratio(next(out, mesh)));
-  }
-  return u;
+Eigen::VectorXd vector_of(const std::vector<double>& u) {
+  return Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(u.size()));
 }
 
 void report_scale(Computed& computed) {
@@ -133,7 +116,7 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
   const IT::Conformal_sphere s = IT::conformal_sphere(ideal);
   Computed computed{"conformal",
                     json_of(s.metric, IT::Prescribed_angles(), options.uniformize),
-                    {{"u", scale_on_sphere(ideal, s.layout)}}};
+                    {{"u", vector_of(IT::logarithmic_scale(ideal, s.layout))}}};
   if (!computed.functions.front().values.allFinite())
     throw std::runtime_error("vertices fall together on the sphere in doubles; take --target plane "
                              "with --cones");
@@ -152,22 +135,6 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
   }
   report_scale(computed);
   return computed;
-}
-
-template <class Ideal>
-Laid_out layout_of(const Ideal& ideal, IT::Flat_surface start, const IT::Conformal_metric& m,
-                   const IT::Prescribed_angles& angles, const IT::Input_names& names,
-                   const std::optional<IT::Flat_torus>& torus, const Points& points, Json& json) {
-  Scaled_surface surface{std::move(start),
-                         IT::flat_surface(ideal),
-                         IT::common_subdivision(ideal),
-                         {},
-                         m.scale_factors,
-                         names,
-                         angles};
-  surface.row.assign(surface.flat.gluing.number_of_vertices, IT::Gluing::none);
-  for (const auto v : vertices(ideal.mesh())) surface.row[ideal.index(v)] = ideal.input_vertex(v);
-  return lay_out(surface, torus ? &*torus : nullptr, points, json);
 }
 
 template <class Triangulation>
@@ -189,15 +156,19 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   Computed computed{
       "conformal",
       json_of(m, angles, asked),
-      {{"u", Eigen::VectorXd::Map(m.u.data(), static_cast<Eigen::Index>(m.u.size()))}}};
+      {{"u", vector_of(m.u)}}};
   std::optional<IT::Flat_torus> torus;
   if (asked.target == "torus") {
     torus = IT::flat_torus(IT::flat_surface(ideal));
     computed.json["period"] = {torus->period.real(), torus->period.imag()};
   }
   if (writes_shape(options) && asked.start == "input")
-    computed.laid_out = layout_of(ideal, std::move(start), m, angles, t.input().names(), torus,
-                                  points, computed.json);
+    computed.laid_out =
+        shown_layout(IT::lay_out_scaled(IT::scaled_surface(ideal, std::move(start),
+                                                           m.scale_factors, angles,
+                                                           t.input().names()),
+                                        torus ? &*torus : nullptr),
+                     points, computed.json);
   else if (is_mesh_output(options))
     throw std::runtime_error(
         options.output +

@@ -10,10 +10,15 @@
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -80,6 +85,38 @@ template <IndexedTriangulation Triangulation>
                                       [&t](std::uint32_t vertex, std::span<const double> areas) {
                                         return lay_out_on_sphere(flat_surface(t), vertex, areas);
                                       });
+  }
+
+/*!
+\brief finds the logarithms u of the factors by which a map to the unit sphere scales.
+
+In each triangle ijk, exp(u_i) is the ratio of ij ik / jk on the sphere, in chords, and before the
+triangulation was scaled, so that chords are exp((u_i + u_j) / 2) times lengths.
+\tparam Triangulation see `conformal_metric()`
+\param t the triangulation after `conformal_sphere()`
+\param layout the map that it has found
+\return u per vertex of the user, zero at isolated ones; infinite where vertices fall together
+\complexity linear
+*/
+template <IndexedTriangulation Triangulation>
+  requires internal::Has_horocycles<Triangulation> std::vector<double>
+  logarithmic_scale(const Triangulation& t, const Sphere_layout& layout) {
+    using Halfedge = typename Triangulation::halfedge_descriptor;
+    const auto& mesh = t.mesh();
+    std::vector<double> u(t.number_of_vertices(), 0);
+    const auto ratio = [&](Halfedge h) { // of the length on the sphere to that before
+      const std::uint32_t i = t.input_vertex(source(h, mesh)), j = t.input_vertex(target(h, mesh));
+      const std::array<double, 3>&p = layout.positions[i], &q = layout.positions[j];
+      return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) *
+             (t.metric().factor(i) * t.metric().factor(j)) / t.lambda(edge(h, mesh));
+    };
+    for (const typename Triangulation::vertex_descriptor v : vertices(mesh)) {
+      const Halfedge in = halfedge(v, mesh);
+      if (in == boost::graph_traits<typename Triangulation::Mesh>::null_halfedge()) continue;
+      const Halfedge out = next(in, mesh);
+      u[t.input_vertex(v)] = std::log(ratio(in) * ratio(out) / ratio(next(out, mesh)));
+    }
+    return u;
   }
 
 } // namespace CGAL::Intrinsic_triangulations

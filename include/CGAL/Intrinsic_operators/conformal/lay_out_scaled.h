@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_LAY_OUT_SCALED_H
+#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_LAY_OUT_SCALED_H
+
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a surface with scale factors that make it flat but for cones, see `conformal_metric()`.
+*/
+struct Scaled_surface {
+  Flat_surface start;              ///< the triangles of the input, with their lengths
+  Flat_surface flat;               ///< the ideal Delaunay triangulation, with scaled lengths
+  Common_subdivision subdivision;  ///< of both; faces of the input by their numbers
+  std::vector<std::uint32_t> row;  ///< of each vertex
+  std::vector<double> factors;     ///< of each row
+  const Input_names& names;        ///< of the input
+  const Prescribed_angles& angles; ///< of each row
+};
+
+/*!
+\brief gathers what `lay_out_scaled()` needs.
+\tparam Triangulation a model of `IndexedTriangulation` with ideal hyperbolic traits and a
+  correspondence
+\param t the triangulation after `conformal_metric(t, angles)`
+\param start `flat_surface(t)` before: `t` was built by `ideal_start()` of an input
+\param scale_factors what `conformal_metric()` has found
+\param angles the angles, which must outlive the result
+\param names of the input that `t` was built from, which must outlive the result
+\complexity that of `common_subdivision()`
+*/
+template <IndexedTriangulation Triangulation>
+Scaled_surface scaled_surface(const Triangulation& t, Flat_surface start,
+                              std::vector<double> scale_factors, const Prescribed_angles& angles,
+                              const Input_names& names) {
+  Scaled_surface s{std::move(start),
+                   flat_surface(t),
+                   common_subdivision(t),
+                   {},
+                   std::move(scale_factors),
+                   names,
+                   angles};
+  s.row.assign(s.flat.gluing.number_of_vertices, Gluing::none);
+  for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
+    s.row[t.index(v)] = t.input_vertex(v);
+  return s;
+}
+
+/*!
+\brief is the layout of a scaled surface in the plane.
+*/
+struct Scaled_layout {
+  /// The faces of the common subdivision, cut open along edges of the input, and their places.
+  /// Faces have the numbers of the user's.
+  Subdivision_layout layout;
+  /// The same faces without the cuts: corners have the places of `layout`.
+  Common_subdivision closed;
+  /// The user's vertices at the ends of each edge that was cut.
+  std::vector<std::array<std::uint32_t, 2>> seams;
+  Map_certificate certificate; ///< see `certify_map()`
+  Map_distortion distortion;   ///< from the faces of the input to the plane
+};
+
+/*!
+\brief lays a scaled surface out in the plane, by projective interpolation, see
+`lay_out_subdivision()`. Of the double of a surface with border, it lays out the front.
+\param surface the surface
+\param torus none, or the torus that it is: coordinates are then in the basis of its translations
+\return the layout
+\throws Invalid_input if the surface is a cover that is no double, and has no front
+\complexity that of a sparse factorization, and n log n
+*/
+Scaled_layout lay_out_scaled(const Scaled_surface& surface, const Flat_torus* torus = nullptr);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_LAY_OUT_SCALED_H

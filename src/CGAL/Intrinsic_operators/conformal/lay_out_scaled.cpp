@@ -1,0 +1,246 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+namespace {
+
+class Front_layout {
+public:
+  explicit Front_layout(const Scaled_surface& surface) : in_(surface), opened_(surface.start) {}
+
+  Scaled_layout run(const Flat_torus* torus) {
+    find_front();
+    const std::vector<char> is_cut = edges_to_cut();
+    layout_ = laid_out(is_cut);
+    Scaled_layout result;
+    result.distortion = measure_distortion(pieces(), layout_.positions);
+    if (torus != nullptr) change_basis(*torus);
+    result.certificate = certify_map(layout_);
+    name_faces();
+    result.seams = seams(is_cut);
+    result.closed = layout_.subdivision;
+    glue(result.closed);
+    result.layout = std::move(layout_);
+    return result;
+  }
+
+private:
+  std::size_t number_of_sides() const { return opened_.gluing.origin.size(); }
+  bool is_front(std::uint32_t side) const {
+    return in_.names.sheets == 1 || in_.names.faces.user(side / 3) % 2 == 0;
+  }
+  bool is_cone(std::uint32_t row) const {
+    return !in_.angles.is_free(row) && in_.angles.radians(row) != Multiple_of_pi().radians();
+  }
+
+  // Parts the front of a double from its back.
+  void find_front() {
+    if (in_.names.sheets == 1) return;
+    is_wanted_.resize(number_of_sides() / 3);
+    for (std::uint32_t h = 0; h < number_of_sides(); ++h) {
+      is_wanted_[h / 3] = is_front(h) ? 1 : 0;
+      const std::uint32_t entry = in_.start.gluing.glue[h];
+      const std::uint32_t other = entry == Gluing::none ? Gluing::none : Gluing::partner(entry);
+      if (other == Gluing::none || is_front(h) == is_front(other)) continue;
+      if (in_.names.sheets > 2 ||
+          in_.names.faces.user(h / 3) / 2 != in_.names.faces.user(other / 3) / 2)
+        throw Invalid_input(Element_kind::none, 0,
+                            "the faces are not oriented alike, so that the surface has no front "
+                            "that can be laid out; orient them, or take the scale factors alone");
+      opened_.gluing.glue[h] = Gluing::none;
+    }
+  }
+
+  // Vertices inside of what is laid out where angles are no full turns.
+  std::vector<std::uint32_t> cones() const {
+    std::vector<char> is_outside(opened_.gluing.number_of_vertices, 0);
+    for (std::uint32_t h = 0; h < number_of_sides(); ++h)
+      if (!is_front(h) || opened_.gluing.glue[h] == Gluing::none)
+        is_outside[opened_.gluing.origin[h]] = 1;
+    std::vector<std::uint32_t> result;
+    for (std::uint32_t v = 0; v < in_.row.size(); ++v)
+      if (in_.row[v] != Gluing::none && is_outside[v] == 0 && is_cone(in_.row[v]))
+        result.push_back(v);
+    return result;
+  }
+
+  std::vector<char> edges_to_cut() const {
+    const std::vector<char> is_cut = cut_to_disk(opened_, cones());
+    std::vector<char> result(in_.start.side.size() / 2, 0);
+    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
+      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none && is_cut[side] != 0)
+        result[h / 2] = 1;
+    return result;
+  }
+
+  Subdivision_layout laid_out(const std::vector<char>& is_cut) const {
+    Flat_subdivision arrays{in_.subdivision, in_.flat, in_.flat.side, is_cut, is_wanted_};
+    for (const std::uint32_t row : in_.row)
+      arrays.factors.push_back(row == Gluing::none ? 1 : in_.factors[row]);
+    arrays.input_lengths.resize(is_cut.size());
+    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
+      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
+        arrays.input_lengths[h / 2] = in_.start.length[side];
+    return lay_out_subdivision(arrays);
+  }
+
+  // The triangles that the polygons are made of, with their lengths on the input.
+  Face_table pieces() const {
+    const Common_subdivision& s = layout_.subdivision;
+    Face_table table;
+    table.number_of_rows = s.number_of_vertices();
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+      for (std::uint32_t c = s.face_begin[f] + 2; c < s.face_begin[f + 1]; ++c) {
+        const std::array<std::uint32_t, 3> corners{s.face_begin[f], c - 1, c};
+        Table_face& face = table.faces.emplace_back();
+        std::array<std::complex<double>, 3> z;
+        for (std::size_t k = 0; k < 3; ++k) {
+          face.rows[k] = static_cast<int>(s.corner[corners[k]]);
+          z[k] = place_on_input(corners[k]);
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+          face.squared_lengths[k] = std::norm(z[(k + 1) % 3] - z[k]);
+        face.quadruple_area = 2 * std::abs(std::imag(std::conj(z[1] - z[0]) * (z[2] - z[0])));
+      }
+    return table;
+  }
+
+  // Where corner `c` is along a halfedge that it lies on, if it is the point of an edge.
+  double along(std::uint32_t c, std::uint32_t halfedge,
+               Common_subdivision::Edge_point Common_subdivision::Crossing::*on) const {
+    const Common_subdivision& s = layout_.subdivision;
+    if (s.corner[c] < s.vertices.size()) return 0;
+    const double p = (s.crossings[s.corner[c] - s.vertices.size()].*on).parameter;
+    return halfedge % 2 == 0 ? p : 1 - p;
+  }
+
+  // The place of a corner in the triangle of the input, its first side on the real axis.
+  std::complex<double> place_on_input(std::uint32_t c) const {
+    const std::uint32_t h = layout_.subdivision.input_halfedge[c], side = in_.start.side[h],
+                        first = side - side % 3;
+    const double* const l = &in_.start.length[first];
+    const double x = (l[0] * l[0] + l[2] * l[2] - l[1] * l[1]) / (2 * l[0]);
+    const std::complex<double> apex(x, std::sqrt(std::max(0., l[2] * l[2] - x * x)));
+    const std::array<std::complex<double>, 4> z{0, l[0], apex, 0};
+    const double p = along(c, h, &Common_subdivision::Crossing::on_input);
+    return (1 - p) * z[side - first] + p * z[side - first + 1];
+  }
+
+  // The place of a corner in the layout of the torus.
+  std::complex<double> place_on_torus(std::uint32_t c, const Flat_layout& torus) const {
+    const std::uint32_t h = layout_.subdivision.intrinsic_halfedge[c], side = in_.flat.side[h];
+    const std::vector<std::uint32_t>& origin = torus.surface.gluing.origin;
+    const double p = along(c, h, &Common_subdivision::Crossing::on_intrinsic);
+    return (1 - p) * point(torus.positions, origin[side]) +
+           p * point(torus.positions, origin[Gluing::next(side)]);
+  }
+
+  static std::complex<double> point(const Eigen::MatrixX2d& z, std::uint32_t v) {
+    return {z(v, 0), z(v, 1)};
+  }
+
+  // Turns the layout as that of the torus, and takes coordinates along the translations.
+  void change_basis(const Flat_torus& torus) {
+    const Common_subdivision& s = layout_.subdivision;
+    std::complex<double> turn = 0;
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+      for (std::uint32_t c = s.face_begin[f] + 1; c < s.face_begin[f + 1]; ++c)
+        turn += std::conj(point(layout_.positions, s.corner[c]) -
+                          point(layout_.positions, s.corner[c - 1])) *
+                (place_on_torus(c, torus.layout) - place_on_torus(c - 1, torus.layout));
+    turn /= std::abs(turn);
+    const auto [a, b] = torus.translations;
+    Eigen::Matrix2d basis, rotation;
+    basis << a.real(), b.real(), a.imag(), b.imag();
+    rotation << turn.real(), -turn.imag(), turn.imag(), turn.real();
+    layout_.positions *= (basis.inverse() * rotation).transpose();
+  }
+
+  // Labels faces with the polygons of the file.
+  void name_faces() {
+    Common_subdivision& s = layout_.subdivision;
+    const auto rename = [this](std::uint32_t& f) {
+      if (f != Gluing::none) f = in_.names.polygon(f);
+    };
+    for (std::uint32_t& f : s.input_face) rename(f);
+    for (Common_subdivision::Vertex& v : s.vertices) rename(v.input_face);
+    s.sheet.clear();
+  }
+
+  // The rows of the ends of edges that were cut.
+  std::vector<std::array<std::uint32_t, 2>> seams(const std::vector<char>& is_cut) const {
+    std::vector<std::array<std::uint32_t, 2>> result;
+    const std::vector<std::uint32_t>& origin = in_.start.gluing.origin;
+    for (std::uint32_t e = 0; e < is_cut.size(); ++e) {
+      const std::uint32_t side = in_.start.side[2 * e];
+      if (is_cut[e] == 0 || is_on_border(e) || !is_front(side)) continue;
+      result.push_back({in_.row[origin[side]], in_.row[origin[Gluing::next(side)]]});
+    }
+    return result;
+  }
+
+  // Makes one vertex of all copies, in the order before the cut.
+  void glue(Common_subdivision& s) const {
+    const Common_subdivision& cut = layout_.subdivision;
+    const std::vector<std::uint32_t>& original = layout_.original_vertex;
+    std::vector<std::uint32_t> number(in_.subdivision.number_of_vertices(), Gluing::none);
+    for (std::uint32_t v = 0; v < original.size(); ++v) number[original[v]] = v; // a copy
+    s.vertices.clear();
+    s.crossings.clear();
+    for (std::uint32_t& v : number) {
+      if (v == Gluing::none) continue; // not on the front
+      const std::uint32_t copy = v;
+      v = static_cast<std::uint32_t>(s.number_of_vertices());
+      if (copy < cut.vertices.size())
+        s.vertices.push_back(cut.vertices[copy]);
+      else
+        s.crossings.push_back(cut.crossings[copy - cut.vertices.size()]);
+    }
+    for (std::uint32_t& v : s.corner) v = number[original[v]];
+    s.number_of_border_edges = 0;
+    for (const Common_subdivision::Side& side : s.side)
+      if (side.input_edge != Gluing::none && is_on_border(side.input_edge))
+        ++s.number_of_border_edges;
+  }
+
+  bool is_on_border(std::uint32_t edge) const {
+    const std::uint32_t side = in_.start.side[2 * edge];
+    return side == Gluing::none || opened_.gluing.glue[side] == Gluing::none;
+  }
+
+  const Scaled_surface& in_;
+  Surface_to_cut opened_; // the input, of a double without the gluing of front and back
+  std::vector<char> is_wanted_;
+  Subdivision_layout layout_;
+};
+
+} // namespace
+
+} // namespace internal
+
+Scaled_layout lay_out_scaled(const Scaled_surface& surface, const Flat_torus* torus) {
+  return internal::Front_layout(surface).run(torus);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
