@@ -150,4 +150,26 @@ TEST(Pair_distances, are_those_of_the_plane_on_a_flat_torus) {
   }
 }
 
+// Corners of faces are vertices; points within faces have the distances of their own searches.
+TEST(Pair_distances, of_points_are_those_of_a_search_for_each) {
+  const Triangulation t = flat_torus(5);
+  std::vector<Vertex> vertices_from, vertices_to;
+  std::vector<IT::Surface_point> corners_from, corners_to, from, to;
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    const std::uint32_t h = 6 * (k % 5), g = (8 * k + 13) % 50;
+    vertices_from.push_back(source(t.numbers().halfedge_at(h), t.mesh()));
+    vertices_to.push_back(source(t.numbers().halfedge_at(g), t.mesh()));
+    corners_from.push_back({h, {1, 0, 0}});
+    corners_to.push_back({g, {1, 0, 0}});
+    from.push_back({h, {0.5, 0.25, 0.25}});
+    to.push_back({g, {0.25, 0.625, 0.125}});
+  }
+  EXPECT_EQ(IT::pair_distances(t, corners_from, corners_to),
+            IT::pair_distances(t, vertices_from, vertices_to));
+  const std::vector<double> found = IT::pair_distances(t, from, to);
+  for (std::size_t i = 0; i < from.size(); ++i)
+    EXPECT_NEAR(found[i], IT::Polyhedral_distance<Triangulation>(t, from[i]).distance(to[i]),
+                1e-14);
+}
+
 } // namespace

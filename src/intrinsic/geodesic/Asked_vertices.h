@@ -5,10 +5,10 @@
 #define INTRINSIC_GEODESIC_ASKED_VERTICES_H
 
 #include "../options.h"
-#include "Copies_of_curve.h"
 #include "asked_curves.h"
 
 #include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_geodesics/queries/Copies_of_curve.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -46,7 +46,7 @@ public:
                                    " is isolated: no face has it; choose another");
     }
     if (t_.input().names().sheets > 1 && curve.kind != Curve_kind::source)
-      return Copies_of_curve<Triangulation>(t_, copies, curve.is_loop).chosen();
+      return IT::internal::Copies_of_curve<Triangulation>(t_, copies, curve.is_loop).chosen();
     Vertices result;
     for (const Vertices& v : copies) result.push_back(v.front());
     return result;

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,6 +38,7 @@ class Curve_builder {
   using Vertex = typename Triangulation::vertex_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Vertices = std::vector<Vertex>;
+  using Curve = IT::Curve_through_vertices<Triangulation>;
 
 public:
   /// prepares the curves of `options` on what was loaded.
@@ -51,19 +51,21 @@ public:
   void run() {
     const std::vector<Asked_curve> curves =
         asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
-    std::vector<Vertices> vertices;
-    for (const Asked_curve& curve : curves) vertices.push_back(points_(curve));
-    fix_vertices(curves, vertices);
+    std::vector<Curve> through;
+    for (const Asked_curve& curve : curves)
+      through.push_back({points_(curve), curve.is_loop, options_.geodesic.has_waypoints});
+    IT::internal::fix_junctions(network_, through);
     if (has_constraints(options_))
       named(options_.input,
             [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
     IT::Edge_path_finder<Triangulation> find(t_);
-    if (are_free(curves) && add_geodesics(curves, vertices)) return;
+    if (are_free(curves) && add_geodesics(curves, through)) return;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-      if (curves[i].kind == Curve_kind::source) add_tree(vertices[i].front());
-      if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices[i], curves[i]);
+      const Vertices& vertices = through[i].vertices;
+      if (curves[i].kind == Curve_kind::source) add_tree(vertices.front());
+      if (curves[i].kind == Curve_kind::control_points) add_bezier_curve(vertices, curves[i]);
       if (curves[i].kind != Curve_kind::joined) continue;
-      const std::vector<Halfedge> way = way_through(vertices[i], curves[i], find);
+      const std::vector<Halfedge> way = way_through(vertices, curves[i], find);
       named(curves[i].source,
             [&] { curves[i].is_loop ? network_.add_loop(way) : network_.add_path(way); });
     }
@@ -90,12 +92,9 @@ private:
   }
 
   // False if vertices are not connected, or rounding has spoilt a path.
-  bool add_geodesics(const std::vector<Asked_curve>& asked, const std::vector<Vertices>& vertices) {
-    std::vector<IT::Curve_through_vertices<Triangulation>> curves;
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      expect_different_neighbors(vertices[i], asked[i]);
-      curves.push_back({vertices[i], asked[i].is_loop, options_.geodesic.has_waypoints});
-    }
+  bool add_geodesics(const std::vector<Asked_curve>& asked, const std::vector<Curve>& curves) {
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      expect_different_neighbors(curves[i].vertices, asked[i]);
     const auto added = IT::add_geodesics(network_, curves);
     if (added.status != IT::Status::done) {
       network_.clear();
@@ -147,18 +146,6 @@ private:
           ", where none may pass another; let curves end there, give it as a "
           "point of this one with "
           "--waypoints, or make each geodesic in a run of its own");
-    }
-  }
-
-  // Ends that several curves have are junctions.
-  void fix_vertices(const std::vector<Asked_curve>& curves, const std::vector<Vertices>& vertices) {
-    std::map<std::uint32_t, int> ends;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-      if (options_.geodesic.has_waypoints)
-        for (const Vertex v : vertices[i]) network_.fix(v);
-      if (curves[i].is_loop) continue;
-      for (const Vertex v : {vertices[i].front(), vertices[i].back()})
-        if (++ends[t_.index(v)] > 1) network_.fix(v);
     }
   }
 

@@ -7,12 +7,14 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -22,6 +24,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -78,6 +81,22 @@ bool search_in_threads(const Distance& surface, std::size_t size, const NP& np,
       [&](std::size_t done) { return observed.progress(done, size); });
 }
 
+// A vertex of a triangulation, or a point on it.
+template <class Place, class Triangulation>
+concept Place_on = std::same_as<Place, typename Triangulation::vertex_descriptor> ||
+    std::same_as<Place, Surface_point>;
+
+// What orders the places of pairs.
+template <class Triangulation>
+std::uint32_t key_of_place(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  return t.index(v);
+}
+template <class Triangulation>
+std::pair<std::uint32_t, std::array<double, 3>> key_of_place(const Triangulation&,
+                                                             const Surface_point& p) {
+  return {p.halfedge, p.weights};
+}
+
 } // namespace internal
 
 /*!
@@ -131,46 +150,48 @@ Status polyhedral_distances(const Triangulation& t, const SourceSets& sets, std:
 }
 
 /*!
-\brief finds the exact distances between vertices, pair by pair.
+\brief finds the exact distances between vertices or points, pair by pair.
 
-Pairs with the same first vertex share a search, which stops when its distances are final. Distances
-are symmetric: give the vertices that repeat first.
+Pairs with the same first place share a search, which stops when its distances are final. Distances
+are symmetric: give the places that repeat first.
 
 \tparam Triangulation a model of `NumberedTriangulation`
+\tparam Place its vertex, or `Surface_point`
 \tparam NP a chain of named parameters
 \param t the triangulation
-\param from the first vertices
-\param to the second vertices, as many
+\param from the first places
+\param to the second places, as many
 \param np optional named parameters: `number_of_threads(n)`, `maximum_number(n)` and `visitor(v)`,
   see `polyhedral_distances()`
 \return the distance of each pair, in the units of the input; infinity between components, and not
   a number for pairs that the visitor has prevented
-\throws std::invalid_argument if there are not as many second vertices as first ones
-\complexity a search for each vertex that is the first of a pair, as far as its farthest partner
+\throws std::invalid_argument if there are not as many second places as first ones
+\complexity a search for each place that is the first of a pair, as far as its farthest partner
 */
-template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
-std::vector<double>
-pair_distances(const Triangulation& t,
-               const std::vector<typename Triangulation::vertex_descriptor>& from,
-               const std::vector<typename Triangulation::vertex_descriptor>& to,
-               const NP& np = parameters::default_values()) {
+template <NumberedTriangulation Triangulation,
+          internal::Place_on<Triangulation> Place = typename Triangulation::vertex_descriptor,
+          NamedParameters NP = parameters::Parameters<>>
+std::vector<double> pair_distances(const Triangulation& t, const std::vector<Place>& from,
+                                   const std::vector<Place>& to,
+                                   const NP& np = parameters::default_values()) {
   using namespace internal::tags;
   internal::expect_names<number_of_threads, maximum_number, visitor>(np);
   if (from.size() != to.size())
-    throw std::invalid_argument("pairs need as many second vertices as first ones, not " +
+    throw std::invalid_argument("pairs need as many second places as first ones, not " +
                                 std::to_string(to.size()) + " for " + std::to_string(from.size()));
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return t.index(from[i]); });
-  std::vector<std::size_t> begins; // of pairs with the same first vertex
+  const auto key = [&](std::size_t i) { return internal::key_of_place(t, from[i]); };
+  std::ranges::sort(order, {}, key);
+  std::vector<std::size_t> begins; // of pairs with the same first place
   for (std::size_t k = 0; k < order.size(); ++k)
-    if (k == 0 || from[order[k]] != from[order[k - 1]]) begins.push_back(k);
+    if (k == 0 || key(order[k]) != key(order[k - 1])) begins.push_back(k);
   begins.push_back(order.size());
   const Polyhedral_distance<Triangulation> surface(t);
   std::vector<double> result(from.size(), std::numeric_limits<double>::quiet_NaN());
   internal::search_in_threads(surface, begins.size() - 1, np, [&](auto& own, std::size_t group) {
     const auto pairs = std::span(order).subspan(begins[group], begins[group + 1] - begins[group]);
-    std::vector<typename Triangulation::vertex_descriptor> partners;
+    std::vector<Place> partners;
     for (const std::size_t i : pairs) partners.push_back(to[i]);
     own.search(from[pairs.front()],
                parameters::targets(partners).maximum_number(

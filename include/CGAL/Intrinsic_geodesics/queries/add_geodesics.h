@@ -18,6 +18,8 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -108,6 +110,20 @@ struct Added_geodesics {
 };
 
 namespace internal {
+
+// Fixes the vertices of curves that stay there, and ends that several curves have: junctions.
+template <class Triangulation>
+void fix_junctions(Curve_network<Triangulation>& network,
+                   const std::vector<Curve_through_vertices<Triangulation>>& curves) {
+  std::map<std::uint32_t, int> ends;
+  for (const Curve_through_vertices<Triangulation>& c : curves) {
+    if (c.stays_at_vertices)
+      for (const auto v : c.vertices) network.fix(v);
+    if (c.is_loop) continue;
+    for (const auto v : {c.vertices.front(), c.vertices.back()})
+      if (++ends[network.triangulation().index(v)] > 1) network.fix(v);
+  }
+}
 
 // Finds curves one by one, and makes them edges.
 template <class Triangulation>

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
-#define INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
+#ifndef CGAL_INTRINSIC_GEODESICS_QUERIES_COPIES_OF_CURVE_H
+#define CGAL_INTRINSIC_GEODESICS_QUERIES_COPIES_OF_CURVE_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <algorithm>
@@ -16,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace program {
-
-namespace IT = CGAL::Intrinsic_triangulations;
+namespace CGAL::Intrinsic_triangulations::internal {
 
 /*!
 \brief chooses copies of the points of a curve on a cover: so that the shortest paths from each to
@@ -70,7 +69,7 @@ private:
   bool are_linked() const {
     return std::ranges::all_of(copies_, [this](const Vertices& copies) {
       return std::ranges::all_of(
-          copies, [&](Vertex v) { return IT::internal::are_copies(t_, v, copies.front()); });
+          copies, [&](Vertex v) { return are_copies(t_, v, copies.front()); });
     });
   }
 
@@ -103,22 +102,22 @@ private:
   const std::vector<Cost>& ways(std::size_t i, std::size_t k) {
     if (std::vector<Cost>& found = legs_[i][k]; !found.empty()) return found;
     const Vertices& to = copies_[(i + 1) % copies_.size()];
-    const IT::Polyhedral_distance<Triangulation> distance(t_, copies_[i][k],
-                                                          IT::parameters::targets(to));
+    const Polyhedral_distance<Triangulation> distance(t_, copies_[i][k],
+                                                          parameters::targets(to));
     for (const Vertex v : to)
       legs_[i][k].push_back({distance.distance(v), passages(distance.shortest_path(v).points), 0});
     return legs_[i][k];
   }
 
-  std::size_t passages(const std::vector<IT::Surface_point>& points) const {
-    const auto vertex = [&](const IT::Surface_point& p) {
+  std::size_t passages(const std::vector<Surface_point>& points) const {
+    const auto vertex = [&](const Surface_point& p) {
       return source(t_.numbers().halfedge_at(p.halfedge), t_.mesh());
     };
     std::size_t count = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       if (points[i].weights[0] == 1 && points[i + 1].weights[0] == 1 &&
           vertex(points[i]) != vertex(points[i + 1]) &&
-          IT::internal::are_copies(t_, vertex(points[i]), vertex(points[i + 1])))
+          are_copies(t_, vertex(points[i]), vertex(points[i + 1])))
         ++count;
     return count;
   }
@@ -176,6 +175,6 @@ private:
   std::vector<std::vector<std::vector<Cost>>> legs_;
 };
 
-} // namespace program
+} // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // INTRINSIC_GEODESIC_COPIES_OF_CURVE_H
+#endif // CGAL_INTRINSIC_GEODESICS_QUERIES_COPIES_OF_CURVE_H
