@@ -1,6 +1,138 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""Geodesics, isolines and cuts."""
+
+import numpy as np
+
+from . import _arrays, _core
+from ._curve import Curve, Cut, Network
+from ._points import is_point
+
+
+def _is_shortest(method):
+    if method not in ("exact", "flips"):
+        raise ValueError(f'method="{method}" does not exist; give "exact" or "flips"')
+    return method == "exact"
+
+
+def _direction(direction):
+    """Returns a complex number, or three numbers."""
+    if np.ndim(direction) == 0:
+        z = complex(direction)
+        if not np.isfinite(z):
+            raise ValueError(f"direction is {z}; give a finite number")
+        return z
+    d = _arrays.numbers(direction, "direction")
+    if d.shape == (2,):
+        return complex(d[0], d[1])
+    _arrays.expect_shape(d, "direction", (3,))
+    return d.tolist()
 
 
 class _Curves:
-    pass
+    def path(self, a, b, *, through=(), waypoints=False, method="exact", progress=None):
+        """Returns a geodesic from `a` to `b` as a `Curve`.
+
+        With `method` "exact", it is a shortest path. With "flips" it is found by flips from a
+        shortest path along edges: it is locally shortest, often longer, and found faster. `through`
+        are points between the ends. They choose the way around holes and handles; with `waypoints`,
+        the path stays at them, and consists of shortest paths from each to the next.
+
+        >>> s.path(0, 2).length
+        1.4142135623730951
+        """
+        points = [a, *([through] if is_point(through) else through), b]
+        return self.network([points], waypoints=waypoints, method=method, progress=progress)[0]
+
+    def loop(self, points, *, waypoints=False, method="exact", progress=None):
+        """Returns a closed geodesic as a `Curve`: shortest paths from each of the points to the
+        next, and from the last to the first, are shortened together.
+
+        A loop that goes around nothing shrinks to a point: its status is "contracted". See `path()`
+        for the options.
+        """
+        return self.network((), [points], waypoints=waypoints, method=method,
+                            progress=progress)[0]
+
+    def network(self, paths=(), loops=(), *, waypoints=False, method="exact", certify=False,
+                progress=None):
+        """Returns several geodesics as a `Network`: paths first, then loops.
+
+        Each path and each loop is a sequence of points, see `path()` and `loop()`. By the method
+        "exact" each curve is found as if the others were not there; by "flips" curves do not cross
+        others. Ends that several curves share stay where they are. `certify` asks for a proof that
+        all curves are geodesic.
+        """
+        options = _core.CurveOptions(_is_shortest(method), bool(waypoints), bool(certify))
+        curves = []
+        for kind, lists, least in ("paths", paths, 2), ("loops", loops, 3):
+            for i, points in enumerate(lists):
+                places = self._places(points, f"{kind}[{i}]")
+                if len(places[0]) < least:
+                    raise ValueError(f"{kind}[{i}] has {len(places[0])} points; give {least} at "
+                                     "least")
+                curves.append((places, kind == "loops"))
+        if not curves:
+            raise ValueError("a network needs a curve; give paths or loops")
+        return Network(_core.curves(self._core, curves, options, progress))
+
+    def trace(self, p, direction, length):
+        """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.
+
+        `direction` is a vector in space, which is projected to the face of `p`, or at a vertex into
+        the face that is nearest to it. Or it is a complex number: in a face, the real axis runs
+        along its first side; at a vertex, see `frames()`. Its size does not matter. The curve is
+        straight across edges, goes through vertices with equal angles on both sides, and ends at the
+        border.
+
+        >>> s.trace(0, [1, 0.5, 0], 0.5).points[-1]
+        array([0.4472136, 0.2236068, 0.       ])
+        """
+        if not is_point(p):
+            raise ValueError("give one point to start from")
+        far = float(length)
+        if not (np.isfinite(far) and far >= 0):
+            raise ValueError(f"length is {far}; give a finite number that is not negative")
+        return Curve(_core.trace(self._core, self._places(p, "p"), _direction(direction), far))
+
+    def isolines(self, u, levels=10):
+        """Returns the lines on which a function has given values, as a list of `Curve`s.
+
+        `u` has a number per vertex, and is linear in the faces of this triangulation. It may be
+        infinite. `levels` are the values, or how many there are between the least and the greatest
+        value of `u`, evenly. Larger values are on the left of a line.
+
+        >>> line, = s.isolines([0, 1, 2, 1], [0.5])
+        >>> line.length
+        0.7071067811865476
+        """
+        values = np.ascontiguousarray(u, dtype=np.float64)
+        _arrays.expect_shape(values, "u", (self._core.number_of_vertices,))
+        if np.ndim(levels) == 0:
+            if levels != int(levels) or not 1 <= levels <= 10000:
+                raise ValueError(f"levels is {levels}; give a number from 1 to 10000, or an array")
+            levels = _core.even_levels(values, int(levels))
+        else:
+            levels = _arrays.numbers(levels, "levels", (None,))
+        return [Curve(line) for line in _core.isolines(self._core, values, levels)]
+
+    def cut(self, curves=None, *, through=()):
+        """Cuts the surface open along curves, and returns the pieces as a `Cut`.
+
+        `curves` is a `Network`, a `Curve` of this surface, or a sequence of curves, which may cross
+        each other: paths, loops, isolines, traced geodesics, boundaries of cells. Without curves,
+        each component becomes a disk: the surface is cut along short geodesics, which pass through
+        the vertices `through`.
+        """
+        users = self._core.number_of_input_vertices
+        if curves is None:
+            places = self._places(through, "through")
+            return Cut(_core.cut_to_disks(self._core, places), users)
+        if isinstance(curves, Network):
+            return Cut(_core.cut_network(self._core, curves._edges), users)
+        curves = [curves] if isinstance(curves, Curve) else list(curves)
+        for i, curve in enumerate(curves):
+            if not isinstance(curve, Curve):
+                raise ValueError(f"curves[{i}] is no Curve; give what path(), isolines() and "
+                                 "others return")
+        return Cut(_core.cut_ways(self._core, [c._way for c in curves]), users)

@@ -1,6 +1,194 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""Distances on surfaces. All of them are computed on the Delaunay triangulation."""
+
+import warnings
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _arrays, _core
+from ._curve import Curve
+from ._points import is_point, place_arrays
+
+
+class FarthestPoints(NamedTuple):
+    """Vertices that are far from each other, and a radius within which every vertex has one."""
+
+    vertices: np.ndarray
+    radius: float
+
+
+class Junctions(NamedTuple):
+    """Points where three or more cells meet: places as of a `Curve`, and the cells, clockwise."""
+
+    points: np.ndarray
+    faces: np.ndarray
+    barycentric: np.ndarray
+    corners: np.ndarray
+    cells: list
+
+
+class Voronoi(NamedTuple):
+    """A surface divided among sources: each point belongs to the nearest one.
+
+    `labels` and `distances` have an entry per vertex: the number of the cell (-1 where no path
+    leads to a source), and the distance. `areas` has one per cell. `boundaries` are curves with a
+    cell on their `left` and one on their `right`.
+    """
+
+    labels: np.ndarray
+    distances: np.ndarray
+    areas: np.ndarray
+    boundaries: list
+    junctions: Junctions
+    status: str
+
+
+def _method(method, max_distance, time_factor):
+    if method not in ("exact", "heat"):
+        raise ValueError(f'method="{method}" does not exist; give "exact" or "heat"')
+    if method == "heat" and max_distance is not None:
+        raise ValueError('max_distance is for method="exact": heat reaches all vertices at once')
+    far = np.inf if max_distance is None else float(max_distance)
+    if not far >= 0:
+        raise ValueError(f"max_distance is {far}; give a number that is not negative")
+    return _core.DistanceMethod(method == "exact", far, float(time_factor))
+
+
+def _warn_of_cap(status):
+    if status == "cap":
+        warnings.warn("the surface is so thin that a search met its cap; distances beyond the part "
+                      "that it searched are infinite", RuntimeWarning, stacklevel=3)
+
+
+def _flat(source_sets):
+    """Returns the points of all sets, and where each set ends."""
+    sets = [[s] if is_point(s) else list(s) for s in source_sets]
+    return [p for s in sets for p in s], np.cumsum([len(s) for s in sets], dtype=np.int64).tolist()
 
 
 class _Distances:
-    pass
+    def _places(self, points, name):
+        core = self._core
+        return place_arrays(points, name, core.number_of_vertices, core.number_of_input_faces)
+
+    def distance(self, sources, *, method="exact", targets=None, max_distance=None,
+                 time_factor=1.0, progress=None):
+        """Returns the distance of each vertex from the nearest source, of shape (n,).
+
+        `sources` is a vertex, a `Point`, or a sequence of them. `method` is "exact", along shortest
+        paths, or "heat", an approximation that is faster for many calls. With `targets`, the result
+        has the distances of these points instead, and an exact search stops when it has them;
+        `max_distance` ends it, too. Where no source is reached, the distance is infinite. The unit
+        is that of the vertices. `time_factor` is that of the heat flow: more is smoother.
+
+        >>> s.distance(0)
+        array([0.        , 1.        , 1.41421356, 1.        ])
+        >>> s.distance([1, 3], targets=2)
+        array([1.])
+        """
+        how = _method(method, max_distance, time_factor)
+        ends = None if targets is None else self._places(targets, "targets")
+        found, status, _ = _core.distance(self._flipped(), self._places(sources, "sources"), ends,
+                                          how, progress)
+        _warn_of_cap(status)
+        return found
+
+    def distances(self, source_sets, *, method="exact", max_distance=None, time_factor=1.0,
+                  threads=0, out=None, progress=None):
+        """Returns the distances of all vertices from each of many sets of sources, of shape (k, n).
+
+        `source_sets` has k elements, each what `distance()` takes as sources. `threads` is how many
+        of them work, 0 for one per processor; results do not depend on it. `out` is an array of
+        shape (k, n), of type float64 or float32 in C order, which may be a file that is mapped to
+        memory: distances are written there.
+
+        >>> s.distances([0, [1, 3]])
+        array([[0.        , 1.        , 1.41421356, 1.        ],
+               [1.        , 0.        , 1.        , 0.        ]])
+        """
+        how = _method(method, max_distance, time_factor)
+        points, ends = _flat(source_sets)
+        shape = len(ends), self._core.number_of_vertices
+        if out is None:
+            out = np.empty(shape)
+        elif not isinstance(out, np.ndarray) or out.shape != shape:
+            raise ValueError(f"out must be an array of the shape {shape}, not "
+                             f"{getattr(out, 'shape', type(out).__name__)}")
+        if threads < 0:
+            raise ValueError(f"threads is {threads}; give a number that is not negative")
+        _warn_of_cap(_core.distances(self._flipped(), self._places(points, "source_sets"), ends,
+                                     how, threads, out, progress))
+        return out
+
+    def pair_distances(self, A, B, *, method="exact", threads=0, progress=None):
+        """Returns the distance from each point of `A` to that of `B`, of shape (k,).
+
+        One of them may be a single point. By heat, points are vertices. Pairs that begin with the
+        same point share a search: let points that repeat be in `A`.
+
+        >>> s.pair_distances([0, 1], 2)
+        array([1.41421356, 1.        ])
+        """
+        how = _method(method, None, 1)
+        a, b = self._places(A, "A"), self._places(B, "B")
+        size = max(len(a[0]), len(b[0]))
+        a, b = ([np.repeat(x, size, axis=0) if len(x) == 1 else x for x in p] for p in (a, b))
+        if len(a[0]) != len(b[0]):
+            raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
+        if method == "exact":
+            return _core.pair_distances(self._flipped(), a, b, threads, progress)
+        return self._heat_of_pairs(a[2], b[2], how, threads, progress)
+
+    def _heat_of_pairs(self, A, B, how, threads, progress):
+        if (A < 0).any() or (B < 0).any():
+            raise ValueError("pairs are of vertices if distances are by heat; give no Point")
+        first, number = np.unique(A, return_inverse=True)
+        result = np.empty(len(A))
+        step = max(1, (1 << 25) // self._core.number_of_vertices)  # 256 MiB in memory at a time
+        for i in range(0, len(first), step):
+            part = first[i:i + step]
+            columns = np.empty((len(part), self._core.number_of_vertices))
+            _core.distances(self._flipped(), self._places(part, "A"),
+                            list(range(1, len(part) + 1)), how, threads, columns, progress)
+            here = (number >= i) & (number < i + len(part))
+            result[here] = columns[number[here] - i, B[here]]
+        return result
+
+    def voronoi(self, sources, *, tolerance=None, progress=None):
+        """Divides the surface among sources by exact distances, and returns a `Voronoi`.
+
+        Each element of `sources` is a point, or a set of points that share a cell. Boundaries are
+        polylines within `tolerance`, by default a thousandth of the mean edge.
+
+        >>> s.voronoi([0, 2]).labels[[0, 2]]
+        array([0, 1])
+        """
+        points, ends = _flat([sources] if is_point(sources) else sources)
+        cell = np.repeat(np.arange(len(ends)), np.diff(ends, prepend=0))
+        if tolerance is not None and not tolerance > 0:
+            raise ValueError(f"tolerance is {tolerance}; give a number above 0")
+        found = _core.voronoi(self._flipped(), self._places(points, "sources"), cell.tolist(),
+                              tolerance, progress)
+        places = found["junctions"]
+        junctions = Junctions(places["points"], places["faces"], places["barycentric"],
+                              places["corners"], found["cells_at_junctions"])
+        return Voronoi(found["labels"], found["distances"], found["areas"],
+                       [Curve(b) for b in found["boundaries"]], junctions, found["status"])
+
+    def farthest_points(self, n, *, start=0):
+        """Returns `n` vertices that are far from each other, and the radius that they cover.
+
+        `start`, one vertex or several, are the first ones. Each of the others is the farthest one
+        from all before it, by exact distances.
+
+        >>> s.farthest_points(2).vertices
+        array([0, 2])
+        """
+        first = np.atleast_1d(_arrays.indices(start, "start"))
+        if n < len(first):
+            raise ValueError(f"n is {n}, but start has {len(first)} vertices; give n above that")
+        found, radius = _core.farthest_points(self._flipped(), self._places(first, "start"),
+                                              n - len(first))
+        return FarthestPoints(np.concatenate([first, found]), radius)

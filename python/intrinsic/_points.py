@@ -22,7 +22,7 @@ class Point(NamedTuple):
 
 def is_point(x):
     """Tells whether something is one point: the number of a vertex, or a `Point`."""
-    return isinstance(x, Point) or np.ndim(x) == 0
+    return isinstance(x, Point) or not isinstance(x, (list, tuple)) and np.ndim(x) == 0
 
 
 def place_arrays(points, name, vertices, faces):

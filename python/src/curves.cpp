@@ -1,10 +1,304 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Curve_edges.h"
 #include "Surface.h"
+#include "curve_arrays.h"
+#include "places.h"
+
+#include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
+#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
+#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
+#include <CGAL/Intrinsic_geodesics/queries/Copies_of_curve.h>
+#include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Curves on surfaces: geodesics as the command `geodesic` finds them, and isolines.
 
 namespace python {
 
-void bind_curves(py::module_&) {}
+namespace {
+
+/// A path or a loop through points.
+struct Asked_curve {
+  std::vector<Place> points;
+  bool is_loop = false;
+};
+
+/// How curves are found.
+struct Curve_options {
+  bool is_shortest = true;      ///< whether sides start as shortest paths
+  bool stays_at_points = false; ///< whether curves stay at all of their points
+  bool is_certified = false;    ///< whether to decide exactly whether they are geodesic
+};
+
+/// Curves that were made geodesic.
+struct Found_curves {
+  std::shared_ptr<const IT::Input> input;
+  std::vector<Way> ways;
+  std::vector<double> initial_lengths;
+  IT::Shortening_result shortening;
+  std::optional<bool> is_certified;
+  std::shared_ptr<Curve_edges> edges;
+};
+
+struct Shortening_watch {
+  Watch* watch;
+  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
+};
+
+// Makes curves geodesic on a copy of a triangulation.
+template <class T>
+class Curve_finder {
+  using Vertex = typename T::vertex_descriptor;
+  using Halfedge = typename T::halfedge_descriptor;
+  using Curves = std::vector<IT::Curve_through_vertices<T>>;
+
+public:
+  Curve_finder(const T& t, const Curve_options& options, Watch& watch)
+      : t_(std::make_unique<T>(t)), options_(options), watch_(watch), network_(*t_) {}
+
+  Found_curves run(const std::vector<Asked_curve>& asked) {
+    Curves curves;
+    for (const Asked_curve& curve : asked)
+      curves.push_back({vertices_of(curve), curve.is_loop, options_.stays_at_points});
+    IT::internal::fix_junctions(network_, curves);
+    for (const auto& curve : curves) expect_different_neighbors(curve.vertices, curve.is_loop);
+    if (!(options_.is_shortest && add_geodesics(curves))) add_along_edges(curves);
+    Shortening_watch visitor{&watch_};
+    found_.shortening += IT::shorten_curves(network_, IT::parameters::visitor(std::ref(visitor)));
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) found_.ways.push_back(way(c));
+    if (options_.is_certified) found_.is_certified = IT::certify_geodesic(network_).is_geodesic();
+    found_.input = t_->shared_input();
+    found_.edges = edges();
+    return std::move(found_);
+  }
+
+private:
+  // One for each point; of several copies on a cover those that make the curve short.
+  std::vector<Vertex> vertices_of(const Asked_curve& curve) {
+    std::vector<std::vector<Vertex>> copies;
+    for (const Place& p : curve.points) copies.push_back(copies_of(p));
+    if (t_->input().names().sheets > 1)
+      return IT::internal::Copies_of_curve<T>(*t_, copies, curve.is_loop).chosen();
+    std::vector<Vertex> result;
+    for (const std::vector<Vertex>& v : copies) result.push_back(v.front());
+    return result;
+  }
+
+  std::vector<Vertex> copies_of(const Place& p) {
+    if (p.is_vertex()) {
+      const Vertex first = Place_finder<T>(*t_).vertex(p.vertex);
+      return IT::internal::copies_of_vertex(*t_, first);
+    }
+    std::vector<Vertex> result;
+    for (const auto& v : IT::insert_point_on_sheets(*t_, point_on_input(t_->input(), p))) {
+      if (v.status != IT::Move_status::done)
+        throw IT::Invalid_input(IT::Element_kind::face, p.face,
+                                "face " + std::to_string(p.face) +
+                                    " has no room for a vertex at that point; choose another");
+      result.push_back(v.vertex);
+    }
+    return result;
+  }
+
+  std::string name(Vertex v) const {
+    return t_->is_inserted(v) ? "a point inside of a face"
+                              : "vertex " + std::to_string(t_->input_vertex(v));
+  }
+
+  void expect_different_neighbors(const std::vector<Vertex>& vertices, bool is_loop) const {
+    const std::size_t n = vertices.size();
+    for (std::size_t i = 0; i + (is_loop ? 0 : 1) < n; ++i)
+      if (IT::internal::are_copies(*t_, vertices[i], vertices[(i + 1) % n]))
+        throw IT::Invalid_input(IT::Element_kind::vertex, t_->input_vertex(vertices[i]),
+                                name(vertices[i]) + " follows itself on a curve; give it once");
+  }
+
+  // Each curve as if the others were not there. False if vertices are not connected, or rounding
+  // has spoilt a path.
+  bool add_geodesics(const Curves& curves) {
+    const auto added = IT::add_geodesics(network_, curves);
+    if (added.status != IT::Status::done) {
+      network_.clear();
+      return false;
+    }
+    found_.shortening = added.shortening;
+    for (const IT::Traced_curve& c : added.initial) found_.initial_lengths.push_back(c.length);
+    return true;
+  }
+
+  void add_along_edges(const Curves& curves) {
+    IT::Edge_path_finder<T> find(*t_);
+    for (const auto& curve : curves) {
+      const std::vector<Halfedge> way = way_along_edges(curve, find);
+      try {
+        curve.is_loop ? network_.add_loop(way) : network_.add_path(way);
+      } catch (const IT::Invalid_input& e) {
+        if (e.kind() != IT::Element_kind::vertex) throw;
+        const Vertex v = t_->numbers().vertex_at(static_cast<std::uint32_t>(e.index()));
+        throw IT::Invalid_input(IT::Element_kind::vertex, t_->input_vertex(v),
+                                "a curve crosses another or itself at " + name(v) +
+                                    ", where none may pass another; let curves end there, or find "
+                                    "each geodesic in a call of its own");
+      }
+      found_.initial_lengths.push_back(network_.length(network_.number_of_curves() - 1));
+    }
+  }
+
+  std::vector<Halfedge> way_along_edges(const IT::Curve_through_vertices<T>& curve,
+                                        IT::Edge_path_finder<T>& find) const {
+    std::vector<Halfedge> way;
+    const std::size_t n = curve.vertices.size();
+    for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i) {
+      const Vertex from = curve.vertices[i], to = curve.vertices[(i + 1) % n];
+      std::vector<Halfedge> piece = find(from, to);
+      if (piece.empty()) // from another copy, and to one
+        piece = find(IT::internal::copies_of_vertex(*t_, from),
+                     IT::internal::copies_of_vertex(*t_, to));
+      if (piece.empty())
+        throw IT::Invalid_input(IT::Element_kind::vertex, t_->input_vertex(from),
+                                "no path leads from " + name(from) + " to " + name(to) +
+                                    ", which are in different components; choose points of one");
+      way.insert(way.end(), piece.begin(), piece.end());
+    }
+    return way;
+  }
+
+  Way way(std::uint32_t c) const {
+    if (!network_.is_point(c)) {
+      Way way{IT::trace_curve(*t_, network_.halfedges(c)), network_.is_loop(c)};
+      way.curve.length = network_.length(c);
+      way.curve.length_enclosure = network_.length_enclosure(c);
+      return way;
+    }
+    const auto out = opposite(halfedge(network_.start(c), t_->mesh()), t_->mesh());
+    Way way{IT::trace_curve(*t_, std::vector{out}), false};
+    way.curve.points.resize(1);
+    way.curve.faces.clear();
+    way.curve.status = IT::Status::contracted;
+    way.curve.length = 0;
+    way.curve.length_enclosure = 0;
+    return way;
+  }
+
+  // what cuts need; the triangulation is moved there
+  std::shared_ptr<Curve_edges> edges() {
+    auto result = std::make_shared<Curve_edges>();
+    const auto labels = IT::curve_labels(network_);
+    result->labels.resize(t_->numbers().edge_capacity(t_->mesh()));
+    for (const auto e : IT::edges(t_->mesh())) result->labels[t_->index(e)] = get(labels, e);
+    for (std::uint32_t c = network_.number_of_curves(); c-- > 0;)
+      if (network_.is_point(c)) result->contracted = c;
+    result->triangulation = std::move(t_);
+    return result;
+  }
+
+  std::unique_ptr<T> t_;
+  Curve_options options_;
+  Watch& watch_;
+  IT::Curve_network<T> network_;
+  Found_curves found_;
+};
+
+py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& asked,
+                const Curve_options& options, const py::object& progress) {
+  std::vector<Asked_curve> lists;
+  for (const auto& [points, is_loop] : asked) lists.push_back({places_of(points), is_loop});
+  Watch watch(progress);
+  Found_curves found = with_triangulation(
+      s, watch, [&]<class T>(const T& t) { return Curve_finder<T>(t, options, watch).run(lists); });
+  py::list list;
+  for (std::size_t i = 0; i < found.ways.size(); ++i) {
+    py::dict curve = curve_arrays(*found.input, s.points, std::move(found.ways[i]));
+    curve["initial_length"] = found.initial_lengths[i];
+    list.append(curve);
+  }
+  py::dict result;
+  result["curves"] = list;
+  result["status"] = status_name(found.shortening.status);
+  result["flips"] = found.shortening.flips;
+  result["is_certified"] = py::cast(found.is_certified);
+  result["edges"] = found.edges;
+  return result;
+}
+
+// Evenly between the least and the greatest finite value.
+py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (const double x : std::span(u.data(), static_cast<std::size_t>(u.size()))) {
+    if (!std::isfinite(x)) continue;
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+  }
+  std::vector<double> levels;
+  for (std::size_t k = 1; k <= count && least <= greatest; ++k)
+    levels.push_back(
+        std::lerp(least, greatest, static_cast<double>(k) / static_cast<double>(count + 1)));
+  return array_of(std::move(levels));
+}
+
+py::list isolines(Surface& s, const Doubles& u, const Doubles& l) {
+  Watch watch;
+  std::shared_ptr<const IT::Input> input;
+  std::vector<IT::Isoline> lines;
+  std::vector<Way> ways;
+  const std::span values(u.data(), static_cast<std::size_t>(u.size()));
+  const std::span levels(l.data(), static_cast<std::size_t>(l.size()));
+  with_triangulation(s, watch, [&](const auto& t) {
+    input = t.shared_input();
+    lines = IT::isolines(t, values, levels);
+    for (const IT::Isoline& line : lines)
+      ways.push_back({IT::trace_isoline(t, line), line.is_closed});
+  });
+  py::list result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (ways[i].curve.points.empty()) continue; // it has no length
+    py::dict line = curve_arrays(*input, s.points, std::move(ways[i]), true);
+    line["level"] = lines[i].level;
+    line["number_of_level"] = lines[i].number_of_level;
+    result.append(line);
+  }
+  return result;
+}
+
+} // namespace
+
+void bind_cuts(py::module_& m);
+void bind_traces(py::module_& m);
+
+void bind_curves(py::module_& m) {
+  py::class_<Way>(m, "Way");
+  py::class_<Curve_edges, std::shared_ptr<Curve_edges>>(m, "CurveEdges");
+  py::class_<Curve_options>(m, "CurveOptions")
+      .def(py::init<bool, bool, bool>(), py::arg("is_shortest"), py::arg("stays_at_points"),
+           py::arg("is_certified"));
+  m.def("curves", curves);
+  m.def("isolines", isolines);
+  m.def("even_levels", even_levels);
+  bind_cuts(m);
+  bind_traces(m);
+}
 
 } // namespace python

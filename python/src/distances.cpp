@@ -2,9 +2,333 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Surface.h"
+#include "curve_arrays.h"
+#include "places.h"
+
+#include <CGAL/Intrinsic_geodesics/distance/batches.h>
+#include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
+#include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
+#include <CGAL/Intrinsic_operators/distance/heat_distances.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Distances on surfaces: all on the Delaunay triangulation of a surface.
 
 namespace python {
 
-void bind_distances(py::module_&) {}
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Search_visitor {
+  Watch* watch;
+  bool progress(std::uint64_t windows, double) { return (*watch)("windows", windows); }
+};
+
+struct Batch_visitor {
+  Watch* watch;
+  bool progress(std::size_t done, std::size_t) { return (*watch)("parts", done); }
+};
+
+// The tables of exact distances.
+template <class T>
+IT::Polyhedral_distance<T>& search_of(Surface& s, const T& t) {
+  return s.cached<IT::Polyhedral_distance<T>>(
+      "exact distances", [&] { return std::make_unique<IT::Polyhedral_distance<T>>(t); });
+}
+
+// What observes a heat flow, whose matrices are kept for longer than the call that is observed.
+struct Heat_visitor {
+  std::shared_ptr<Watch*> watch;
+  bool progress(IT::Heat_step) { return *watch == nullptr || (**watch)("matrices"); }
+};
+
+// The factored matrices of distances by heat, for one factor of the time.
+template <class T>
+struct Heat {
+  Heat(const T& t, double factor, Watch* w)
+      : time_factor(factor), watch(std::make_shared<Watch*>(w)),
+        distance(t, IT::parameters::time_factor(factor).visitor(Heat_visitor{watch})) {}
+
+  double time_factor;
+  std::shared_ptr<Watch*> watch; // during a call
+  IT::Heat_distance<T> distance;
+};
+
+// Calls a function with them; a construction that was ended leaves nothing.
+template <class T, class Function>
+auto with_heat(Surface& s, const T& t, double time_factor, Watch& watch, const Function& f) {
+  const std::string name = "heat distances";
+  if (const auto found = s.cache.find(name); found != s.cache.end())
+    if (static_cast<Heat<T>*>(found->second.get())->time_factor != time_factor)
+      s.cache.erase(found);
+  auto& heat =
+      s.cached<Heat<T>>(name, [&] { return std::make_unique<Heat<T>>(t, time_factor, &watch); });
+  *heat.watch = &watch;
+  auto result = f(heat.distance);
+  *heat.watch = nullptr;
+  if (heat.distance.status() == IT::Status::cancelled) s.cache.erase(name);
+  return result;
+}
+
+// Distances by rows, or at targets; and how the search ended.
+struct Found_distances {
+  std::vector<double> values;
+  IT::Status status = IT::Status::done;
+  double reached = infinity;
+};
+
+template <class T>
+Found_distances exact_distances(Surface& s, const T& t, const std::vector<Place>& sources,
+                                const std::vector<Place>* targets, double maximum, Watch& watch) {
+  Place_finder<T> find(t);
+  auto& search = search_of(s, t);
+  const auto at = targets == nullptr ? std::vector<IT::Surface_point>() : find.points(*targets);
+  Search_visitor visitor{&watch};
+  Found_distances found;
+  found.status = search.search(
+      find.points(sources),
+      IT::parameters::maximum_distance(maximum).targets(at).visitor(std::ref(visitor)));
+  found.reached = search.reached_distance();
+  if (targets == nullptr) {
+    found.values = search.distances();
+    return found;
+  }
+  for (const Place& p : *targets) {
+    double least = infinity;
+    for (const IT::Surface_point& q : find.points({p})) least = std::min(least, search.distance(q));
+    found.values.push_back(least);
+  }
+  return found;
+}
+
+// linear in the face of each target
+template <class T>
+std::vector<double> values_at(const T& t, const Eigen::VectorXd& rows,
+                              const std::vector<Place>& targets) {
+  Place_finder<T> find(t);
+  std::vector<double> result;
+  for (const Place& p : targets) {
+    const IT::Surface_point q = find.points({p}).front();
+    auto h = t.numbers().halfedge_at(q.halfedge);
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+      if (q.weights[k] != 0) sum += q.weights[k] * rows[t.input_vertex(source(h, t.mesh()))];
+    result.push_back(sum);
+  }
+  return result;
+}
+
+template <class T>
+Found_distances heat_distances(Surface& s, const T& t, const std::vector<Place>& sources,
+                               const std::vector<Place>* targets, double time_factor,
+                               Watch& watch) {
+  const auto points = Place_finder<T>(t).points(sources);
+  const Eigen::VectorXd rows =
+      with_heat(s, t, time_factor, watch, [&](auto& heat) { return heat.distances(points); });
+  if (rows.size() == 0) return {}; // the watch has ended it
+  if (targets != nullptr) return {values_at(t, rows, *targets)};
+  return {std::vector<double>(rows.begin(), rows.end())};
+}
+
+void expect_sources(const std::vector<Place>& sources) {
+  if (sources.empty()) throw py::value_error("distances need a source; give one at least");
+}
+
+// How distances are computed.
+struct Method {
+  bool is_exact = true;
+  double maximum = infinity, time_factor = 1;
+};
+
+py::tuple distance(Surface& s, const Place_arrays& sources,
+                   const std::optional<Place_arrays>& targets, const Method& method,
+                   const py::object& progress) {
+  const std::vector<Place> from = places_of(sources);
+  expect_sources(from);
+  const std::vector<Place> to = targets ? places_of(*targets) : std::vector<Place>();
+  const std::vector<Place>* const asked = targets ? &to : nullptr;
+  Watch watch(progress);
+  Found_distances found = with_triangulation(s, watch, [&](const auto& t) {
+    return method.is_exact ? exact_distances(s, t, from, asked, method.maximum, watch)
+                           : heat_distances(s, t, from, asked, method.time_factor, watch);
+  });
+  return py::make_tuple(array_of(std::move(found.values)), status_name(found.status),
+                        found.reached);
+}
+
+template <class T, class Number>
+IT::Status fill(Surface& s, const T& t, const std::vector<std::vector<Place>>& sets,
+                const Method& method, std::size_t threads, std::span<Number> out, Watch& watch) {
+  std::vector<std::vector<IT::Surface_point>> points;
+  Place_finder<T> find(t);
+  for (const std::vector<Place>& set : sets) points.push_back(find.points(set));
+  Batch_visitor visitor{&watch};
+  const auto options = IT::parameters::number_of_threads(threads).visitor(std::ref(visitor));
+  if (method.is_exact)
+    return IT::polyhedral_distances(t, points, out, options.maximum_distance(method.maximum));
+  return with_heat(s, t, method.time_factor, watch, [&](const auto& heat) {
+    return IT::heat_distances(heat, points, out, options);
+  });
+}
+
+template <class Number>
+std::string fill_array(Surface& s, const std::vector<std::vector<Place>>& sets,
+                       const Method& method, std::size_t threads, py::array_t<Number> out,
+                       const py::object& progress) {
+  if ((out.flags() & py::array::c_style) == 0 || !out.writeable())
+    throw py::value_error("out must be a writable array in C order");
+  const std::span<Number> numbers(out.mutable_data(), static_cast<std::size_t>(out.size()));
+  Watch watch(progress);
+  return status_name(with_triangulation(
+      s, watch, [&](const auto& t) { return fill(s, t, sets, method, threads, numbers, watch); }));
+}
+
+std::string distances(Surface& s, const Place_arrays& sources, const std::vector<std::size_t>& ends,
+                      const Method& method, std::size_t threads, const py::array& out,
+                      const py::object& progress) {
+  const std::vector<Place> all = places_of(sources);
+  std::vector<std::vector<Place>> sets;
+  auto from = all.begin();
+  for (const std::size_t end : ends) {
+    const auto to = all.begin() + static_cast<std::ptrdiff_t>(end);
+    sets.emplace_back(from, to);
+    expect_sources(sets.back());
+    from = to;
+  }
+  if (py::isinstance<py::array_t<double>>(out))
+    return fill_array<double>(s, sets, method, threads, out, progress);
+  if (py::isinstance<py::array_t<float>>(out))
+    return fill_array<float>(s, sets, method, threads, out, progress);
+  throw py::value_error("out must have the type float64 or float32");
+}
+
+py::array_t<double> pair_distances(Surface& s, const Place_arrays& first,
+                                   const Place_arrays& second, std::size_t threads,
+                                   const py::object& progress) {
+  const std::vector<Place> from = places_of(first), to = places_of(second);
+  Watch watch(progress);
+  return array_of(with_triangulation(s, watch, [&](const auto& t) {
+    Place_finder find(t);
+    Batch_visitor visitor{&watch};
+    return IT::pair_distances(
+        t, find.points(from), find.points(to),
+        IT::parameters::number_of_threads(threads).visitor(std::ref(visitor)));
+  }));
+}
+
+// The cells of sources, and what is drawn of them.
+struct Found_cells {
+  std::shared_ptr<const IT::Input> input;
+  std::vector<double> distances;
+  std::vector<std::int64_t> labels; // -1: no source can be reached
+  IT::Voronoi_cells cells;
+  std::vector<Way> boundaries;
+  std::vector<IT::Surface_point> junctions; // on the input
+};
+
+template <class T>
+Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
+                  const std::vector<std::uint32_t>& cell_of_place, std::optional<double> tolerance,
+                  Watch& watch) {
+  Place_finder<T> find(t);
+  std::vector<IT::Surface_point> points;
+  std::vector<std::uint32_t> cell_of_source;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    find.append(sources[i], points);
+    cell_of_source.resize(points.size(), cell_of_place[i]);
+  }
+  auto& search = search_of(s, t);
+  Search_visitor visitor{&watch};
+  search.search(points, IT::parameters::visitor(std::ref(visitor)));
+  Found_cells found{t.shared_input(), search.distances(), {}, {}, {}, {}};
+  found.cells =
+      tolerance ? IT::voronoi_cells(search, cell_of_source, IT::parameters::tolerance(*tolerance))
+                : IT::voronoi_cells(search, cell_of_source);
+  found.labels.assign(found.distances.size(), -1);
+  for (const auto v : vertices(t.mesh()))
+    if (const std::uint32_t i = search.nearest_source(v); i != IT::Gluing::none)
+      found.labels[t.input_vertex(v)] = cell_of_source[i];
+  for (const IT::Cell_boundary& b : found.cells.boundaries)
+    found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
+  for (const IT::Cell_junction& j : found.cells.junctions)
+    found.junctions.push_back(IT::locate_on_input(t, j.point).value());
+  return found;
+}
+
+py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std::uint32_t>& cell,
+                 std::optional<double> tolerance, const py::object& progress) {
+  const std::vector<Place> places = places_of(sources);
+  expect_sources(places);
+  Watch watch(progress);
+  Found_cells found = with_triangulation(
+      s, watch, [&](const auto& t) { return cells(s, t, places, cell, tolerance, watch); });
+  py::list boundaries, junctions;
+  for (std::size_t i = 0; i < found.boundaries.size(); ++i) {
+    py::dict line = curve_arrays(*found.input, s.points, found.boundaries[i], true);
+    line["left"] = found.cells.boundaries[i].left;
+    line["right"] = found.cells.boundaries[i].right;
+    boundaries.append(line);
+  }
+  for (const IT::Cell_junction& j : found.cells.junctions) junctions.append(py::cast(j.sources));
+  py::dict result;
+  result["labels"] = array_of(std::move(found.labels));
+  result["distances"] = array_of(std::move(found.distances));
+  result["areas"] = array_of(std::move(found.cells.areas));
+  result["boundaries"] = boundaries;
+  result["junctions"] = point_arrays(*found.input, s.points, found.junctions);
+  result["cells_at_junctions"] = junctions;
+  result["status"] = status_name(found.cells.status);
+  return result;
+}
+
+// the vertices that are found, and the radius that they and the sources cover
+template <class T>
+std::pair<std::vector<std::int64_t>, double> farthest(const T& t, const std::vector<Place>& sources,
+                                                      std::size_t count) {
+  IT::Polyhedral_distance<T> search(t);
+  search.search(Place_finder<T>(t).points(sources));
+  const auto found = IT::farthest_points(search, count);
+  std::vector<std::int64_t> rows;
+  for (const auto v : found.vertices) rows.push_back(t.input_vertex(v));
+  return {rows, found.radius};
+}
+
+py::tuple farthest_points(Surface& s, const Place_arrays& sources, std::size_t count) {
+  const std::vector<Place> places = places_of(sources);
+  expect_sources(places);
+  Watch watch;
+  auto [rows, radius] =
+      with_triangulation(s, watch, [&](const auto& t) { return farthest(t, places, count); });
+  return py::make_tuple(array_of(std::move(rows)), radius);
+}
+
+} // namespace
+
+void bind_distances(py::module_& m) {
+  py::class_<Method>(m, "DistanceMethod")
+      .def(py::init<bool, double, double>(), py::arg("is_exact"), py::arg("maximum"),
+           py::arg("time_factor"));
+  m.def("distance", distance);
+  m.def("distances", distances);
+  m.def("pair_distances", pair_distances);
+  m.def("voronoi", voronoi);
+  m.def("farthest_points", farthest_points);
+}
 
 } // namespace python

@@ -1,0 +1,123 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Curves on surfaces as objects."""
+
+from ._points import Point
+
+
+class Curve:
+    """A curve over the faces of the user's mesh, straight between its n points.
+
+    - `points`: the points in space, of shape (n, 3); None if the surface has no coordinates.
+    - `faces`: for each point the face of the mesh in which the curve goes on; for the last one of a
+      curve that is not closed the face where it ends.
+    - `corners` and `barycentric`, of shape (n, 3): the vertices at the corners of these faces (in a
+      polygon, of a triangle in it), and the weights of these vertices that give the point.
+    - `vertices`: the vertex at each point, or -1.
+    - `length`, and `bounds`: two numbers between which the exact length certainly is.
+    - `is_closed`: whether the last point is joined to the first one.
+    - `status`: "done"; "border" if a traced curve has ended there; "contracted" if a loop has shrunk
+      to a point; "inaccurate" if rounding may have misled the curve.
+
+    Paths and loops have `initial_length`, that of the shortest paths that they were made of;
+    isolines have `level` and `number_of_level`, and boundaries of cells `left` and `right`. For
+    other curves these are None.
+    """
+
+    __slots__ = ("points", "faces", "corners", "barycentric", "vertices", "length", "bounds",
+                 "is_closed", "status", "initial_length", "level", "number_of_level", "left",
+                 "right", "_way")
+
+    def __init__(self, parts):
+        for name in self.__slots__:
+            setattr(self, name, parts.get(name.lstrip("_")))
+
+    def places(self):
+        """Returns the points as a list of `Point`s; they have no sense in faces with more than
+        three corners."""
+        return [Point(int(f), tuple(b)) for f, b in zip(self.faces, self.barycentric)]
+
+    def __len__(self):
+        return len(self.faces)
+
+    def __repr__(self):
+        kind = "closed curve" if self.is_closed else "curve"
+        return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
+
+
+class Network:
+    """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
+
+    `length` is that of all, `flips` how many edges were flipped, `certified` whether the curves are
+    proven to be geodesic (None: this was not asked for). `Surface.cut()` cuts along them.
+    """
+
+    __slots__ = ("curves", "status", "flips", "certified", "_edges")
+
+    def __init__(self, parts):
+        self.curves = [Curve(c) for c in parts["curves"]]
+        self.status = parts["status"]
+        self.flips = parts["flips"]
+        self.certified = parts["is_certified"]
+        self._edges = parts["edges"]
+
+    @property
+    def length(self):
+        """The length of all curves."""
+        return sum(c.length for c in self.curves)
+
+    def __len__(self):
+        return len(self.curves)
+
+    def __getitem__(self, i):
+        return self.curves[i]
+
+    def __repr__(self):
+        return f"<intrinsic.Network: {len(self)} curves, length {self.length:.6g}>"
+
+
+class Cut:
+    """A surface cut open: triangles, and where all their parts come from.
+
+    The first vertices are those of the user's mesh, with their numbers; then come points where
+    curves cross edges or end in faces, then copies.
+
+    - `surface`: the `Surface` of the pieces.
+    - `points` (n, 3) and `faces` (m, 3): its vertices and triangles.
+    - `original_vertex` (n,): the vertex before the cut that each vertex is a copy of.
+    - `input_vertex` (n,): the user's vertex that each vertex is, or is a copy of; -1: none.
+    - `input_face` (m,): the user's face that each triangle is in.
+    - `component` (m,): the connected component of each triangle, from 0.
+    - `curve_of_side` (m, 3): one more than the number of the curve along the side from each corner
+      to the next; 0: none.
+    - `interpolation`: the sparse matrix that takes values at the user's vertices to all vertices.
+    """
+
+    def __init__(self, parts, users):
+        from scipy.sparse import coo_matrix
+
+        for name in ("points", "faces", "original_vertex", "input_vertex", "input_face",
+                     "component", "curve_of_side"):
+            setattr(self, name, parts[name])
+        rows, columns, weights = parts["interpolation"]
+        shape = len(self.original_vertex), users
+        self.interpolation = coo_matrix((weights, (rows, columns)), shape=shape).tocsr()
+        self._surface = None
+
+    @property
+    def surface(self):
+        """The pieces as a `Surface`."""
+        if self._surface is None:
+            from ._surface import Surface
+
+            self._surface = Surface(self.points, self.faces)
+        return self._surface
+
+    @property
+    def number_of_components(self):
+        """How many pieces there are."""
+        return int(self.component.max()) + 1
+
+    def __repr__(self):
+        return f"<intrinsic.Cut: {len(self.original_vertex)} vertices, {len(self.faces)} faces, " \
+               f"{self.number_of_components} components>"

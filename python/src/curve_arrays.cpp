@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "curve_arrays.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace python {
+
+namespace {
+
+std::array<double, 3> in_space(const IT::Input& input, const Points& coordinates,
+                               const IT::Surface_point& p) {
+  return IT::internal::combination_of_corners(input, p,
+                                              [&](std::uint32_t v) { return coordinates[v]; });
+}
+
+// The vertices of the user at the corners of a face, from a halfedge of it.
+std::array<std::int64_t, 3> corners_from(const IT::Input& input, std::uint32_t h) {
+  std::array<std::int64_t, 3> result{};
+  for (std::int64_t& v : result) {
+    v = input.names().row(input.source(h));
+    h = input.next(h);
+  }
+  return result;
+}
+
+} // namespace
+
+std::string status_name(IT::Status status) {
+  switch (status) {
+  case IT::Status::done:
+    return "done";
+  case IT::Status::stopped:
+    return "stopped";
+  case IT::Status::contracted:
+    return "contracted";
+  case IT::Status::cap:
+    return "cap";
+  case IT::Status::stalled:
+    return "stalled";
+  case IT::Status::cancelled:
+    return "cancelled";
+  case IT::Status::inaccurate:
+    return "inaccurate";
+  case IT::Status::border:
+    return "border";
+  case IT::Status::not_traceable:
+    break;
+  }
+  return "not_traceable";
+}
+
+py::dict point_arrays(const IT::Input& input, const Points& coordinates,
+                      const std::vector<IT::Surface_point>& points,
+                      const std::vector<std::uint32_t>& faces) {
+  Points in_space_all, barycentric;
+  std::vector<std::array<std::int64_t, 3>> corners;
+  std::vector<std::int64_t> polygons, vertices;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t face = faces.empty() ? input.face(points[i].halfedge) : faces[i];
+    const IT::Surface_point p = IT::internal::seen_in_face(input, points[i], face);
+    if (!coordinates.empty()) in_space_all.push_back(in_space(input, coordinates, points[i]));
+    polygons.push_back(input.names().polygon(input.face(p.halfedge)));
+    corners.push_back(corners_from(input, p.halfedge));
+    barycentric.push_back(p.weights);
+    const unsigned k = IT::internal::corner_of(p);
+    vertices.push_back(k == 3 ? -1 : corners.back()[k]);
+  }
+  py::dict result;
+  result["points"] =
+      coordinates.empty() ? py::object(py::none()) : py::object(array_of(std::move(in_space_all)));
+  result["faces"] = array_of(std::move(polygons));
+  result["barycentric"] = array_of(std::move(barycentric));
+  result["corners"] = array_of(std::move(corners));
+  result["vertices"] = array_of(std::move(vertices));
+  return result;
+}
+
+// Keeps one of consecutive points that are in the same place: the last, with the face where the
+// curve goes on.
+static void drop_repetitions(const IT::Input& input, const Points& coordinates, bool is_closed,
+                             std::vector<IT::Surface_point>& points,
+                             std::vector<std::uint32_t>& faces) {
+  std::vector<std::array<double, 3>> places;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<double, 3> x = in_space(input, coordinates, points[i]);
+    if (kept == 0 || places.back() != x) {
+      places.push_back(x);
+      ++kept;
+    }
+    points[kept - 1] = points[i];
+    faces[kept - 1] = faces[i];
+  }
+  if (is_closed && kept > 1 && places.back() == places.front()) --kept;
+  points.resize(kept);
+  faces.resize(kept);
+}
+
+py::dict curve_arrays(const IT::Input& input, const Points& coordinates, Way way,
+                      bool drops_repetitions) {
+  std::vector<IT::Surface_point> points = way.curve.points;
+  std::vector<std::uint32_t> faces = way.curve.faces;
+  if (way.is_closed && points.size() > 1) points.pop_back();
+  if (!faces.empty()) faces.resize(points.size(), faces.back());
+  if (drops_repetitions && !coordinates.empty() && !faces.empty())
+    drop_repetitions(input, coordinates, way.is_closed, points, faces);
+  py::dict result = point_arrays(input, coordinates, points, faces);
+  result["length"] = way.curve.length;
+  result["bounds"] =
+      py::make_tuple(way.curve.length_enclosure.inf(), way.curve.length_enclosure.sup());
+  result["is_closed"] = way.is_closed;
+  result["status"] = status_name(way.curve.status);
+  result["way"] = std::move(way);
+  return result;
+}
+
+} // namespace python

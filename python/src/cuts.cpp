@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Curve_edges.h"
+#include "Surface.h"
+#include "curve_arrays.h"
+#include "places.h"
+
+#include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
+#include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
+#include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// Surfaces cut open along curves, as the command `cut` does.
+
+namespace python {
+
+namespace {
+
+struct Cut {
+  std::shared_ptr<const IT::Input> input;
+  IT::Cut_surface surface;
+};
+
+void expect_no_cover(const IT::Input& input) {
+  if (input.names().sheets > 1)
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "the surface is a cover of the faces, as they are no oriented "
+                            "manifold, and cannot be cut; repair the mesh before");
+}
+
+// Inserts curves into a copy of a triangulation, and cuts along them.
+template <class T>
+Cut cut_along_ways(T t, const std::vector<std::vector<IT::Surface_point>>& ways) {
+  expect_no_cover(t.input());
+  std::vector<IT::Inserted_polyline<T>> paths;
+  for (const std::vector<IT::Surface_point>& way : ways) {
+    paths.push_back(IT::insert_polyline(t, way));
+    const std::string curve = "curve " + std::to_string(paths.size() - 1);
+    if (paths.back().status != IT::Move_status::done)
+      throw IT::Invalid_input(IT::Element_kind::none, 0,
+                              curve + " cannot be inserted into the triangulation; choose another");
+    if (paths.back().halfedges.empty())
+      throw IT::Invalid_input(IT::Element_kind::none, 0,
+                              curve + " is a point, along which nothing can be cut; leave it out");
+  }
+  IT::Marked_edges<T, std::uint32_t> labels(t);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (const auto h : paths[i].halfedges)
+      put(labels, edge(h, t.mesh()), static_cast<std::uint32_t>(i + 1));
+  return {t.shared_input(), IT::cut_along(t, labels)};
+}
+
+template <class T>
+Cut cut_to_disks(T t, const std::vector<Place>& through) {
+  expect_no_cover(t.input());
+  std::vector<typename T::vertex_descriptor> vertices;
+  Place_finder<T> find(t);
+  for (const Place& p : through) vertices.push_back(find.vertex(p.vertex));
+  const auto cut = IT::flip_to_geodesic_cut(t, vertices);
+  return {t.shared_input(), IT::cut_along(t, cut.edges)};
+}
+
+template <class T>
+Cut cut_along_edges(const T& t, const std::vector<std::uint32_t>& labels) {
+  expect_no_cover(t.input());
+  return {t.shared_input(),
+          IT::cut_along(t, boost::make_function_property_map<typename T::edge_descriptor>(
+                               [&](auto e) { return labels[t.index(e)]; }))};
+}
+
+// Whole numbers as Python has them.
+py::array_t<std::int64_t> whole(const std::vector<std::uint32_t>& numbers) {
+  return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
+}
+
+// Numbers of elements of the mesh; -1 is none.
+py::array_t<std::int64_t> numbers_or_none(const std::vector<IT::Cut_surface::Vertex>& vertices,
+                                          std::uint32_t IT::Cut_surface::Vertex::*number) {
+  std::vector<std::int64_t> result;
+  for (const IT::Cut_surface::Vertex& v : vertices)
+    result.push_back(v.*number == IT::Gluing::none ? -1 : std::int64_t{v.*number});
+  return array_of(std::move(result));
+}
+
+// The places of vertices as entries of a sparse matrix.
+py::tuple weights_of(const std::vector<IT::Cut_surface::Vertex>& vertices) {
+  std::vector<std::int64_t> rows, columns;
+  std::vector<double> weights;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    for (std::size_t k = 0; k < vertices[v].on_input.size; ++k) {
+      rows.push_back(static_cast<std::int64_t>(v));
+      columns.push_back(vertices[v].on_input.vertices[k]);
+      weights.push_back(vertices[v].on_input.weights[k]);
+    }
+  return py::make_tuple(array_of(std::move(rows)), array_of(std::move(columns)),
+                        array_of(std::move(weights)));
+}
+
+py::dict cut_arrays(const Cut& cut, const Points& coordinates) {
+  const IT::Cut_surface& s = cut.surface;
+  py::dict result;
+  result["points"] = py::none();
+  if (!coordinates.empty()) result["points"] = array_of(IT::positions(s, coordinates, *cut.input));
+  const auto triples = [](const auto& numbers) { return whole(numbers).reshape({-1, 3}); };
+  std::vector<std::uint32_t> labels;
+  for (const IT::Cut_surface::Side& side : s.sides) labels.push_back(side.curve);
+  result["faces"] = triples(s.gluing.origin);
+  result["curve_of_side"] = triples(labels);
+  result["original_vertex"] = whole(s.original_vertex);
+  result["input_vertex"] = numbers_or_none(s.vertices, &IT::Cut_surface::Vertex::input_vertex);
+  result["input_face"] = whole(s.input_face);
+  result["component"] = whole(s.component);
+  result["interpolation"] = weights_of(s.vertices);
+  return result;
+}
+
+py::dict cut_network(const Surface& s, const Curve_edges& edges) {
+  if (edges.contracted)
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "curve " + std::to_string(*edges.contracted) +
+                                " has shrunk to a point, along which nothing can be cut; keep it "
+                                "at its points with waypoints=True, or leave it out");
+  const Cut cut = [&] {
+    const py::gil_scoped_release released;
+    return std::visit([&](const auto& t) { return cut_along_edges(*t, edges.labels); },
+                      edges.triangulation);
+  }();
+  return cut_arrays(cut, s.points);
+}
+
+py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways) {
+  std::vector<std::vector<IT::Surface_point>> points;
+  for (const Way* way : ways) points.push_back(way->curve.points);
+  Watch watch;
+  return cut_arrays(
+      with_triangulation(s, watch,
+                         [&]<class T>(const T& t) { return cut_along_ways<T>(t, points); }),
+      s.points);
+}
+
+py::dict cut_to_disks_through(Surface& s, const Place_arrays& through) {
+  const std::vector<Place> places = places_of(through);
+  for (const Place& p : places)
+    if (!p.is_vertex())
+      throw py::value_error("cuts pass through vertices; give no points in faces");
+  Watch watch;
+  return cut_arrays(
+      with_triangulation(s, watch, [&]<class T>(const T& t) { return cut_to_disks<T>(t, places); }),
+      s.points);
+}
+
+} // namespace
+
+void bind_cuts(py::module_& m) {
+  m.def("cut_network", cut_network);
+  m.def("cut_ways", cut_ways);
+  m.def("cut_to_disks", cut_to_disks_through);
+}
+
+} // namespace python

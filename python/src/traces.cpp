@@ -1,0 +1,155 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Surface.h"
+#include "curve_arrays.h"
+#include "places.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+
+#include <pybind11/complex.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+// Geodesics from a point in a direction.
+
+namespace python {
+
+namespace {
+
+using Plane_vector = IT::Plane_vector<double>;
+using Space_vector = std::array<double, 3>;
+/// A vector in space, or in the tangent plane of the point.
+using Direction = std::variant<std::complex<double>, Space_vector>;
+
+double dot(const Space_vector& a, const Space_vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+// A vector in space, projected to the plane of a face, along both sides that start at a corner.
+struct In_corner {
+  double first, second; // in units of the sides
+  double cosine;        // of the angle between the vector and that of these coefficients
+};
+
+// Coefficients along the sides from the source of `h` in its face. `stays_inside`: of the nearest
+// vector between the sides.
+In_corner in_corner(const IT::Input& input, const Points& coordinates, std::uint32_t h,
+                    const Space_vector& v, bool stays_inside) {
+  const std::uint32_t n = input.next(h);
+  const auto point = [&](std::uint32_t vertex) { return coordinates[input.names().row(vertex)]; };
+  const Space_vector o = point(input.source(h)), p = point(input.target(h)),
+                     q = point(input.target(n));
+  const Space_vector a{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+  const Space_vector b{q[0] - o[0], q[1] - o[1], q[2] - o[2]};
+  const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), va = dot(v, a), vb = dot(v, b);
+  const double det = aa * bb - ab * ab;
+  In_corner result{(va * bb - vb * ab) / det, (vb * aa - va * ab) / det, -1};
+  if (stays_inside && !(result.first >= 0 && result.second >= 0)) {
+    const bool is_first = va / std::sqrt(aa) >= vb / std::sqrt(bb);
+    result = is_first ? In_corner{1, 0, -1} : In_corner{0, 1, -1};
+  }
+  const Space_vector w{result.first * a[0] + result.second * b[0],
+                       result.first * a[1] + result.second * b[1],
+                       result.first * a[2] + result.second * b[2]};
+  result.cosine = dot(v, w) / std::sqrt(dot(v, v) * dot(w, w));
+  return result;
+}
+
+IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p,
+                              const In_corner& c) {
+  const IT::Geodesic_face face(input, p.halfedge);
+  return {p, c.first * face.edge[0] - c.second * face.edge[2]};
+}
+
+// At a vertex, into the face whose plane has the vector nearest to it.
+IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
+                                    const Place& p, std::uint32_t vertex, const Space_vector& v) {
+  if (!p.is_vertex()) {
+    const IT::Surface_point q = point_on_input(input, p);
+    return tangent_of(input, q, in_corner(input, coordinates, q.halfedge, v, false));
+  }
+  In_corner best{1, 0, -2};
+  std::uint32_t side = input.outgoing_halfedge(vertex);
+  IT::measure_fan(input, side, [&](std::uint32_t h, double) {
+    const In_corner here = in_corner(input, coordinates, h, v, true);
+    if (!(here.cosine > best.cosine)) return;
+    best = here;
+    side = h;
+  });
+  return tangent_of(input, {side, {1, 0, 0}}, best);
+}
+
+// In the frame of the face; at a vertex, in the polar coordinates of the surface there.
+template <class T>
+IT::Tangent_vector tangent_in_plane(const T& t, const Place& p, const std::complex<double>& z) {
+  if (!p.is_vertex()) return {point_on_input(t.input(), p), {z.real(), z.imag()}};
+  const auto v = Place_finder<T>(t).vertex(p.vertex);
+  const IT::Intrinsic_view<T> view(t);
+  IT::internal::Vertex_frames<IT::Intrinsic_view<T>> frames(
+      view, t.numbers().vertex_capacity(t.mesh()), 2 * t.numbers().edge_capacity(t.mesh()));
+  frames.measure(t.index(v));
+  return IT::tangent_to_input(t, frames.at_vertex(t.index(v), z)).value();
+}
+
+template <class T>
+IT::Tangent_vector tangent(const T& t, const Points& coordinates, const Place& p,
+                           const Direction& direction) {
+  if (const auto* z = std::get_if<std::complex<double>>(&direction))
+    return tangent_in_plane(t, p, *z);
+  if (coordinates.empty())
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "the surface has lengths and no points, so that it has no directions "
+                            "in space; give a complex number");
+  const auto v =
+      p.is_vertex() ? Place_finder<T>(t).vertex(p.vertex) : typename T::vertex_descriptor{};
+  return tangent_in_space(t.input(), coordinates, p, t.index(v), std::get<Space_vector>(direction));
+}
+
+IT::Traced_curve traced(const IT::Input& input, const IT::Geodesic& geodesic) {
+  IT::Traced_curve curve;
+  curve.status = geodesic.status;
+  curve.points = geodesic.points;
+  // a point is named in the face before it
+  for (std::size_t i = 1; i < geodesic.points.size(); ++i)
+    curve.faces.push_back(input.face(geodesic.points[i].halfedge));
+  curve.length = geodesic.length;
+  curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
+  return curve;
+}
+
+py::dict trace(Surface& s, const Place_arrays& from, const Direction& direction, double length) {
+  const Place p = places_of(from).at(0);
+  Watch watch;
+  std::shared_ptr<const IT::Input> input;
+  const IT::Geodesic geodesic = with_triangulation(s, watch, [&](const auto& t) {
+    input = t.shared_input();
+    const IT::Tangent_vector start = tangent(t, s.points, p, direction);
+    if (!(std::hypot(start.vector[0], start.vector[1]) > 0))
+      throw IT::Invalid_input(IT::Element_kind::none, 0,
+                              "the direction is zero, or orthogonal to the face; give another");
+    return IT::internal::trace_scaled(*input, input->scale_exponent(), start.point, start.vector,
+                                      length, IT::parameters::default_values());
+  });
+  return curve_arrays(*input, s.points, {traced(*input, geodesic), false});
+}
+
+} // namespace
+
+void bind_traces(py::module_& m) { m.def("trace", trace); }
+
+} // namespace python
