@@ -83,9 +83,10 @@ IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordi
     const IT::Surface_point q = point_on_input(input, p);
     return tangent_of(input, q, in_corner(input, coordinates, q.halfedge, v, false));
   }
-  In_corner best{1, 0, -2};
+  In_corner best{0, 0, -2};
   std::uint32_t side = input.outgoing_halfedge(vertex);
   IT::measure_fan(input, side, [&](std::uint32_t h, double) {
+    if (input.is_border(h)) return;
     const In_corner here = in_corner(input, coordinates, h, v, true);
     if (!(here.cosine > best.cosine)) return;
     best = here;

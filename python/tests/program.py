@@ -1,0 +1,73 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the program `intrinsic` on meshes of the data set, and reads what it writes.
+
+Both are found beside the package in the build tree, or by the variables INTRINSIC_PROGRAM and
+INTRINSIC_MESHES.
+"""
+
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+import intrinsic
+
+BUILD = Path(intrinsic.__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("INTRINSIC_PROGRAM", BUILD / "bin" / "intrinsic"))
+MESHES = Path(os.environ.get("INTRINSIC_MESHES", BUILD / "cgal_data" / "data" / "meshes"))
+
+
+def is_there():
+    """Tells whether the program and the meshes are there."""
+    return PROGRAM.exists() and (MESHES / "elephant.off").exists()
+
+
+def mesh(name):
+    """Returns the path, the vertices and the faces of a mesh of the data set."""
+    path = MESHES / name
+    words = re.sub(r"#.*", "", path.read_text()).split()
+    vertices, faces = int(words[1]), int(words[2])
+    V = np.array(words[4:4 + 3 * vertices], dtype=float).reshape(-1, 3)
+    rest, F = words[4 + 3 * vertices:], []
+    for _ in range(faces):
+        sides = int(rest[0])
+        F.append([int(v) for v in rest[1:1 + sides]])
+        rest = rest[1 + sides:]
+    return path, V, F
+
+
+def run(command, path, *options):
+    """Runs a command and returns its statistics."""
+    result = subprocess.run([PROGRAM, command, path, *map(str, options), "--stats", "-"],
+                            capture_output=True, text=True)
+    if result.returncode != 0:
+        raise RuntimeError(result.stderr)
+    return json.loads(result.stdout)
+
+
+def polylines(path):
+    """Reads polylines from an OBJ file: points of each, the first again at the end of closed ones."""
+    points, lines = [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words and words[0] == "v":
+            points.append([float(x) for x in words[1:4]])
+        if words and words[0] == "l":
+            lines.append([int(x) - 1 for x in words[1:]])
+    points = np.array(points)
+    return [points[line] for line in lines]
+
+
+def surface(path):
+    """Reads vertices and triangles from an OFF file in which each has a line, with a colour or not."""
+    lines = [line.split() for line in path.read_text().splitlines()]
+    lines = [words for words in lines if words and not words[0].startswith("#")]
+    begin = 1 if len(lines[0]) == 1 else 0
+    vertices, faces = int(lines[begin][0]), int(lines[begin][1])
+    rows = lines[begin + 1:]
+    V = np.array([words[:3] for words in rows[:vertices]], dtype=float)
+    return V, np.array([words[1:4] for words in rows[vertices:vertices + faces]], dtype=int)

@@ -1,0 +1,347 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Geodesics, isolines and cuts: closed forms, and bit for bit what the program computes."""
+
+import tempfile
+import tracemalloc
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import intrinsic as it
+import program
+from test_distances import CUBE, TETRAHEDRON, grid
+
+SIDES = 12
+
+
+def prism():
+    """A tube: the sides of a prism over a regular polygon of radius 1, in three layers."""
+    n, layers = SIDES, 3
+    a = 2 * np.pi * np.arange(n) / n
+    rings = [np.column_stack([np.cos(a), np.sin(a), np.full(n, z)]) for z in range(layers + 1)]
+    i, z = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(layers)))
+    p, q = z * n + i, z * n + (i + 1) % n
+    return np.concatenate(rings), np.concatenate([np.column_stack([p, q, q + n]),
+                                                  np.column_stack([p, q + n, p + n])])
+
+
+def torus():
+    """A torus in space: radii 2 and 1."""
+    n = SIDES
+    u, v = np.meshgrid(np.arange(n), np.arange(n), indexing="ij")
+    a, b = 2 * np.pi * u.ravel() / n, 2 * np.pi * v.ravel() / n
+    V = np.column_stack([(2 + np.cos(b)) * np.cos(a), (2 + np.cos(b)) * np.sin(a), np.sin(b)])
+    number = lambda i, j: (i % n) * n + j % n
+    u, v = u.ravel(), v.ravel()
+    p, q, r, s = number(u, v), number(u + 1, v), number(u + 1, v + 1), number(u, v + 1)
+    return V, np.concatenate([np.column_stack([p, q, r]), np.column_stack([p, r, s])])
+
+
+class Shapes(unittest.TestCase):
+    def check(self, s, V, curve):
+        """Weights give points, consecutive points share a face, and the length is that of pieces."""
+        places = (curve.barycentric[:, :, None] * V[curve.corners]).sum(axis=1)
+        np.testing.assert_allclose(places, curve.points, atol=1e-14)
+        ends = np.concatenate([curve.points, curve.points[:1]]) if curve.is_closed else curve.points
+        length = np.linalg.norm(np.diff(ends, axis=0), axis=1).sum()
+        self.assertAlmostEqual(curve.length, length, 12)
+        self.assertTrue(curve.bounds[0] <= curve.length * (1 + 1e-13))
+        self.assertTrue(curve.length <= curve.bounds[1] * (1 + 1e-13))
+        for p, v in zip(curve.points, curve.vertices):
+            if v >= 0:
+                np.testing.assert_array_equal(V[v], p)
+
+
+class Paths(Shapes):
+    def test_paths_in_a_square_are_straight(self):
+        V, F = grid(5)
+        s = it.Surface(V, F)
+        for method in ("exact", "flips"):
+            curve = s.path(0, 35, method=method)
+            self.assertAlmostEqual(curve.length, np.sqrt(2), 14)
+            self.check(s, V, curve)
+            curve = s.path(3, 34, method=method)
+            self.assertAlmostEqual(curve.length, np.linalg.norm(V[3] - V[34]), 14)
+            self.check(s, V, curve)
+        a, b = it.Point(2, (0.5, 0.25, 0.25)), it.Point(40, (0.125, 0.125, 0.75))
+        ends = [V[F[p.face]].T @ p.barycentric for p in (a, b)]
+        curve = s.path(a, b)
+        np.testing.assert_allclose([curve.points[0], curve.points[-1]], ends, atol=1e-15)
+        self.assertAlmostEqual(curve.length, np.linalg.norm(ends[0] - ends[1]), 13)
+        self.check(s, V, curve)
+
+    def test_paths_on_cube_and_tetrahedron(self):
+        self.assertAlmostEqual(it.Surface(*CUBE).path(0, 7).length, np.sqrt(5), 14)
+        V, F = TETRAHEDRON
+        top, foot = it.Point(0, (0.5, 0.5, 0)), it.Point(3, (0, 0.5, 0.5))
+        curve = it.Surface(V, F).path(top, foot)  # between the middles of opposite edges
+        self.assertAlmostEqual(curve.length, np.sqrt(8), 14)
+
+    def test_points_between_turn_a_path_only_if_it_stays_there(self):
+        V, F = grid(4)
+        s = it.Surface(V, F)
+        self.assertAlmostEqual(s.path(0, 24, through=4).length, np.sqrt(2), 13)
+        curve = s.path(0, 24, through=[4], waypoints=True)
+        self.assertAlmostEqual(curve.length, 2, 14)
+        self.check(s, V, curve)
+
+    def test_loops_of_a_prism_are_as_long_as_its_polygon(self):
+        V, F = prism()
+        s = it.Surface(V, F)
+        around = 2 * SIDES * np.sin(np.pi / SIDES)
+        for points in ([0, 4, 8], [0, SIDES + 4, 2 * SIDES + 8]):
+            curve = s.loop(points)
+            self.assertEqual((curve.is_closed, curve.status), (True, "done"))
+            self.assertAlmostEqual(curve.length, around, 13)
+            self.assertLessEqual(curve.length, curve.initial_length * (1 + 1e-14))
+            self.check(s, V, curve)
+
+    def test_a_loop_around_nothing_shrinks_to_a_point(self):
+        V, F = grid(6)
+        curve = it.Surface(V, F).loop([8, 10, 22])
+        self.assertEqual((curve.status, curve.length, len(curve)), ("contracted", 0, 1))
+
+    def test_a_network_has_paths_and_loops_and_a_proof(self):
+        V, F = torus()
+        network = it.Surface(V, F).network([[0, 30], [30, 77]], [[0, 4, 8]], certify=True)
+        self.assertEqual([c.is_closed for c in network], [False, False, True])
+        self.assertIs(network.certified, True)
+        self.assertAlmostEqual(network.length, sum(c.length for c in network), 15)
+        self.assertIsNone(it.Surface(V, F).network([[0, 30]]).certified)
+
+    def test_polygons_and_covers_have_paths(self):
+        square = it.Surface([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2, 3]])
+        self.assertAlmostEqual(square.path(1, 3).length, np.sqrt(2), 15)
+        with self.assertRaisesRegex(ValueError, "polygon"):
+            square.path(it.Point(0, (0.5, 0.25, 0.25)), 3)
+        three = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1]])
+        fins = it.Surface(three, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        self.assertAlmostEqual(fins.path(2, 3).length, 2, 14)
+        self.assertAlmostEqual(fins.distance(2)[4], 2, 14)
+        point = it.Point(1, (0.5, 0.25, 0.25))
+        place = 0.25 * three[1] + 0.25 * three[3]
+        self.assertAlmostEqual(fins.distance(point)[3], np.linalg.norm(place - three[3]), 14)
+        with self.assertRaisesRegex(ValueError, "cover"):
+            fins.cut(fins.path(2, 3))
+
+
+class Traces(Shapes):
+    def test_lines_in_a_square_are_straight(self):
+        V, F = grid(5)
+        s = it.Surface(V, F)
+        d = np.array([0.5, 0.3, 0])
+        end = 0.9 * d / np.linalg.norm(d)
+        curve = s.trace(0, d, 0.9)
+        np.testing.assert_allclose(curve.points[-1], end, atol=1e-14)
+        self.assertEqual(curve.status, "done")
+        self.check(s, V, curve)
+        start = V[F[10]].T @ [0.25, 0.5, 0.25]
+        curve = s.trace(it.Point(10, (0.25, 0.5, 0.25)), [0, 2, 0], 0.3)
+        np.testing.assert_allclose(curve.points[-1], start + [0, 0.3, 0], atol=1e-14)
+        curve = s.trace(it.Point(10, (0.25, 0.5, 0.25)), 1j, 0.1)  # left of the first side
+        np.testing.assert_allclose(curve.points[-1], start + [0, 0.1, 0], atol=1e-14)
+
+    def test_they_end_at_the_border(self):
+        V, F = grid(3)
+        curve = it.Surface(V, F).trace(5, [1, 0, 0], 7)
+        self.assertEqual(curve.status, "border")
+        np.testing.assert_allclose(curve.points[-1], [1, V[5][1], 0], atol=1e-14)
+        self.assertAlmostEqual(curve.length, 1 - V[5][0], 14)
+
+    def test_they_go_around_a_cube(self):
+        V, F = np.array(CUBE[0]), CUBE[1]
+        s = it.Surface(V, F)
+        curve = s.trace(it.Point(0, (0.5, 0.25, 0.25)), [0, 1, 0], 4)
+        np.testing.assert_allclose(curve.points[-1], curve.points[0], atol=1e-14)
+        self.check(s, V, curve)
+
+    def test_polar_coordinates_at_a_vertex_turn_once(self):
+        V, F = grid(4)
+        s = it.Surface(V, F)
+        ends = [s.trace(12, z, 0.2).points[-1] - V[12] for z in (1, 1j, -1, -1j)]
+        for i, e in enumerate(ends):
+            self.assertAlmostEqual(np.linalg.norm(e), 0.2, 14)
+            np.testing.assert_allclose(np.cross([0, 0, 1], e), ends[(i + 1) % 4], atol=1e-14)
+
+
+class Isolines(Shapes):
+    def test_lines_of_a_coordinate_are_straight(self):
+        V, F = grid(6)
+        s = it.Surface(V, F)
+        lines = s.isolines(V[:, 0], [0.3, 0.7, 2])
+        self.assertEqual([line.level for line in lines], [0.3, 0.7])
+        for line in lines:
+            np.testing.assert_allclose(line.points[:, 0], line.level, atol=1e-15)
+            self.assertAlmostEqual(line.length, 1, 14)
+            self.check(s, V, line)
+
+    def test_levels_lie_evenly_between_finite_values(self):
+        V, F = grid(4)
+        u = V[:, 1].copy()
+        u[0] = np.inf
+        lines = it.Surface(V, F).isolines(u, 3)
+        self.assertEqual(sorted({line.level for line in lines}), [0.25, 0.5, 0.75])
+
+
+class Cuts(unittest.TestCase):
+    def test_a_square_is_cut_in_two(self):
+        V, F = grid(4)
+        s = it.Surface(V, F)
+        for curves in (s.isolines(V[:, 0], [0.3]), s.path(10, 14), s.network([[10, 14]]),
+                       s.trace(10, [0, 1, 0], 2)):
+            cut = s.cut(curves)
+            self.assertEqual(cut.number_of_components, 2)
+            np.testing.assert_allclose(cut.interpolation @ V, cut.points, atol=1e-15)
+            np.testing.assert_array_equal(cut.points[:len(V)], V)
+            np.testing.assert_array_equal(cut.points[cut.original_vertex], cut.points)
+            known = cut.input_vertex >= 0
+            np.testing.assert_array_equal(V[cut.input_vertex[known]], cut.points[known])
+            corners = cut.points[cut.faces]
+            areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0],
+                                            corners[:, 2] - corners[:, 0]), axis=1) / 2
+            self.assertAlmostEqual(areas.sum(), 1, 14)
+            self.assertTrue((cut.curve_of_side.max(axis=1) <= 1).all())
+            self.assertEqual(cut.surface.distance(0).shape, (len(cut.points),))
+            middle = V[np.array(F)[cut.input_face]].mean(axis=1)
+            self.assertLess(np.abs(middle - corners.mean(axis=1)).max(), 0.25)
+
+    def test_curves_may_cross(self):
+        V, F = grid(5)
+        s = it.Surface(V, F)
+        lines = s.isolines(V[:, 0], [0.5]) + s.isolines(V[:, 1], [0.5]) + [s.path(0, 35)]
+        self.assertEqual(s.cut(lines).number_of_components, 6)
+
+    def test_a_torus_becomes_a_disk(self):
+        V, F = torus()
+        cut = it.Surface(V, F).cut(through=[5])
+        vertices, faces = len(cut.points), len(cut.faces)
+        edges = len({tuple(sorted(e)) for f in cut.faces for e in zip(f, np.roll(f, 1))})
+        self.assertEqual(vertices - edges + faces, 1)
+        self.assertGreaterEqual((cut.original_vertex == 5).sum(), 2)
+
+
+class Arguments(unittest.TestCase):
+    def test_bad_arguments_are_named(self):
+        V, F = grid(2)
+        s = it.Surface(V, F)
+        for call, words in [
+                (lambda: s.path(0, 9), "paths"), (lambda: s.path(0, 0), "follows itself"),
+                (lambda: s.path(0, 1, method="exactly"), "method"),
+                (lambda: s.loop([0, 1]), "loops.* 2 points"), (lambda: s.network(), "curve"),
+                (lambda: s.network([[0]]), "paths"), (lambda: s.trace(0, [0, 0, 0], 1), "direction"),
+                (lambda: s.trace(0, [0, 0, 1], 1), "direction"),
+                (lambda: s.trace(0, [0, 1], -1), "length"), (lambda: s.trace([0, 1], 1, 1), "point"),
+                (lambda: s.trace(0, [0, np.nan, 1], 1), "direction"),
+                (lambda: s.trace(0, [0, 1, 0, 1], 1), "direction"),
+                (lambda: s.isolines(V[:3, 0], 3), "u has the shape"),
+                (lambda: s.isolines(V[:, 0], 0), "levels"),
+                (lambda: s.isolines(V[:, 0], [np.inf]), "levels"),
+                (lambda: s.isolines(V[:, 0] * np.nan, [0.5]), ""),
+                (lambda: s.cut([V]), "no Curve"),
+                (lambda: s.cut(through=[it.Point(0, (1, 0, 0))]), "vertices")]:
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        two = it.Surface(np.concatenate([V, V + 5]), np.concatenate([F, F + 9]))
+        with self.assertRaisesRegex(ValueError, "components"):
+            two.path(0, 10)
+
+    def test_calls_leave_nothing_behind(self):
+        V, F = torus()
+        s = it.Surface(V, F)
+
+        def work():
+            s.path(0, it.Point(3, (0.5, 0.25, 0.25)))
+            network = s.network([[0, 30]], [[0, 4, 8]], certify=True)
+            s.cut(network)
+            s.cut(s.isolines(V[:, 0], 2) + [s.trace(1, [0, 1, 1], 2)])
+
+        for _ in range(3):
+            work()
+        tracemalloc.start()
+        try:
+            before = tracemalloc.take_snapshot()
+            for _ in range(20):
+                work()
+            after = tracemalloc.take_snapshot()
+        finally:
+            tracemalloc.stop()
+        grown = sum(d.size_diff for d in after.compare_to(before, "filename"))
+        self.assertLess(grown, 50_000)
+
+
+@unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+class Same_as_the_program(unittest.TestCase):
+    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off", "cross_quad.off")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def expect_curves(self, path, network, *options):
+        out = self.folder / "curves.obj"
+        found = program.run("geodesic", path, *options, "-o", out)["geodesic"]
+        for curve, facts, points in zip(network, found["curves"], program.polylines(out),
+                                        strict=True):
+            self.assertEqual(curve.length, facts["length"])
+            self.assertEqual(list(curve.bounds), facts.get("length_bounds", [0, np.inf]))
+            self.assertEqual(curve.initial_length, facts["initial_length"])
+            self.assertEqual(curve.is_closed, facts["is_loop"])
+            np.testing.assert_array_equal(curve.points, points[:len(curve)])
+        self.assertEqual(network.flips, found["flips"])
+        self.assertEqual(network.certified, found["certified"])
+
+    def test_paths(self):
+        for name in self.names:
+            path, V, F = program.mesh(name)
+            s, n = it.Surface(V, F), len(V)
+            ends = [1, n // 3], [n // 2, n - 1]
+            options = [o for a, b in ends for o in ("--path", f"{a},{b}")]
+            self.expect_curves(path, s.network(ends, certify=True), *options)
+            self.expect_curves(path, s.network(ends[:1], method="flips", certify=True), *options[:2],
+                               "--along-edges")
+
+    def test_points_in_faces_waypoints_and_loops(self):
+        path, V, F = program.mesh("elephant.off")
+        s = it.Surface(V, F)
+        p = it.Point(100, (0.5, 0.25, 0.25))
+        network = s.network([[p, 1000, 2000]], waypoints=True, certify=True)
+        self.expect_curves(path, network, "--path", "100:0.5:0.25:0.25,1000,2000", "--waypoints")
+        path, V, F = program.mesh("eight.off")
+        loops = [[0, 100, 200], [5, 150, 300, 40]]
+        lists = [",".join(map(str, loop)) for loop in loops]
+        network = it.Surface(V, F).network((), loops, certify=True)
+        self.expect_curves(path, network, "--loop", lists[0], "--loop", lists[1])
+
+    def test_a_surface_with_doubles(self):
+        path, V, F = program.mesh("elephant.off")
+        s = it.Surface(V, F, arithmetic="double")
+        network = s.network([[3, 1500]], certify=True)
+        self.expect_curves(path, network, "--path", "3,1500", "--arithmetic", "double")
+
+    def expect_cut(self, path, cut, *options):
+        out = self.folder / "cut.off"
+        program.run("cut", path, *options, "-o", out, "--labels", self.folder / "labels.txt")
+        V, F = program.surface(out)
+        np.testing.assert_array_equal(cut.points, V)
+        np.testing.assert_array_equal(cut.faces, F)
+        labels = np.loadtxt(self.folder / "labels.txt", dtype=int)
+        np.testing.assert_array_equal(np.column_stack([cut.component, cut.input_face]), labels)
+
+    def test_cuts(self):
+        for name in self.names:
+            path, V, F = program.mesh(name)
+            s, n = it.Surface(V, F), len(V)
+            self.expect_cut(path, s.cut(s.network([[1, n // 2]])), "--path", f"1,{n // 2}")
+            lines = s.isolines(V[:, 2], 3)
+            values = self.folder / "values.txt"
+            values.write_text("\n".join(map(repr, V[:, 2].tolist())))
+            self.expect_cut(path, s.cut(lines), "--levels", 3, "--values", values)
+        path, V, F = program.mesh("eight.off")
+        self.expect_cut(path, it.Surface(V, F).cut(), "--to-disk")
+
+
+if __name__ == "__main__":
+    unittest.main()
