@@ -16,8 +16,8 @@ class Curve:
     - `vertices`: the vertex at each point, or -1.
     - `length`, and `bounds`: two numbers between which the exact length certainly is.
     - `is_closed`: whether the last point is joined to the first one.
-    - `status`: "done"; "border" if a traced curve has ended there; "contracted" if a loop has shrunk
-      to a point; "inaccurate" if rounding may have misled the curve.
+    - `status`: "done"; "border" if a traced curve has ended there; "contracted" if a loop has
+      shrunk to a point; "inaccurate" if rounding may have misled the curve.
 
     Paths and loops have `initial_length`, that of the shortest paths that they were made of;
     isolines have `level` and `number_of_level`, and boundaries of cells `left` and `right`. For

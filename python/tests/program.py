@@ -50,7 +50,7 @@ def run(command, path, *options):
 
 
 def polylines(path):
-    """Reads polylines from an OBJ file: points of each, the first again at the end of closed ones."""
+    """Reads the points of polylines from an OBJ file; closed ones end with their first point."""
     points, lines = [], []
     for line in path.read_text().splitlines():
         words = line.split()
@@ -63,7 +63,7 @@ def polylines(path):
 
 
 def surface(path):
-    """Reads vertices and triangles from an OFF file in which each has a line, with a colour or not."""
+    """Reads an OFF file of triangles that has a line for each element, also with colours."""
     lines = [line.split() for line in path.read_text().splitlines()]
     lines = [words for words in lines if words and not words[0].startswith("#")]
     begin = 1 if len(lines[0]) == 1 else 0

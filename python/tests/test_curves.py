@@ -41,7 +41,7 @@ def torus():
 
 class Shapes(unittest.TestCase):
     def check(self, s, V, curve):
-        """Weights give points, consecutive points share a face, and the length is that of pieces."""
+        """Weights give the points, and the length is that of the pieces."""
         places = (curve.barycentric[:, :, None] * V[curve.corners]).sum(axis=1)
         np.testing.assert_allclose(places, curve.points, atol=1e-14)
         ends = np.concatenate([curve.points, curve.points[:1]]) if curve.is_closed else curve.points
@@ -230,9 +230,11 @@ class Arguments(unittest.TestCase):
                 (lambda: s.path(0, 9), "paths"), (lambda: s.path(0, 0), "follows itself"),
                 (lambda: s.path(0, 1, method="exactly"), "method"),
                 (lambda: s.loop([0, 1]), "loops.* 2 points"), (lambda: s.network(), "curve"),
-                (lambda: s.network([[0]]), "paths"), (lambda: s.trace(0, [0, 0, 0], 1), "direction"),
+                (lambda: s.network([[0]]), "paths"),
+                (lambda: s.trace(0, [0, 0, 0], 1), "direction"),
                 (lambda: s.trace(0, [0, 0, 1], 1), "direction"),
-                (lambda: s.trace(0, [0, 1], -1), "length"), (lambda: s.trace([0, 1], 1, 1), "point"),
+                (lambda: s.trace(0, [0, 1], -1), "length"),
+                (lambda: s.trace([0, 1], 1, 1), "point"),
                 (lambda: s.trace(0, [0, np.nan, 1], 1), "direction"),
                 (lambda: s.trace(0, [0, 1, 0, 1], 1), "direction"),
                 (lambda: s.isolines(V[:3, 0], 3), "u has the shape"),
@@ -273,7 +275,8 @@ class Arguments(unittest.TestCase):
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
 class Same_as_the_program(unittest.TestCase):
-    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off", "cross_quad.off")
+    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
+             "cross_quad.off")
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -300,8 +303,8 @@ class Same_as_the_program(unittest.TestCase):
             ends = [1, n // 3], [n // 2, n - 1]
             options = [o for a, b in ends for o in ("--path", f"{a},{b}")]
             self.expect_curves(path, s.network(ends, certify=True), *options)
-            self.expect_curves(path, s.network(ends[:1], method="flips", certify=True), *options[:2],
-                               "--along-edges")
+            network = s.network(ends[:1], method="flips", certify=True)
+            self.expect_curves(path, network, *options[:2], "--along-edges")
 
     def test_points_in_faces_waypoints_and_loops(self):
         path, V, F = program.mesh("elephant.off")

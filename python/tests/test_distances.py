@@ -218,7 +218,8 @@ class Arguments(unittest.TestCase):
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
 class Same_as_the_program(unittest.TestCase):
-    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off", "cross_quad.off")
+    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
+             "cross_quad.off")
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
