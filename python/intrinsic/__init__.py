@@ -9,7 +9,9 @@
 <intrinsic.Surface: 4 vertices, 2 faces>
 """
 
+from ._curve import Curve, Cut, Network
+from ._distances import FarthestPoints, Voronoi
 from ._points import Point
 from ._surface import Surface
 
-__all__ = ["Point", "Surface"]
+__all__ = ["Curve", "Cut", "FarthestPoints", "Network", "Point", "Surface", "Voronoi"]

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Geodesics, isolines and cuts: closed forms, and bit for bit what the program computes."""
 
+import doctest
 import tempfile
 import tracemalloc
 import unittest
@@ -11,7 +12,8 @@ import numpy as np
 
 import intrinsic as it
 import program
-from test_distances import CUBE, TETRAHEDRON, grid
+from intrinsic import _curves
+from test_distances import CUBE, SQUARE, TETRAHEDRON, grid
 
 SIDES = 12
 
@@ -344,6 +346,12 @@ class Same_as_the_program(unittest.TestCase):
             self.expect_cut(path, s.cut(lines), "--levels", 3, "--values", values)
         path, V, F = program.mesh("eight.off")
         self.expect_cut(path, it.Surface(V, F).cut(), "--to-disk")
+
+
+def load_tests(loader, tests, pattern):
+    """Adds the examples in docstrings, whose surface is a square."""
+    tests.addTests(doctest.DocTestSuite(_curves, extraglobs={"s": it.Surface(*SQUARE)}))
+    return tests
 
 
 if __name__ == "__main__":

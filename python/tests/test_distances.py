@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Distances: closed forms, and bit for bit what the program computes."""
 
+import doctest
 import tempfile
 import tracemalloc
 import unittest
@@ -11,7 +12,9 @@ import numpy as np
 
 import intrinsic as it
 import program
+from intrinsic import _distances
 
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
 CUBE = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
         [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
          [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
@@ -289,6 +292,12 @@ class Same_as_the_program(unittest.TestCase):
         self.assertEqual(len(lines), len(expected))
         for line, points in zip(lines, expected):
             np.testing.assert_array_equal(points[:len(line)], line.points)
+
+
+def load_tests(loader, tests, pattern):
+    """Adds the examples in docstrings, whose surface is a square."""
+    tests.addTests(doctest.DocTestSuite(_distances, extraglobs={"s": it.Surface(*SQUARE)}))
+    return tests
 
 
 if __name__ == "__main__":

@@ -1,0 +1,57 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Distances from a vertex of a wavy torus: along shortest paths, and by the flow of heat.
+
+Draws both, with lines of equal distance, and the cells of six vertices that are far from each
+other. Usage: distances.py [picture.png]
+"""
+
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+import intrinsic as it
+
+
+def wavy_torus(n=72, m=36):
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
+    u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
+    r = 1 + 0.25 * np.cos(5 * u)
+    V = np.column_stack([(3 + r * np.cos(v)) * np.cos(u), (3 + r * np.cos(v)) * np.sin(u),
+                         r * np.sin(v)])
+    a, b, c, d = ((i + k) % n * m + (j + l) % m for k, l in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def draw(axes, title, V, F, values, lines=(), colors="viridis"):
+    faces = Poly3DCollection(V[F], cmap=colors)
+    faces.set_array(values)
+    axes.add_collection3d(faces)
+    for line in lines:
+        points = line.points[np.r_[:len(line), 0]] if line.is_closed else line.points
+        axes.plot(*points.T, color="black", linewidth=0.6, zorder=3)
+    axes.set(title=title, xlim=(-3, 3), ylim=(-3, 3), zlim=(-3, 3))
+    axes.view_init(55, 30)
+    axes.set_box_aspect((1, 1, 1), zoom=1.25)
+    axes.set_axis_off()
+
+
+V, F = wavy_torus()
+s = it.Surface(V, F)
+exact = s.distance(0)
+heat = s.distance(0, method="heat")
+print(f"heat is off by {np.abs(heat - exact).max() / exact.max():.2%} of the greatest distance")
+far = s.farthest_points(6)
+cells = s.voronoi(far.vertices)
+
+figure = plt.figure(figsize=(12, 4))
+pictures = [("exact distances", exact[F].mean(axis=1), s.isolines(exact, 12), "viridis"),
+            ("by heat", heat[F].mean(axis=1), s.isolines(heat, 12), "viridis"),
+            ("cells of six vertices", cells.labels[F[:, 0]], cells.boundaries, "Set2")]
+for k, (title, values, lines, colors) in enumerate(pictures):
+    draw(figure.add_subplot(1, 3, k + 1, projection="3d"), title, V, F, values, lines, colors)
+figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "distances.png", dpi=150)
