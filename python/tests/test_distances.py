@@ -295,8 +295,10 @@ class Same_as_the_program(unittest.TestCase):
 
 
 def load_tests(loader, tests, pattern):
-    """Adds the examples in docstrings, whose surface is a square."""
+    """Adds the examples in docstrings, whose surface is a square, and those in the manual."""
     tests.addTests(doctest.DocTestSuite(_distances, extraglobs={"s": it.Surface(*SQUARE)}))
+    page = "../../doc/Intrinsic_triangulations/python_distances.md"
+    tests.addTests(doctest.DocFileSuite(page))
     return tests
 
 
