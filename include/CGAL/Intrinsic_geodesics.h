@@ -19,6 +19,7 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
 #include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>

@@ -19,6 +19,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
 #include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>

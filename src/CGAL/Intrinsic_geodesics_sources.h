@@ -17,6 +17,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.cpp>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.cpp>

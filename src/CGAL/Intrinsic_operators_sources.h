@@ -12,6 +12,8 @@ their sources includes this file.
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
 #include <CGAL/Intrinsic_operators/conformal/Angle_system.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Disk_pieces.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Glued_pieces.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Piece_gluer.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.cpp>
@@ -22,6 +24,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/conformal/conformal_sphere.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_angles.cpp>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_in_disk.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.cpp>

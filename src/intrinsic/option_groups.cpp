@@ -472,9 +472,10 @@ void add_uniformize_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"delaunay", "input"}));
   command
       .add_option("--target", u.target,
-                  "plane (flat but for cones), sphere (the round one) or torus (flat, with its "
-                  "period); by default, without --angles and --cones, sphere and torus for closed "
-                  "surfaces of genus 0 and 1, else plane")
+                  "plane (flat but for cones), sphere (the round one), torus (flat, with its "
+                  "period) or disk (hyperbolic, in Poincaré's disk); by default, without --angles "
+                  "and --cones, sphere, torus and disk for closed surfaces of genus 0, 1 and more, "
+                  "else plane")
       ->check(CLI::IsMember({"plane", "sphere", "torus", "disk"}));
 }
 

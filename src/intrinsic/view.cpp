@@ -83,6 +83,7 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.marks_name = viewed.marks_name;
   view.isolines = viewed.isolines;
   view.texture = viewed.texture;
+  view.is_disk = viewed.is_disk;
   view.has_edges = view.has_face_colors = !viewed.is_plain;
   constexpr std::size_t many = 1000; // curves, which would cover the surface
   view.curve_width = viewed.curves.size() > many ? 1 : viewed.curve_width;

@@ -30,6 +30,7 @@ struct Viewed {
   std::span<const IT::Polyline> marks{};           ///< points that are marked, of one point each
   std::string marks_name{};
   std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
+  bool is_disk = false;                             ///< whether these are in Poincaré's disk
   bool is_plain =
       false; ///< whether edges are hidden at first, and faces without a field have no colours
   double curve_width = 3.5; ///< in pixels

@@ -67,6 +67,7 @@ struct Laid_out {
   Surface_with_fields opened;        ///< cut open; its first two fields are places in the plane
   Surface_with_fields closed;        ///< not cut, with places at corners
   std::vector<IT::Polyline> seams{}; ///< the edges that were cut
+  bool is_disk = false;              ///< whether the plane is Poincaré's disk
 };
 
 /// What a command has computed.

@@ -289,6 +289,7 @@ void write_laid_out(const Laid_out& laid_out, const Options& options, const Json
     viewed.fields = shown;
     viewed.shown_field = shown.size(); // none
     viewed.texture = texture;
+    viewed.is_disk = laid_out.is_disk;
     files.write(options.view, [&](std::ostream& out) {
       write_view(out, opened.s, opened.points, options, json, viewed);
     });

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
+#include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
@@ -45,6 +46,9 @@ IT::Prescribed_angles angles_of(Ideal& ideal, const Uniformize_options& options)
   if (!options.cones.empty() && is_number(options.cones))
     return IT::place_cones(ideal, std::stoul(options.cones));
   IT::Prescribed_angles angles = IT::flat_angles(ideal);
+  if (options.target == "disk") // the border becomes geodesic
+    for (std::size_t v = 0; v < angles.size(); ++v)
+      if (angles.is_free(v)) angles.set(v, IT::Multiple_of_pi{1, 1});
   if (!options.cones.empty()) read_cones(options.cones, angles);
   return angles;
 }
@@ -82,9 +86,14 @@ bool writes_shape(const Options& options) {
 // What a surface becomes, if the options do not say it.
 template <class Triangulation>
 std::string target_of(const Triangulation& t, const Uniformize_options& options) {
-  if (options.target == "disk")
-    throw std::runtime_error("--target disk does not exist yet; give cones to --target plane");
   const bool has_angles = !options.angles.empty() || !options.cones.empty();
+  if (options.target == "disk") {
+    if (is_number(options.cones) && !options.cones.empty())
+      throw std::runtime_error("--cones " + options.cones +
+                               " places cones of flat surfaces; with --target disk, list cones "
+                               "with their angles in a file");
+    return options.target;
+  }
   if (has_angles && !options.target.empty() && options.target != "plane")
     throw std::runtime_error("--target " + options.target +
                              " has no cones; leave --angles and --cones out");
@@ -95,8 +104,8 @@ std::string target_of(const Triangulation& t, const Uniformize_options& options)
     if (halfedge(v, t.mesh()).index == IT::Gluing::none) ++isolated;
   const auto components = static_cast<std::ptrdiff_t>(IT::connected_components(t.mesh()).count);
   const std::ptrdiff_t euler = IT::euler_characteristic(t.mesh()) - isolated;
-  if (components != 1 || (euler != 0 && euler != 2)) return "plane";
-  return euler == 2 ? "sphere" : "torus";
+  if (components != 1 || euler % 2 != 0) return "plane";
+  return euler == 2 ? "sphere" : euler == 0 ? "torus" : "disk";
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& u) {
@@ -152,23 +161,21 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   if (asked.target == "sphere") return on_sphere(ideal, points, options);
   IT::Flat_surface start = IT::flat_surface(ideal);
   const IT::Prescribed_angles angles = angles_of(ideal, asked);
-  const IT::Conformal_metric m = IT::conformal_metric(ideal, angles);
-  Computed computed{
-      "conformal",
-      json_of(m, angles, asked),
-      {{"u", vector_of(m.u)}}};
+  const bool is_hyperbolic = asked.target == "disk";
+  const IT::Conformal_metric m =
+      is_hyperbolic ? IT::hyperbolic_metric(ideal, angles) : IT::conformal_metric(ideal, angles);
+  Computed computed{"conformal", json_of(m, angles, asked), {{"u", vector_of(m.u)}}};
   std::optional<IT::Flat_torus> torus;
   if (asked.target == "torus") {
     torus = IT::flat_torus(IT::flat_surface(ideal));
     computed.json["period"] = {torus->period.real(), torus->period.imag()};
   }
   if (writes_shape(options) && asked.start == "input")
-    computed.laid_out =
-        shown_layout(IT::lay_out_scaled(IT::scaled_surface(ideal, std::move(start),
-                                                           m.scale_factors, angles,
-                                                           t.input().names()),
-                                        torus ? &*torus : nullptr),
-                     points, computed.json);
+    computed.laid_out = shown_layout(
+        IT::lay_out_scaled(IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
+                                              t.input().names(), is_hyperbolic),
+                           torus ? &*torus : nullptr),
+        points, computed.json);
   else if (is_mesh_output(options))
     throw std::runtime_error(
         options.output +

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
+#include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -25,40 +27,44 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a surface with scale factors that make it flat but for cones, see `conformal_metric()`.
+\brief is a surface with scale factors that make it flat or hyperbolic but for cones, see
+`conformal_metric()` and `hyperbolic_metric()`.
 */
 struct Scaled_surface {
-  Flat_surface start;              ///< the triangles of the input, with their lengths
-  Flat_surface flat;               ///< the ideal Delaunay triangulation, with scaled lengths
+  Flat_surface start; ///< the triangles of the input, with their lengths
+  Flat_surface flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
   Common_subdivision subdivision;  ///< of both; faces of the input by their numbers
   std::vector<std::uint32_t> row;  ///< of each vertex
   std::vector<double> factors;     ///< of each row
   const Input_names& names;        ///< of the input
   const Prescribed_angles& angles; ///< of each row
+  bool is_hyperbolic = false;      ///< whether triangles are hyperbolic
 };
 
 /*!
 \brief gathers what `lay_out_scaled()` needs.
 \tparam Triangulation a model of `IndexedTriangulation` with ideal hyperbolic traits and a
   correspondence
-\param t the triangulation after `conformal_metric(t, angles)`
+\param t the triangulation after `conformal_metric(t, angles)` or `hyperbolic_metric(t, angles)`
 \param start `flat_surface(t)` before: `t` was built by `ideal_start()` of an input
-\param scale_factors what `conformal_metric()` has found
+\param scale_factors what that has found
 \param angles the angles, which must outlive the result
 \param names of the input that `t` was built from, which must outlive the result
+\param is_hyperbolic whether that was `hyperbolic_metric()`
 \complexity that of `common_subdivision()`
 */
 template <IndexedTriangulation Triangulation>
 Scaled_surface scaled_surface(const Triangulation& t, Flat_surface start,
                               std::vector<double> scale_factors, const Prescribed_angles& angles,
-                              const Input_names& names) {
+                              const Input_names& names, bool is_hyperbolic = false) {
   Scaled_surface s{std::move(start),
-                   flat_surface(t),
+                   is_hyperbolic ? hyperbolic_surface(t) : flat_surface(t),
                    common_subdivision(t),
                    {},
                    std::move(scale_factors),
                    names,
-                   angles};
+                   angles,
+                   is_hyperbolic};
   s.row.assign(s.flat.gluing.number_of_vertices, Gluing::none);
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
     s.row[t.index(v)] = t.input_vertex(v);
@@ -66,7 +72,7 @@ Scaled_surface scaled_surface(const Triangulation& t, Flat_surface start,
 }
 
 /*!
-\brief is the layout of a scaled surface in the plane.
+\brief is the layout of a scaled surface in the plane, of a hyperbolic one in Poincaré's disk.
 */
 struct Scaled_layout {
   /// The faces of the common subdivision, cut open along edges of the input, and their places.
@@ -77,12 +83,15 @@ struct Scaled_layout {
   /// The user's vertices at the ends of each edge that was cut.
   std::vector<std::array<std::uint32_t, 2>> seams;
   Map_certificate certificate; ///< see `certify_map()`
-  Map_distortion distortion;   ///< from the faces of the input to the plane
+  /// See `flipped_geodesic_triangles()`; 0 if the surface is not hyperbolic.
+  std::size_t flipped_geodesic_triangles = 0;
+  Map_distortion distortion; ///< from the faces of the input to the plane
 };
 
 /*!
 \brief lays a scaled surface out in the plane, by projective interpolation, see
-`lay_out_subdivision()`. Of the double of a surface with border, it lays out the front.
+`lay_out_subdivision()`. Of the double of a surface with border, it lays out the front. The cut is
+that of `cut_to_disk()`, of hyperbolic surfaces that of `cut_to_round_disk()`.
 \param surface the surface
 \param torus none, or the torus that it is: coordinates are then in the basis of its translations
 \return the layout

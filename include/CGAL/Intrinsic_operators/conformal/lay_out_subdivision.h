@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_CONFORMAL_LAY_OUT_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
@@ -18,8 +19,8 @@
 
 /*!
 \file
-Layouts in the plane of the common subdivision of a mesh and a flat intrinsic triangulation. Seams
-are edges of the mesh, so that each corner of the mesh has one place.
+Layouts in the plane of the common subdivision of a mesh and a flat or hyperbolic intrinsic
+triangulation. Seams are edges of the mesh, so that each corner of the mesh has one place.
 
 If the flat metric is discretely conformal to that of the mesh, with lengths
 \f$\lambda_{ij} w_i w_j\f$, the layout is the map by *projective interpolation* (Springborn,
@@ -31,6 +32,12 @@ a vertex q is \f$1 / w_i^2\f$. Vertices are light-like vectors \f$v_i\f$ with \f
 \f$X = (1 - p) v_i + p v_j\f$ of an edge has \f$-\langle X, X \rangle = p (1 - p) \lambda_{ij}^2\f$,
 from which q follows at crossings. Both faces beside an edge give the same points there, so that the
 map is continuous.
+
+A hyperbolic triangle has corners P_i in the hyperboloid model, with
+\f$\langle P_i - P_j, P_i - P_j \rangle = \lambda_{ij}^2\f$. So its plane is that of the vectors
+\f$v_i'\f$ but for a motion, and the same sums of corners are the points of the map:
+\f$(1 - p) P_i + p P_j\f$ on an edge. Linear on the faces of the mesh are q times the points of the
+hyperboloid, which are homogeneous coordinates in Klein's model.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,7 +51,7 @@ struct Flat_subdivision {
   /// Places of crossings on the mesh are those in its metric; places on the triangulation are those
   /// in the flat metric: in a conformal metric, with its scaled vectors.
   const Common_subdivision& subdivision;
-  /// The flat triangulation, with its lengths.
+  /// The flat triangulation, with its lengths; or hyperbolic triangles with theirs.
   const Surface_to_cut& flat;
   /// The side in `flat` of each halfedge of the triangulation, as in `Opened_triangulation::side`.
   const std::vector<std::uint32_t>& side;
@@ -57,6 +64,11 @@ struct Flat_subdivision {
   std::vector<double> factors{};
   /// The length of each edge of the input, before scaling. Empty: weights are not computed.
   std::vector<double> input_lengths{};
+  /// Whether triangles are hyperbolic, with hyperbolic lengths as of `hyperbolic_surface()`.
+  bool is_hyperbolic = false;
+  /// Nonzero for each vertex of `flat.gluing` that is a cone; seams end there if the surface is
+  /// hyperbolic. Empty: none is.
+  std::vector<char> is_cone{};
 };
 
 /*!
@@ -69,13 +81,20 @@ struct Subdivision_layout {
   std::vector<std::uint32_t> original_vertex;
   /// The face before that each face is.
   std::vector<std::uint32_t> original_face;
-  /// The place of each vertex of `subdivision` in the plane.
+  /// The place of each vertex of `subdivision` in the plane, of a hyperbolic one in Poincaré's
+  /// disk.
   Eigen::MatrixX2d positions;
-  /// The third homogeneous coordinate q of each vertex; empty without input lengths.
+  /// The number q of each vertex; empty without input lengths.
   Eigen::VectorXd weights;
   /// The largest difference of a side in the plane, as a vector, from the side of its face in its
   /// direction, relative to the longest side of the face.
   double largest_side_error = 0;
+  bool is_hyperbolic = false; ///< as `Flat_subdivision::is_hyperbolic`
+  /// How the copies of a cut through a hyperbolic surface fit together; sides have the numbers of
+  /// the corners of `subdivision` where they start.
+  Side_pairings pairings{};
+  /// The largest hyperbolic distance of a vertex from the centre; 0 in the plane.
+  double radius = 0;
 };
 
 /*!
@@ -85,10 +104,11 @@ The edges to cut must make disks of the faces that are laid out, and pass throug
 `cut_to_disk()`. Faces of the triangulation may be on both sides of a cut.
 \param s the subdivision
 \return the layout
+  A hyperbolic one is as `lay_out_in_disk()` makes it; `cut_to_round_disk()` has the cut for it
 \throws Invalid_input if sizes disagree, or no triangle has the sides of a face of `s.flat`
 \pre `s.subdivision` is the common subdivision of the input and the triangulation, without inserted
   vertices
-\complexity that of a sparse factorization, and n log n
+\complexity that of a sparse factorization, and n log n; of a hyperbolic one n log n
 */
 Subdivision_layout lay_out_subdivision(const Flat_subdivision& s);
 
@@ -116,11 +136,24 @@ rounding, keeps its orientation exactly if all of these do.
 Map_certificate certify_map(const Subdivision_layout& layout);
 
 /*!
+\brief counts the triangles of a layout in Poincaré's disk that are not counterclockwise, with
+geodesics as sides. It is exact for the places as they are.
+
+Triangles are those that `certify_map()` makes of polygons. It tells about straight sides in
+Poincaré's disk, as of texture coordinates that are linear on pieces.
+\param layout a hyperbolic layout
+\return how many triangles turn over or have corners on one geodesic
+\complexity linear
+*/
+std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout);
+
+/*!
 \brief returns the coordinates as fields for `write_common_subdivision()`.
 \param layout the layout
 \return numbers `u` and `v` per vertex of `layout.subdivision`, which OBJ files have as texture
   coordinates, linear on each face; and, if there are weights, vectors `homogeneous_uv` with the
-  coordinates (x q, y q, q), for projective interpolation
+  coordinates (x q, y q, q), for projective interpolation; of a hyperbolic layout, q times the
+  points of the hyperboloid: homogeneous coordinates in Klein's model of the plane
 \complexity linear
 */
 std::vector<Subdivision_field> fields_of_layout(const Subdivision_layout& layout);

@@ -33,11 +33,10 @@ public:
   using Complex = Plane_pieces::Complex;
 
   explicit Piece_developer(const Plane_pieces& pieces)
-      : p_(pieces), piece_of_side_(pieces.side.size()), is_placed_(pieces.number_of_vertices, 0) {
+      : p_(pieces), piece_of_side_(pieces.piece_of_corner()),
+        is_placed_(pieces.number_of_vertices, 0) {
     result_.position.assign(pieces.number_of_vertices, 0);
     result_.rotation.assign(pieces.size(), 0);
-    for (std::uint32_t i = 0; i < p_.size(); ++i)
-      std::fill(piece_of_side_.begin() + p_.begin[i], piece_of_side_.begin() + p_.begin[i + 1], i);
   }
 
   Developed_pieces run() {

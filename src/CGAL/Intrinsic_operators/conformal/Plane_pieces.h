@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_CONFORMAL_PLANE_PIECES_H
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/Glued_pieces.h>
 
 #include <Eigen/Core>
 
@@ -15,21 +16,12 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Convex polygons that are glued along sides, each known in a frame of its own.
-struct Plane_pieces {
+struct Plane_pieces : Glued_pieces {
   using Complex = std::complex<double>;
 
-  std::uint32_t number_of_vertices = 0;
-  std::vector<std::uint32_t> begin{0}; // for each piece its first corner, and one entry more
-  std::vector<std::uint32_t> vertex;   // at each corner
-  std::vector<Complex> side;           // from each corner to the next one of its piece
-  std::vector<std::uint32_t> glue;     // the side that each one is glued to, or `Gluing::none`
+  std::vector<Complex> side; // from each corner to the next one of its piece
   std::vector<Complex> turn; // of each side that is glued: the frame across, in that of the piece
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(begin.size() - 1); }
-  // the next corner of piece `p`
-  std::uint32_t next(std::uint32_t p, std::uint32_t c) const {
-    return c + 1 == begin[p + 1] ? begin[p] : c + 1;
-  }
   // the longest side of a piece
   double extent(std::uint32_t p) const;
 };

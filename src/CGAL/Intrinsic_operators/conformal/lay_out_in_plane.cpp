@@ -57,106 +57,48 @@ std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, s
 
 // The triangles of a surface that was cut open as pieces.
 Plane_pieces triangles_as_pieces(const Gluing& g, std::vector<std::complex<double>> sides) {
-  Plane_pieces p;
-  p.number_of_vertices = g.number_of_vertices;
-  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f) p.begin.push_back(3 * f + 3);
-  p.vertex = g.origin;
-  p.glue = g.glue;
-  p.side = std::move(sides);
+  Plane_pieces p{pieces_of(g), std::move(sides), {}};
   p.turn.assign(p.side.size(), 1);
   for (std::size_t h = 0; h < p.glue.size(); ++h)
     if (p.glue[h] != Gluing::none) p.turn[h] = turn_across(p.side[h], p.side[p.glue[h]]);
   return p;
 }
 
-// The seams of a layout, one after another.
-class Seam_finder {
+// The motions of the seams of a layout.
+class Seam_mover {
 public:
-  Seam_finder(const Flat_layout& layout, const Developed_pieces& developed,
-              const std::vector<std::complex<double>>& sides, std::span<const std::uint32_t> cones)
-      : layout_(layout), developed_(developed), sides_(sides),
-        is_cone_(layout.surface.gluing.number_of_vertices, 0),
-        border_from_(layout.surface.gluing.number_of_vertices, Gluing::none),
-        partner_(sides.size(), Gluing::none) {
-    const Gluing& g = layout.surface.gluing;
-    for (const auto& [h, p] : layout.surface.seams) {
-      partner_[h] = Gluing::partner(p);
-      partner_[Gluing::partner(p)] = h;
-    }
-    for (std::uint32_t h = 0; h < g.glue.size(); ++h)
-      if (g.glue[h] == Gluing::none) border_from_[g.origin[h]] = h;
-    for (const std::uint32_t v : cones) is_cone_[v] = 1;
-  }
+  Seam_mover(const Flat_layout& layout, const Developed_pieces& developed,
+             const std::vector<std::complex<double>>& sides)
+      : layout_(layout), developed_(developed), sides_(sides) {}
 
-  std::vector<Layout_seam> run() {
-    std::vector<char> is_done(sides_.size(), 0);
-    std::vector<Layout_seam> result;
-    for (const bool is_last : {false, true}) // closed seams have no first side
-      for (std::uint32_t h = 0; h < sides_.size(); ++h) {
-        if (partner_[h] == Gluing::none || is_done[h] != 0) continue;
-        if (!is_last && continues(next_of_partner(h), h)) continue;
-        Layout_seam& seam = result.emplace_back();
-        for (std::uint32_t i = h;;) {
-          seam.sides.push_back(i);
-          seam.partners.push_back(partner_[i]);
-          is_done[i] = is_done[partner_[i]] = 1;
-          const std::uint32_t n = next_on_border(i);
-          if (!continues(i, n) || is_done[n] != 0) break;
-          i = n;
-        }
-        find_motion(seam);
-      }
-    return result;
+  Layout_seam operator()(Border_seam found) const {
+    Layout_seam seam{std::move(found.sides), std::move(found.partners)};
+    std::complex<double> turn = 0, shift = 0;
+    for (std::size_t i = 0; i < seam.sides.size(); ++i)
+      turn -= side(seam.partners[i]) * std::conj(side(seam.sides[i]));
+    turn /= std::abs(turn);
+    for (std::size_t i = 0; i < seam.sides.size(); ++i)
+      shift += place(Gluing::next(seam.partners[i])) - turn * place(seam.sides[i]);
+    shift /= static_cast<double>(seam.sides.size());
+    seam.rotation = std::arg(turn);
+    seam.translation = {shift.real(), shift.imag()};
+    return seam;
   }
 
 private:
-  const Gluing& gluing() const { return layout_.surface.gluing; }
-  std::uint32_t end(std::uint32_t h) const { return gluing().origin[Gluing::next(h)]; }
-  std::uint32_t next_on_border(std::uint32_t h) const { return border_from_[end(h)]; }
-  // the side before `h` in its seam, if there is one: its partner follows that of `h`
-  std::uint32_t next_of_partner(std::uint32_t h) const {
-    return partner_[next_on_border(partner_[h])];
-  }
-  // Whether two sides are of one seam: partners follow each other, too, and no cone is between.
-  bool continues(std::uint32_t h, std::uint32_t n) const {
-    return h != Gluing::none && n != Gluing::none && partner_[h] != Gluing::none &&
-           partner_[n] != Gluing::none && n != partner_[h] && next_on_border(h) == n &&
-           next_on_border(partner_[n]) == partner_[h] &&
-           is_cone_[layout_.surface.original_vertex[end(h)]] == 0;
-  }
-
-  std::complex<double> place(std::uint32_t v) const {
-    const auto row = static_cast<Eigen::Index>(v);
+  // where a side starts
+  std::complex<double> place(std::uint32_t h) const {
+    const auto row = static_cast<Eigen::Index>(layout_.surface.gluing.origin[h]);
     return {layout_.positions(row, 0), layout_.positions(row, 1)};
   }
   std::complex<double> side(std::uint32_t h) const {
     return developed_.rotation[h / 3] * sides_[h];
   }
 
-  void find_motion(Layout_seam& seam) const {
-    std::complex<double> turn = 0, shift = 0;
-    for (std::size_t i = 0; i < seam.sides.size(); ++i)
-      turn -= side(seam.partners[i]) * std::conj(side(seam.sides[i]));
-    turn /= std::abs(turn);
-    for (std::size_t i = 0; i < seam.sides.size(); ++i)
-      shift += place(end(seam.partners[i])) - turn * place(gluing().origin[seam.sides[i]]);
-    shift /= static_cast<double>(seam.sides.size());
-    seam.rotation = std::arg(turn);
-    seam.translation = {shift.real(), shift.imag()};
-  }
-
   const Flat_layout& layout_;
   const Developed_pieces& developed_;
   const std::vector<std::complex<double>>& sides_;
-  std::vector<char> is_cone_;
-  std::vector<std::uint32_t> border_from_; // of a vertex: the side on the border that starts there
-  std::vector<std::uint32_t> partner_;     // of a side that is cut
 };
-
-void check_orientation(const Gluing& g) {
-  for (std::uint32_t h = 0; h < g.glue.size(); ++h)
-    if (Gluing::is_reversed(g.glue[h])) fail_orientation(g, h, {});
-}
 
 } // namespace
 
@@ -205,15 +147,18 @@ static double seam_error(const Flat_layout& layout) {
 
 Flat_layout lay_out_in_plane(const Surface_to_cut& s, std::span<const std::uint32_t> cones,
                              std::size_t roots) {
-  internal::check_orientation(s.gluing);
+  internal::expect_oriented(s.gluing);
   Flat_layout result;
   result.surface = cut_open(s.gluing, cut_to_disk(s, cones, roots));
   const std::vector<std::complex<double>> sides = internal::sides_of_triangles(s);
-  const internal::Developed_pieces developed =
-      internal::develop(internal::triangles_as_pieces(result.surface.gluing, sides));
+  const internal::Plane_pieces pieces = internal::triangles_as_pieces(result.surface.gluing, sides);
+  const internal::Developed_pieces developed = internal::develop(pieces);
   result.positions = internal::rows_of_points(developed.position);
   result.largest_side_error = developed.largest_error;
-  result.seams = internal::Seam_finder(result, developed, sides, cones).run();
+  const internal::Seam_mover moved(result, developed, sides);
+  for (internal::Border_seam& seam :
+       internal::seams_of(result.surface, pieces, internal::copies_of(result.surface, cones)))
+    result.seams.push_back(moved(std::move(seam)));
   result.largest_seam_error = internal::seam_error(result);
   return result;
 }

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -37,6 +38,7 @@ public:
     result.distortion = measure_distortion(pieces(), layout_.positions);
     if (torus != nullptr) change_basis(*torus);
     result.certificate = certify_map(layout_);
+    if (in_.is_hyperbolic) result.flipped_geodesic_triangles = flipped_geodesic_triangles(layout_);
     name_faces();
     result.seams = seams(is_cut);
     result.closed = layout_.subdivision;
@@ -85,8 +87,19 @@ private:
     return result;
   }
 
+  // The input with its lengths scaled: nearly hyperbolic ones where edges are short.
+  Surface_to_cut hyperbolic_input() const {
+    Surface_to_cut s = opened_;
+    const auto factor = [&](std::uint32_t h) { return in_.factors[in_.row[s.gluing.origin[h]]]; };
+    for (std::uint32_t h = 0; h < s.length.size(); ++h)
+      s.length[h] = 2 * std::asinh(s.length[h] * factor(h) * factor(Gluing::next(h)) / 2);
+    return s;
+  }
+
   std::vector<char> edges_to_cut() const {
-    const std::vector<char> is_cut = cut_to_disk(opened_, cones());
+    const std::vector<char> is_cut = in_.is_hyperbolic
+                                         ? cut_to_round_disk(hyperbolic_input(), cones())
+                                         : cut_to_disk(opened_, cones());
     std::vector<char> result(in_.start.side.size() / 2, 0);
     for (std::size_t h = 0; h < in_.start.side.size(); ++h)
       if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none && is_cut[side] != 0)
@@ -102,6 +115,9 @@ private:
     for (std::size_t h = 0; h < in_.start.side.size(); ++h)
       if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
         arrays.input_lengths[h / 2] = in_.start.length[side];
+    arrays.is_hyperbolic = in_.is_hyperbolic;
+    for (const std::uint32_t row : in_.row)
+      arrays.is_cone.push_back(row != Gluing::none && is_cone(row) ? 1 : 0);
     return lay_out_subdivision(arrays);
   }
 

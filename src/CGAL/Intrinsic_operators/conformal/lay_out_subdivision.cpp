@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/Piece_gluer.h>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
@@ -43,6 +44,8 @@ public:
                                 " are needed; give one for each");
     };
     check(in.flat.length.size(), in.flat.gluing.origin.size(), " sides have lengths");
+    if (!in.is_cone.empty())
+      check(in.is_cone.size(), in.flat.gluing.number_of_vertices, " vertices are marked");
     if (!in.factors.empty())
       check(in.factors.size(), in.flat.gluing.number_of_vertices, " vertices have factors");
     std::size_t edges = 0, faces = 0;
@@ -55,14 +58,15 @@ public:
   }
 
   Subdivision_layout run() {
-    glue_ = gluer_.run();
+    uncut_ = glue_ = gluer_.run();
     open_sides();
     number_copies();
     copy_faces();
-    sides_ = sides_of_triangles(in_.flat);
-    const Developed_pieces developed = develop(pieces());
-    layout_.positions = rows_of_points(developed.position);
-    layout_.largest_side_error = developed.largest_error;
+    layout_.is_hyperbolic = in_.is_hyperbolic;
+    if (in_.is_hyperbolic)
+      lay_out_in_disk();
+    else
+      lay_out_in_plane();
     if (!in_.input_lengths.empty()) compute_weights();
     return std::move(layout_);
   }
@@ -131,26 +135,66 @@ private:
     }
   }
 
-  Plane_pieces pieces() const {
-    const Common_subdivision& r = layout_.subdivision;
-    Plane_pieces p;
-    p.number_of_vertices = static_cast<std::uint32_t>(r.number_of_vertices());
-    p.begin = r.face_begin;
-    p.vertex = r.corner;
-    p.turn.assign(r.corner.size(), 1);
-    p.glue.assign(r.corner.size(), none);
+  // For each corner the corner of the layout that the one with this partner is.
+  std::vector<std::uint32_t> partners(const std::vector<std::uint32_t>& glue) const {
     std::vector<std::uint32_t> corner(s_.corner.size(), none);
     for (std::uint32_t c = 0; c < original_corner_.size(); ++c) corner[original_corner_[c]] = c;
+    std::vector<std::uint32_t> result;
+    for (const std::uint32_t c : original_corner_)
+      result.push_back(glue[c] == none ? none : corner[glue[c]]);
+    return result;
+  }
+
+  Glued_pieces glued_pieces() const {
+    const Common_subdivision& r = layout_.subdivision;
+    return {static_cast<std::uint32_t>(r.number_of_vertices()), r.face_begin, r.corner,
+            partners(glue_)};
+  }
+
+  void lay_out_in_plane() {
+    sides_ = sides_of_triangles(in_.flat);
+    Plane_pieces p{glued_pieces(), {}, {}};
+    p.turn.assign(p.vertex.size(), 1);
     for (std::uint32_t f = 0; f < p.size(); ++f)
       for (std::uint32_t c = p.begin[f]; c < p.begin[f + 1]; ++c) {
         p.side.push_back(place(p.next(f, c)) - place(c));
-        const std::uint32_t partner = glue_[original_corner_[c]];
-        if (partner == none) continue;
-        p.glue[c] = corner[partner];
-        if (r.side[c].intrinsic_edge != none)
+        if (p.glue[c] != none && is_intrinsic(c))
           p.turn[c] = turn_across(sides_[side(c)], sides_[side(p.glue[c])]);
       }
-    return p;
+    const Developed_pieces developed = develop(p);
+    layout_.positions = rows_of_points(developed.position);
+    layout_.largest_side_error = developed.largest_error;
+  }
+
+  void lay_out_in_disk() {
+    const std::vector<Disk_motion> frames = frames_of_sides(in_.flat);
+    Disk_pieces p{glued_pieces(), {}, {}};
+    p.turn.resize(p.vertex.size());
+    std::vector<std::uint32_t> partner = partners(uncut_);
+    for (std::uint32_t c = 0; c < p.vertex.size(); ++c) {
+      p.place.push_back(frames[side(c)](place_on_axis(c)));
+      if (partner[c] == none) continue;
+      if (is_intrinsic(c))
+        p.turn[c] =
+            motion_across(frames[side(c)], in_.flat.length[side(c)], frames[side(partner[c])]);
+      if (p.glue[c] != none) partner[c] = none; // no seam
+    }
+    const Developed_disk developed = develop(p);
+    layout_.positions = rows_of_points(developed.position);
+    layout_.largest_side_error = developed.largest_error;
+    layout_.radius = developed.radius;
+    std::vector<char> is_cone(p.number_of_vertices, 0);
+    for (std::uint32_t c = 0; c < p.vertex.size() && !in_.is_cone.empty(); ++c)
+      if (!is_crossing(c)) is_cone[p.vertex[c]] = in_.is_cone[in_.flat.gluing.origin[side(c)]];
+    layout_.pairings = side_pairings(p, developed, find_seams(p, partner, is_cone), is_cone);
+  }
+
+  bool is_crossing(std::uint32_t c) const {
+    return layout_.subdivision.corner[c] >= layout_.subdivision.vertices.size();
+  }
+  // whether the side that starts at a corner lies on an intrinsic edge
+  bool is_intrinsic(std::uint32_t c) const {
+    return layout_.subdivision.side[c].intrinsic_edge != none;
   }
 
   // the side of the flat surface that a corner is on, or starts at
@@ -159,13 +203,25 @@ private:
   }
   // the place of a corner in the frame of its intrinsic face
   std::complex<double> place(std::uint32_t c) const {
-    const Common_subdivision& r = layout_.subdivision;
     const std::uint32_t h = side(c);
     std::complex<double> z = 0;
     for (std::uint32_t i = h - h % 3; i < h; ++i) z += sides_[i];
-    if (r.corner[c] < r.vertices.size()) return z;
+    return z + along_side(c) * sides_[h];
+  }
+  // Where a corner is on the intrinsic side that it starts at or lies on, as part of the side.
+  double along_side(std::uint32_t c) const {
+    const Common_subdivision& r = layout_.subdivision;
+    if (!is_crossing(c)) return 0;
     const double p = r.crossings[r.corner[c] - r.vertices.size()].on_intrinsic.parameter;
-    return z + (r.intrinsic_halfedge[c] % 2 == 0 ? p : 1 - p) * sides_[h];
+    return r.intrinsic_halfedge[c] % 2 == 0 ? p : 1 - p;
+  }
+  // The same in Poincaré's disk, the side on the positive axis from the centre. The point is on the
+  // line between the ends of the side in the hyperboloid model.
+  double place_on_axis(std::uint32_t c) const {
+    const double p = along_side(c), l = in_.flat.length[side(c)], half = std::sinh(l / 2);
+    const double time = 1 + 2 * p * half * half,
+                 norm = std::sqrt(1 + 4 * p * (1 - p) * half * half);
+    return p * std::sinh(l) / (time + norm);
   }
 
   void compute_weights() {
@@ -180,16 +236,18 @@ private:
       }
       const Common_subdivision::Crossing& x = r.crossings[r.corner[c] - r.vertices.size()];
       const double p = x.on_input.parameter, q = x.on_intrinsic.parameter;
-      weight = in_.input_lengths[x.on_input.edge] / in_.flat.length[side(c)] *
-               std::sqrt(p * (1 - p) / (q * (1 - q)));
+      const double l = in_.flat.length[side(c)],
+                   lambda = in_.is_hyperbolic ? 2 * std::sinh(l / 2) : l;
+      weight = in_.input_lengths[x.on_input.edge] / lambda * std::sqrt(p * (1 - p) / (q * (1 - q)));
+      if (in_.is_hyperbolic) weight *= std::sqrt(1 + q * (1 - q) * lambda * lambda);
     }
   }
 
   const Flat_subdivision& in_;
   const Common_subdivision& s_;
   Piece_gluer gluer_;
-  std::vector<std::uint32_t> glue_; // by corners of the subdivision
-  std::vector<std::uint32_t> copy_; // the vertex after the cut at each of those
+  std::vector<std::uint32_t> glue_, uncut_; // by corners of the subdivision
+  std::vector<std::uint32_t> copy_;         // the vertex after the cut at each of those
   std::vector<std::uint32_t> original_corner_;
   std::vector<std::complex<double>> sides_; // of the flat surface
   Subdivision_layout layout_;
@@ -216,13 +274,32 @@ std::vector<std::array<double, 2>> corner_coordinates(const Subdivision_layout& 
   return result;
 }
 
-Map_certificate certify_map(const Subdivision_layout& layout) {
-  const Common_subdivision& s = layout.subdivision;
+namespace {
+
+// Polygons divided from their first corners.
+std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdivision& s) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t f = 0; f < s.number_of_faces(); ++f)
     for (std::size_t k = 2; k < s.face(f).size(); ++k)
       triangles.push_back({s.face(f)[0], s.face(f)[k - 1], s.face(f)[k]});
-  return certify_map(triangles, layout.positions);
+  return triangles;
+}
+
+} // namespace
+
+Map_certificate certify_map(const Subdivision_layout& layout) {
+  return certify_map(triangles_of_pieces(layout.subdivision), layout.positions);
+}
+
+std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout) {
+  const auto place = [&layout](std::uint32_t v) {
+    const auto row = static_cast<Eigen::Index>(v);
+    return std::complex<double>(layout.positions(row, 0), layout.positions(row, 1));
+  };
+  std::size_t flipped = 0;
+  for (const auto& [a, b, c] : triangles_of_pieces(layout.subdivision))
+    if (orientation_in_disk(place(a), place(b), place(c)) <= 0) ++flipped;
+  return flipped;
 }
 
 std::vector<Subdivision_field> fields_of_layout(const Subdivision_layout& layout) {
@@ -232,9 +309,14 @@ std::vector<Subdivision_field> fields_of_layout(const Subdivision_layout& layout
   result.emplace_back("v", Eigen::VectorXd(z.col(1)));
   if (layout.weights.size() == 0) return result;
   std::vector<std::array<double, 3>> homogeneous;
-  for (Eigen::Index v = 0; v < z.rows(); ++v)
-    homogeneous.push_back(
-        {z(v, 0) * layout.weights[v], z(v, 1) * layout.weights[v], layout.weights[v]});
+  for (Eigen::Index v = 0; v < z.rows(); ++v) {
+    std::array<double, 3> point{z(v, 0), z(v, 1), 1};
+    if (const double square = z.row(v).squaredNorm(); layout.is_hyperbolic)
+      point = {2 * point[0] / (1 - square), 2 * point[1] / (1 - square),
+               (1 + square) / (1 - square)};
+    for (double& x : point) x *= layout.weights[v];
+    homogeneous.push_back(point);
+  }
   result.emplace_back("homogeneous_uv", homogeneous);
   return result;
 }

@@ -41,6 +41,9 @@ struct Html_view {
   /// A place in the plane for each vertex, shown by a checkerboard; not a number where there is
   /// none. Or empty.
   std::span<const std::array<double, 2>> texture{};
+  /// Whether the places are in Poincaré's disk; then triangles with angles of 90, 45 and 36 degrees
+  /// that tile it are in place of squares.
+  bool is_disk = false;
   bool has_edges = true;       ///< whether edges show at first
   bool has_face_colors = true; ///< whether faces without a field have colours at first
   /// Width of curves in pixels.

@@ -262,8 +262,8 @@ private:
     else
       out_.text(view_.has_face_colors ? "faces" : "none");
     out_.text("\" data-isolines=\"", view_.isolines, "\" data-edges=\"",
-              view_.has_edges ? "shown" : "hidden", "\" data-curve-width=\"", view_.curve_width,
-              "\" data-marks=\"");
+              view_.has_edges ? "shown" : "hidden", "\" data-disk=\"", view_.is_disk ? 1 : 0,
+              "\" data-curve-width=\"", view_.curve_width, "\" data-marks=\"");
     escaped(view_.marks_name);
     out_.text("\"></script>\n");
   }
@@ -304,6 +304,10 @@ private:
         least[c] = std::min(least[c], p[c]);
         greatest[c] = std::max(greatest[c], p[c]);
       }
+    if (view_.is_disk) {
+      least = {-1, -1};
+      greatest = {1, 1};
+    }
     const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
     data("texture", [&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices)
