@@ -19,6 +19,23 @@ def angle_sums(points, faces, u):
     return sums
 
 
+def block_with_holes():
+    """The surface of a block of unit cubes with two holes through it: genus 2."""
+    cubes = {(x, y) for x in range(5) for y in range(3)} - {(1, 1), (3, 1)}
+    quads = []
+    for x, y in cubes:
+        corners = [(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]
+        quads.append([(*c, 1) for c in corners])
+        quads.append([(*c, 0) for c in reversed(corners)])
+        for k, (i, j) in enumerate(((0, -1), (1, 0), (0, 1), (-1, 0))):
+            if (x + i, y + j) not in cubes:
+                a, b = corners[k], corners[(k + 1) % 4]
+                quads.append([(*a, 0), (*b, 0), (*b, 1), (*a, 1)])
+    points = sorted({p for q in quads for p in q})
+    number = {p: i for i, p in enumerate(points)}
+    return points, triangles([[number[p] for p in q] for q in quads])
+
+
 class Uniformize(Cli_test):
     def scale(self, mesh, *arguments):
         stats = self.stats("uniformize", mesh, "-o", "u.txt", *arguments)
@@ -146,13 +163,61 @@ class Uniformize(Cli_test):
         result = self.layout(mesh, "--target", "plane", "--cones", "3")[0]
         self.assertEqual((result["target"], result["cones"]), ("plane", 3))
 
+    def disk(self, mesh, *arguments):
+        """The statistics of a layout in the disk, and the places of the pieces."""
+        result = self.stats("uniformize", mesh, "-o", "x.obj", *arguments)["conformal"]
+        self.assertEqual((result["status"], result["target"]), ("done", "disk"))
+        self.assertLess(result["proven_residual"], 1e-9)
+        self.assertEqual(result["flipped_geodesic_faces"], 0)
+        self.assertLess(max(result["seam_error"], result["relation_error"]), 1e-6)
+        _, places, faces = read_obj(self.path("x.obj"))
+        radius = max(math.hypot(*p) for p in places)
+        self.assertLess(abs(2 * math.atanh(radius) - result["radius"]), 1e-6)
+        for a, b, c, d in result["generators"]:
+            self.assertLess(abs(math.hypot(a, b)**2 - math.hypot(c, d)**2 - 1), 1e-6)
+        return result, places, faces
+
+    def test_surfaces_of_genus_2_become_hyperbolic(self):
+        points, faces = block_with_holes()
+        mesh = self.write_off("b.off", points, faces)
+        result, places, corners = self.disk(mesh, "--view", "x.html")
+        self.assertGreaterEqual(len(result["generators"]), 4)
+        for a, *_ in result["generators"]:  # no motion of the group has a fixed point
+            self.assertGreater(abs(a), 1)
+        klein = [[2 * x / (1 + x * x + y * y) for x in (x, y)] for x, y in places]
+        for face in corners:  # straight and counterclockwise in Klein's model
+            z = [complex(*klein[c]) for _, c in face]
+            self.assertGreater(sum((a.conjugate() * b).imag for a, b in zip(z, z[1:] + z[:1])), 0)
+        with open(self.path("x.html"), encoding="utf-8") as file:
+            self.assertIn('data-disk="1"', file.read())
+        # the same surface in another unit
+        _, u = self.scale(mesh)
+        large = self.write_off("l.off", [[100 * x for x in p] for p in points], faces)
+        _, v = self.scale(large)
+        for x, y in zip(u, v):
+            self.assertLess(abs(x - y - math.log(100)), 1e-8)
+        self.assert_fails(self.run_program("uniformize", mesh, "--target", "plane"), "b.off",
+                          "Gauss and Bonnet", "too small by")
+        file = self.write("c.txt", "0 pi\n5 3/2pi\n")
+        self.assertEqual(self.disk(mesh, "--target", "disk", "--cones", file)[0]["cones"], 2)
+
+    def test_borders_become_geodesics(self):
+        points, faces = grid(9)
+        hole = lambda f: any(all(i <= points[v][0] <= i + 1 and 4 <= points[v][1] <= 5 for v in f)
+                             for i in (2, 6))
+        faces = [f for f in faces if not hole(f)]
+        result = self.disk(self.write_off("g.off", points, faces), "--target", "disk")[0]
+        self.assertEqual(result["cones"], len({v for f in faces for v in f}) - 60)
+
     def test_bad_angles_are_refused(self):
         mesh = self.write_off("cube.off", *CUBE)
         refused = lambda *a: self.run_program("uniformize", mesh, *a)
         for target in ("plane", "torus"):
             self.assert_fails(refused("--target", target), "cube.off", "Gauss and Bonnet",
                               "too large by", "(4 pi)")
-        self.assert_fails(refused("--target", "disk"), "--target plane")
+        self.assert_fails(refused("--target", "disk"), "Gauss and Bonnet", "genus 2 or more",
+                          "(-4 pi)")
+        self.assert_fails(refused("--target", "disk", "--cones", "8"), "list cones", "file")
         self.assert_fails(refused("--target", "sphere", "--cones", "8"), "leave --angles and")
         self.assert_fails(refused("--cones", "8", "--start", "delaunay", "-o", "x.obj"), "x.obj",
                           "--start input")

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -305,6 +306,56 @@ TEST(Cut_to_disk, Refuses_what_it_cannot_cut) {
   EXPECT_THROW(IT::cut_to_disk(isolated, std::vector{v}), IT::Invalid_input);
   EXPECT_TRUE(IT::cut_to_disk(IT::Surface_to_cut()).empty());
   EXPECT_TRUE(IT::homology_generators(IT::Surface_to_cut()).empty());
+}
+
+// Disks again; spheres need two vertices. Ways from the centre are as short as they can be.
+TEST(Cut_to_round_disk, Surfaces_become_disks) {
+  std::vector<IT::Surface_to_cut> all;
+  for (const gallery::Surface& g : gallery::all()) all.push_back(surface_of(g));
+  for (const meshes::Mesh& m : some_meshes()) all.push_back(surface_of(m));
+  for (const IT::Surface_to_cut& s : all)
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      std::vector<std::uint32_t> through = random_vertices(s.gluing, 2 * seed, seed);
+      try {
+        expect_disks(s, IT::cut_to_round_disk(s, through, 1 + seed), through);
+      } catch (const IT::Invalid_input& e) {
+        EXPECT_NE(std::string(e.what()).find("sphere"), std::string::npos);
+      }
+    }
+}
+
+TEST(Cut_to_round_disk, Has_a_small_radius) {
+  const IT::Surface_to_cut s = surface_of(torus(24, 10));
+  const auto radius = [&s](const std::vector<char>& is_cut) { // in faces
+    const Gluing g = IT::cut_open(s.gluing, is_cut).gluing;
+    int least = 1 << 30;
+    for (std::uint32_t root = 0; root < g.number_of_faces(); ++root) {
+      std::vector<int> steps(g.number_of_faces(), -1);
+      std::vector<std::uint32_t> order{root};
+      steps[root] = 0;
+      for (std::size_t n = 0; n < order.size(); ++n)
+        for (std::uint32_t h = 3 * order[n]; h < 3 * order[n] + 3; ++h)
+          if (g.glue[h] != Gluing::none && steps[g.glue[h] / 3] < 0) {
+            steps[g.glue[h] / 3] = steps[order[n]] + 1;
+            order.push_back(g.glue[h] / 3);
+          }
+      least = std::min(least, steps[order.back()]);
+    }
+    return least;
+  };
+  // a torus of 24 times 10 cells of two triangles; ways along the circle of length 24 go half around
+  EXPECT_LE(radius(IT::cut_to_round_disk(s)), 24 + 10 / 2);
+  EXPECT_GE(radius(IT::cut_to_round_disk(s)), 24);
+}
+
+TEST(Cut_to_round_disk, Refuses_what_it_cannot_cut) {
+  IT::Surface_to_cut s = surface_of(gallery::tetrahedron());
+  EXPECT_THROW(IT::cut_to_round_disk(s), IT::Invalid_input);
+  EXPECT_THROW(IT::cut_to_round_disk(s, std::vector{1U}), IT::Invalid_input);
+  EXPECT_THROW(IT::cut_to_round_disk(s, std::vector{4U}), IT::Invalid_input);
+  s.length.pop_back();
+  EXPECT_THROW(IT::cut_to_round_disk(s), IT::Invalid_input);
+  EXPECT_TRUE(IT::cut_to_round_disk(IT::Surface_to_cut()).empty());
 }
 
 TEST(Homology_generators, Are_a_basis_over_Z2) {

@@ -3,7 +3,10 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
+#include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
@@ -22,6 +25,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include "flat_surfaces.h"
+#include "hyperbolic_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -209,6 +213,8 @@ Flattened flatten(std::mt19937& random) {
 // whether the vertices of the face's triangle are different, and it could be checked.
 bool expect_projective(const IT::Subdivision_layout& layout, std::size_t f) {
   const std::span<const std::uint32_t> corners = layout.subdivision.face(f);
+  const std::vector<double> values = IT::fields_of_layout(layout).back().values;
+  const Eigen::Map<const Eigen::Matrix3Xd> homogeneous(values.data(), 3, layout.weights.size());
   std::map<std::uint32_t, Eigen::Index> place;
   Eigen::Matrix3Xd weights = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(corners.size())),
                    images = weights;
@@ -221,8 +227,7 @@ bool expect_projective(const IT::Subdivision_layout& layout, std::size_t f) {
       if (row > 2 || (i == 1 && on.vertices[0] == on.vertices[1])) return false;
       weights(row, column) = on.weights[i];
     }
-    images.col(column) << layout.positions.row(v).transpose(), 1;
-    images.col(column) *= layout.weights[v];
+    images.col(column) = homogeneous.col(v);
   }
   if (place.size() < 3) return false;
   const Eigen::Matrix3d map =
@@ -254,6 +259,43 @@ TEST(LayOutSubdivision, interpolatesProjectivelyBetweenIdealTriangulations) {
       if (s.face(f).size() > 3 && expect_projective(r.layout, f)) ++checked;
     EXPECT_TRUE(IT::certify_map(r.layout).is_locally_injective());
     EXPECT_LE(r.layout.largest_side_error, 1e-9);
+  }
+  EXPECT_GT(checked, 50U);
+}
+
+// Surfaces of genus 2 and 3 with random lengths, in Poincaré's disk.
+TEST(LayOutSubdivision, interpolatesProjectivelyInTheDisk) {
+  std::size_t checked = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> logarithm(-3, 3);
+    IT::Intrinsic_input in =
+        gallery::input(seed % 2 == 0 ? hyperbolic::bolza() : hyperbolic::klein_quartic());
+    for (double& x : in.squared_lengths) x *= std::exp(logarithm(random));
+    Ideal_triangulation<IT::Integer_coordinates> t(std::move(in));
+    const IT::Flat_surface start = IT::flat_surface(t);
+    const IT::Conformal_metric m = IT::hyperbolic_metric(
+        t, IT::flat_angles(t), IT::parameters::number_of_iterations(12).tolerance(1e-14));
+    EXPECT_LE(m.residual, 1e-12);
+    const IT::Common_subdivision subdivision = IT::common_subdivision(t);
+    const IT::Flat_surface s = IT::hyperbolic_surface(t);
+    const std::vector<char> cut_sides = IT::cut_to_round_disk(start);
+    std::vector<char> is_cut(start.side.size() / 2);
+    std::vector<double> lengths(is_cut.size());
+    for (std::size_t h = 0; h < start.side.size(); ++h) {
+      is_cut[h / 2] = cut_sides[start.side[h]];
+      lengths[h / 2] = start.length[start.side[h]];
+    }
+    const IT::Subdivision_layout layout = IT::lay_out_subdivision(
+        {subdivision, s, s.side, is_cut, {}, m.scale_factors, lengths, true, {}});
+    EXPECT_LE(layout.largest_side_error, 1e-7);
+    EXPECT_LE(layout.pairings.largest_seam_error, 1e-8);
+    EXPECT_LE(layout.pairings.largest_relation_error, 1e-8);
+    EXPECT_EQ(IT::flipped_geodesic_triangles(layout), 0U);
+    EXPECT_GE(layout.pairings.seams.size(), 4U);
+    for (std::size_t f = 0; f < layout.subdivision.number_of_faces(); ++f)
+      if (layout.subdivision.face(f).size() > 3 && expect_projective(layout, f)) ++checked;
   }
   EXPECT_GT(checked, 50U);
 }

@@ -19,15 +19,16 @@ of them.
 
 The cut is near the cut locus of that face: it consists of the edges that a tree of shortest ways
 from the face to all others does not cross, without those that dangle. It is longer than that of
-`cut_to_disk()`, but the disk is small: hyperbolic layouts, whose errors grow exponentially with the
-distance from the centre, stay accurate. The length of a way is that of steps from face to face,
-each as long as a mean side.
+`cut_to_disk()`, but the disk is small: hyperbolic layouts, whose errors grow exponentially with
+the distance from the centre, stay accurate. Fans that meet in a vertex are taken apart. The length
+of a way is that of steps from face to face, each as long as a mean side.
 \param s the surface, orientable or not, of any number of components; `is_kept` is not read
 \param through vertices that the cut passes through
 \param centers the number of faces of each component that are tried; that is kept whose farthest
   face is nearest
 \return nonzero for both sides of each edge to cut, which `cut_open()` takes
-\throws Invalid_input if sizes disagree, or a vertex does not exist
+\throws Invalid_input if sizes disagree, a vertex does not exist, or a sphere has less than two of
+  the vertices
 \pre `validate(s.gluing)` does not throw, and lengths are not negative
 \complexity n log n for each center
 */

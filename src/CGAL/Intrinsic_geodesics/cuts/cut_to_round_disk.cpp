@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -25,18 +26,21 @@ namespace {
 class Round_disk_cutter {
 public:
   Round_disk_cutter(const Surface_to_cut& s, std::span<const std::uint32_t> through)
-      : g_(s.gluing), is_fixed_(g_.number_of_vertices, 0), is_cut_(g_.glue.size(), 0),
+      : fans_(cut_open(s.gluing, std::vector<char>(s.gluing.glue.size(), 0))), g_(fans_.gluing),
+        is_fixed_(g_.number_of_vertices, 0), is_cut_(g_.glue.size(), 0),
         distance_(g_.number_of_faces(), infinity), entry_(g_.number_of_faces(), Gluing::none) {
     if (s.length.size() != g_.glue.size())
       throw Invalid_input(Element_kind::none, 0,
                           std::to_string(s.length.size()) + " lengths for " +
                               std::to_string(g_.glue.size()) + " sides; give one for each");
     for (const std::uint32_t v : through) {
-      if (v >= is_fixed_.size())
+      if (v >= s.gluing.number_of_vertices)
         throw Invalid_input::about(Element_kind::vertex, v,
                                    ", which a cut is to pass through, does not exist");
-      is_fixed_[v] = 1;
+      is_fixed_[v] = 1; // and copies, which have the numbers after
     }
+    for (std::size_t v = 0; v < is_fixed_.size(); ++v)
+      is_fixed_[v] = is_fixed_[fans_.original_vertex[v]];
     for (std::size_t h = 0; h < s.length.size(); h += 3)
       size_.push_back((s.length[h] + s.length[h + 1] + s.length[h + 2]) / 3);
   }
@@ -107,11 +111,26 @@ private:
 
   // Cuts all edges but those of the tree.
   void cut_component() {
+    std::size_t sides = 0, fixed = 0;
+    bool is_closed = true;
+    std::vector<std::uint32_t> corners;
     for (const std::uint32_t f : order_)
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
-        if (g_.glue[h] == Gluing::none) continue;
-        is_cut_[h] = entry_[f] != h && entry_[partner(h) / 3] != partner(h) ? 1 : 0;
+        corners.push_back(g_.origin[h]);
+        if (g_.glue[h] == Gluing::none) is_closed = false;
+        if (g_.glue[h] == Gluing::none || entry_[f] == h || entry_[partner(h) / 3] == partner(h))
+          continue;
+        is_cut_[h] = 1;
+        ++sides;
       }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const std::uint32_t v : corners)
+      if (is_fixed_[v] != 0) ++fixed;
+    // the cut is a tree, of which nothing stays between less than two vertices
+    if (is_closed && sides / 2 + 1 == corners.size() && fixed < 2)
+      throw Invalid_input::about(Element_kind::face, order_.front(),
+                                 " is on a sphere; name two vertices that the cut passes through");
   }
 
   // Takes edges out of the cut that end at a vertex with no other edge of it, one after another.
@@ -147,6 +166,7 @@ private:
     return {g_.origin[h], g_.origin[Gluing::next(h)]};
   }
 
+  Opened_surface fans_; // at vertices where fans of faces meet they are taken apart
   const Gluing& g_;
   std::vector<char> is_fixed_; // per vertex: no end of the cut there is loose
   std::vector<char> is_cut_;   // per side
