@@ -75,7 +75,10 @@ void constrain_sharp_edges(const Surface& s, double angle, Constraints& c) {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const IT::Gluing_map::Face f = mesh.face(Halfedge{2 * e}), g = mesh.face(Halfedge{2 * e + 1});
     if (f.index == IT::Gluing::none || g.index == IT::Gluing::none || is_diagonal(s, e)) continue;
-    if (fold(normal(s, f), normal(s, g)) > angle) c.is_constrained[e] = 1;
+    Point n = normal(s, g);
+    if (mesh.is_reversed({e}))
+      for (double& x : n) x = -x;
+    if (fold(normal(s, f), n) > angle) c.is_constrained[e] = 1;
   }
 }
 

@@ -80,8 +80,12 @@ void describe(Loaded<Triangulation>& loaded) {
   loaded.seconds.topology = watch.lap();
 }
 
-/// Cuts a mesh open, and edges of it that are kept, before its triangulation is built.
-using Cutter = std::function<Cut(Mesh_file&, Constraints&, const Options&)>;
+/// Cuts meshes open before their triangulations are built; or does nothing, if it has no functions.
+struct Cutter {
+  std::function<void(Mesh_file&)> prepare; ///< what to do with the mesh as it was read
+  /// Cuts the mesh and edges of it that are kept.
+  std::function<Cut(Mesh_file&, Constraints&, const Options&)> cut;
+};
 
 /// returns a point for each copy of a vertex.
 inline std::vector<Point> points_of_copies(std::vector<Point> points, const Cut& cut) {
@@ -98,6 +102,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
   progress.show("reading");
   Mesh_file file = read_mesh(options.input, surface_of(options));
   progress.show("building");
+  if (cut_open.prepare) cut_open.prepare(file);
   Constraints constraints = constraints_of(file, options);
   const IT::Polygon_report polygons = file.input.planar_polygons.report;
   // exact traits keep the points unless they only keep changed lengths
@@ -108,9 +113,9 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
     const Metric_report metric = change_metric(file, options);
     Input_facts facts;
     Cut cut;
-    if (cut_open) {
+    if (cut_open.cut) {
       const IT::Gluing_map before = file.input.mesh;
-      cut = cut_open(file, constraints, options);
+      cut = cut_open.cut(file, constraints, options);
       if (cut.is_cut()) facts = facts_of(before);
       points = points_of_copies(std::move(points), cut);
     }

@@ -116,7 +116,8 @@ const char* name(IT::Domain_kind kind) {
 
 Json domain_json(const IT::Domain_report& report,
                  const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices) {
-  Json json = {{"kind", cloud ? "points" : name(report.kind)},
+  const bool is_sheet = report.kind != IT::Domain_kind::manifold && report.sheets == 1;
+  Json json = {{"kind", cloud ? "points" : is_sheet ? "sheet" : name(report.kind)},
                {"reason", report.reason},
                {"sheets", report.sheets},
                {"vertices", vertices},

@@ -91,14 +91,82 @@ class Parametrize(Cli_test):
         loop = self.write("cut.txt", "".join(f"{x} {(x + 1) % 6}\n" for x in range(6)))
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", loop), "cut.txt",
                           "1 component, 0 handles and 2 borders")
+        moebius = self.write_off("moebius.off", *self.moebius(6))
+        self.assert_fails(self.run_program("parametrize", moebius, "--cut", none), "one side only")
         none = self.write("none.txt", "0 8\n")
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", none), "none.txt")
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", "missing.txt"),
                           "missing.txt")
-        more, others = grid(2)
-        two = self.write_off("two.off", points + [(x + 9, y, z) for x, y, z in more],
-                             triangles(faces) + [[v + 30 for v in f] for f in others])
-        self.assert_fails(self.run_program("parametrize", two), "not connected")
+
+    def boxes_of_components(self, name):
+        """The boxes in the plane of the parts of a surface that share vertices there."""
+        _, places, corners = read_obj(self.path(name))
+        parts = []
+        for face in corners:
+            found = {c for _, c in face}
+            for part in [p for p in parts if p & found]:
+                parts.remove(part)
+                found |= part
+            parts.append(found)
+        return [[f(places[c][k] for c in part) for k in (0, 1) for f in (min, max)]
+                for part in parts]
+
+    def assert_disjoint(self, boxes):
+        for i, (a, b, c, d) in enumerate(boxes):
+            for e, f, g, h in boxes[:i]:
+                self.assertTrue(b < e or f < a or d < g or h < c)
+
+    def test_components_lie_beside_each_other(self):
+        shapes = (torus(6, 5), icosphere(1), grid(3))
+        points, faces = [], []
+        for k, (more, others) in enumerate(shapes):
+            faces += [[v + len(points) for v in f] for f in triangles(others)]
+            points += [(x + 9 * k, y, z) for x, y, z in more]
+        mesh = self.write_off("m.off", points, faces)
+        for method in ("harmonic", "lscm", "spectral"):
+            stats = self.stats("parametrize", mesh, "--method", method, "--on", "input", "-o", "m.obj")
+            if method != "spectral":
+                self.assertTrue(stats["parametrize"]["injective"])
+            boxes = self.boxes_of_components("m.obj")
+            self.assertEqual(len(boxes), len(shapes))
+            self.assert_disjoint(boxes)
+
+    @staticmethod
+    def moebius(n):
+        """A strip of n squares with half a turn."""
+        points = [(math.cos(2 * t) * (2 + r * math.cos(t)), math.sin(2 * t) * (2 + r * math.cos(t)),
+                   r * math.sin(t)) for t in (math.pi * i / n for i in range(n)) for r in (-1, 1)]
+        return points, [[2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2] for i in range(n - 1)] + [
+            [2 * n - 2, 2 * n - 1, 0, 1]]
+
+    def test_faces_that_form_no_oriented_manifold_are_mapped_once(self):
+        leaf, squares = grid(2)
+        points, faces = list(leaf), [list(f) for f in squares]
+        for k in (1, 2):  # on the other leaves of the book only the line x = 0 is the same
+            number = {v: v if x == 0 else len(points) + i
+                      for i, (v, (x, _, _)) in enumerate(
+                          sorted(enumerate(leaf), key=lambda e: e[1][0] == 0))}
+            points += [(0, y, x) if k == 1 else (-x, y, 0)
+                       for (x, y, _) in sorted(leaf, key=lambda p: p[0] == 0) if x != 0]
+            faces += [[number[v] for v in (reversed(f) if k == 2 else f)] for f in squares]
+        book = self.write_off("book.off", points, triangles(faces))
+        for edges in ((), ("--sharp-angle", "20"), ("--metric", self.write(
+                "scale.txt", "2\n" * len(points))), ("--arithmetic", "double")):
+            stats = self.stats("parametrize", book, "--method", "lscm", "--on", "input", "-o",
+                               "m.obj", *edges)
+            self.assertTrue(stats["parametrize"]["injective"])
+            self.assertLess(stats["parametrize"]["max_quasi_conformal"], 1 + 1e-6)
+            self.assertEqual((stats["domain"]["kind"], stats["domain"]["sheets"]), ("sheet", 1))
+            self.assertEqual(stats["cut"]["vertices"], len(points) + 6)
+            boxes = self.boxes_of_components("m.obj")
+            self.assertEqual((len(boxes), len(read_obj(self.path("m.obj"))[2])), (3, len(faces)))
+            self.assert_disjoint(boxes)
+        strip = self.write_off("strip.off", *self.moebius(8))
+        stats = self.stats("parametrize", strip, "-o", "m.obj", "--on", "input",
+                           "--sharp-angle", "1", "--view", "m.html")
+        self.assertTrue(stats["parametrize"]["injective"])
+        self.assertEqual(stats["cut"]["edges"], 1)
+        self.assertEqual(len(read_obj(self.path("m.obj"))[1]), 18)
 
 
 if __name__ == "__main__":

@@ -510,7 +510,7 @@ void run_application(const Options& options, const Solver<IT::Exact_euclidean_tr
         else
           run(loaded, options, approximate, progress);
       },
-      options.application.cut.empty() ? Cutter() : Cutter(cut_to_disk));
+      options.application.cut.empty() ? Cutter() : Cutter{take_sheet, cut_to_disk});
 }
 
 } // namespace program

@@ -32,28 +32,32 @@ std::vector<char> edges_to_cut(const Mesh_file& file, const Options& options) {
   return constraints_of(file, listed).is_constrained;
 }
 
-// Throws if the edges of a file do not make a disk.
-void expect_disk(const IT::Gluing_map& mesh, const Options& options) {
+// Throws if the edges of a file do not make disks.
+void expect_disks(const IT::Gluing_map& mesh, const Options& options) {
   if (options.application.cut == "auto") return;
   const Input_facts facts = facts_of(mesh);
   const auto count = [](std::size_t n, const std::string& what) {
     return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
   };
-  if (facts.components == 1 && facts.genus == 0 && facts.boundary_loops == 1) return;
+  if (facts.genus == 0 && facts.boundary_loops == facts.components) return;
   throw std::runtime_error(
       options.application.cut + ": these edges do not cut " + options.input +
-      " to a disk: the surface that is cut open has " + count(facts.components, "component") +
-      ", " + count(facts.genus.value_or(0), "handle") + " and " +
+      " to disks: the surface that is cut open has " + count(facts.components, "component") + ", " +
+      (facts.genus ? count(*facts.genus, "handle") : "one side only") + " and " +
       count(facts.boundary_loops, "border") + "; change the edges, or leave them to --cut auto");
 }
 
 // The edges of the surface that is cut open, for the edges before.
 void carry_over(Constraints& constraints, const IT::Gluing_map& before,
-                const IT::Gluing_map& after) {
+                const IT::Opened_input& opened) {
   if (constraints.count == 0) return;
+  const IT::Gluing_map& after = opened.input.mesh;
   std::vector<char> is_constrained(after.number_of_edges(), 0);
   for (std::uint32_t f = 0; f < before.number_of_faces(); ++f) {
-    const std::array<Halfedge, 3> sides = before.sides({f}), copies = after.sides({f});
+    const std::array<Halfedge, 3> sides = before.sides({f});
+    std::array<Halfedge, 3> copies = after.sides({f});
+    if (!opened.reversed_faces.empty() && opened.reversed_faces[f] != 0)
+      std::swap(copies[0], copies[2]);
     for (std::size_t k = 0; k < 3; ++k)
       if (constraints.is_constrained[sides[k].index / 2] != 0)
         is_constrained[copies[k].index / 2] = 1;
@@ -64,13 +68,19 @@ void carry_over(Constraints& constraints, const IT::Gluing_map& before,
 
 } // namespace
 
+void take_sheet(Mesh_file& file) {
+  if (file.cloud || file.input.names.sheets == 1) return;
+  file.input = IT::sheet_of_cover(file.input);
+  file.domain.sheets = 1;
+}
+
 Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options) {
   Cut cut;
-  if (options.application.cut.empty() || file.cloud || file.input.names.sheets > 1) return cut;
+  if (file.cloud) return cut;
   const std::vector<char> is_cut =
       naming_file(options.input, [&] { return edges_to_cut(file, options); });
   IT::Opened_input opened = IT::cut_open(file.input, is_cut);
-  expect_disk(opened.input.mesh, options);
+  expect_disks(opened.input.mesh, options);
   const IT::Gluing_map& mesh = file.input.mesh;
   for (std::uint32_t e = 0; e < is_cut.size(); ++e) {
     const Halfedge h{2 * e};
@@ -84,8 +94,10 @@ Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& option
     cut.length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     cut.seams.push_back({{p, q}, false, 0});
   }
-  if (cut.edges == 0) return cut;
-  carry_over(constraints, mesh, opened.input.mesh);
+  if (cut.edges == 0 && opened.original_vertex.size() == mesh.number_of_vertices() &&
+      mesh.is_oriented())
+    return cut;
+  carry_over(constraints, mesh, opened);
   cut.original_vertex = std::move(opened.original_vertex);
   file.input = std::move(opened.input);
   return cut;

@@ -16,15 +16,19 @@
 
 namespace program {
 
-/*!
-\brief cuts a mesh open to a disk, as `--cut` says, and edges that are kept with it.
+/// takes the triangles of a file in place of a cover of them; they need not be orientable.
+void take_sheet(Mesh_file& file);
 
-A disk stays as it is.
+/*!
+\brief cuts a mesh open to disks, as `--cut` says, and edges that are kept with it.
+
+Disks stay as they are. A cloud of points is not cut.
 \param file becomes the surface that is cut open
 \param constraints edges of it
 \param options says how
 \return what was cut
-\throws std::runtime_error if edges of a file do not cut the mesh to a disk
+\pre there is no cover, see `take_sheet()`
+\throws std::runtime_error if edges of a file do not cut the mesh to disks
 */
 Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options);
 

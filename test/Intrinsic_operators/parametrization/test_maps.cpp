@@ -483,7 +483,8 @@ TEST(Disk_border, is_refused_of_what_is_no_disk) {
   expect_no_disk(input(gallery::annulus(5)), "more than one border", border);
   expect_no_disk(tetrahedron().input(), "no border", border);
   expect_no_disk(input(gallery::self_folded_cone()), "1 vertices", border);
-  expect_no_disk(beside(grid(1), grid(1), 5).input(), "not connected", border);
+  expect_no_disk(beside(grid(1), tetrahedron(), 5).input(), "vertex of row 4 has no border",
+                 border);
   const auto soup = soups::soup({grid(2).points, grid(2).triangles});
   expect_no_disk(IT::make_domain(soup, IT::Domain_kind::tufted_cover).input, "cover", border);
 }

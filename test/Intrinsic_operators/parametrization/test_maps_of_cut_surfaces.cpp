@@ -8,9 +8,14 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include "meshes.h"
 #include "operator_test_meshes.h"
@@ -27,6 +32,7 @@
 #include <cstdint>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Maps of surfaces that are no disks, after a cut: flat ones keep all lengths.
@@ -148,6 +154,85 @@ TEST(Maps_of_cut_surfaces, Rough_tori_are_mapped_injectively) {
     const IT::Injective_map map = IT::injective_harmonic_map(t);
     EXPECT_EQ(map.status, IT::Status::done);
     EXPECT_TRUE(map.certificate.is_injective());
+  }
+}
+
+// Pages of a book, flat squares that share a side, some of them turned around.
+TEST(Maps_of_cut_surfaces, Faces_below_a_tufted_cover_are_mapped_once) {
+  for (const std::uint32_t pages : {1U, 2U, 3U, 4U}) {
+    SCOPED_TRACE("pages " + std::to_string(pages));
+    IT::Triangle_soup soup;
+    for (std::uint32_t p = 0; p < pages; ++p) {
+      const Shape s = grid(3);
+      std::vector<std::uint32_t> number;
+      for (const auto& [x, y, z] : s.points) {
+        const bool is_new = p == 0 || x > 0;
+        number.push_back(is_new ? static_cast<std::uint32_t>(soup.points.size())
+                                : static_cast<std::uint32_t>(4 * y));
+        const double angle = 1.5 * p;
+        if (is_new) soup.points.push_back({x * std::cos(angle), y, x * std::sin(angle)});
+      }
+      for (std::size_t f = 0; f < s.triangles.size(); ++f) {
+        const auto& [a, b, c] = s.triangles[f];
+        soup.triangles.push_back({number[a], number[b], number[c]});
+        if (f % 3 == p) std::swap(soup.triangles.back()[0], soup.triangles.back()[1]);
+      }
+    }
+    soup.input_faces = soup.triangles.size();
+    const IT::Domain domain = IT::make_domain(soup, IT::Domain_kind::tufted_cover);
+    const IT::Intrinsic_input sheet = IT::sheet_of_cover(domain.input);
+    EXPECT_EQ(sheet.points, soup.points);
+    ASSERT_EQ(sheet.mesh.number_of_faces(), soup.triangles.size());
+    const IT::Opened_input disks = IT::cut_open(sheet, IT::cut_to_disk(sheet));
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+      std::array<std::uint32_t, 3> corners = disks.corners[f];
+      for (std::uint32_t& v : corners) v = disks.original_vertex[v];
+      if (disks.reversed_faces[f] != 0) std::swap(corners[1], corners[2]);
+      EXPECT_EQ(corners, soup.triangles[f]);
+    }
+    const Exact t(disks.input);
+    const Map uv = IT::least_squares_conformal_map(t);
+    expect_isometric(disks, uv);
+    EXPECT_TRUE(IT::certify_map(t, uv).is_injective());
+    EXPECT_EQ(IT::connected_components(disks.input.mesh).count, pages < 3 ? 1 : pages);
+  }
+  EXPECT_THROW(IT::sheet_of_cover(IT::make_point_cloud(grid(4).points, 8).input),
+               IT::Invalid_input);
+}
+
+TEST(Maps_of_cut_surfaces, A_flat_Moebius_strip_is_unrolled) {
+  IT::Gluing g; // squares in a row, of two triangles each; the last side is glued to the first
+  constexpr std::uint32_t squares = 5;
+  for (std::uint32_t i = 0; i < squares; ++i) {
+    const auto vertex = [](std::uint32_t column, std::uint32_t row) {
+      return column < squares ? 2 * column + row : 1 - row;
+    };
+    const std::uint32_t a = vertex(i, 0), b = vertex(i + 1, 0), c = vertex(i + 1, 1),
+                        d = vertex(i, 1), f = 6 * i;
+    for (const std::uint32_t v : {a, b, c, a, c, d}) g.origin.push_back(v);
+    const std::uint32_t before = i == 0 ? IT::Gluing::reversed(6 * squares - 5) : f - 5,
+                        after = i + 1 == squares ? IT::Gluing::reversed(5) : f + 11;
+    for (const std::uint32_t h : {IT::Gluing::none, after, f + 3, f + 2, IT::Gluing::none, before})
+      g.glue.push_back(h);
+  }
+  g.number_of_vertices = 2 * squares;
+  IT::Gluing_map map(g);
+  std::vector<double> squared(map.number_of_edges());
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      squared[map.sides({f})[k].index / 2] = k == (f % 2 == 0 ? 2 : 0) ? 2 : 1;
+  const IT::Intrinsic_input in(std::move(map), squared);
+  for (const IT::Domain_kind kind : {IT::Domain_kind::automatic, IT::Domain_kind::tufted_cover}) {
+    const IT::Domain domain = IT::make_domain(in, kind);
+    ASSERT_EQ(domain.report.sheets, 2U);
+    const IT::Intrinsic_input sheet = IT::sheet_of_cover(domain.input);
+    EXPECT_EQ(IT::gluing_from_map(sheet.mesh).glue, g.glue);
+    EXPECT_EQ(IT::gluing_from_map(sheet.mesh).origin, g.origin);
+    const IT::Opened_input disk = IT::cut_open(sheet, IT::cut_to_disk(sheet));
+    const Exact t(disk.input);
+    const Map uv = IT::least_squares_conformal_map(t);
+    expect_isometric(disk, uv);
+    EXPECT_TRUE(IT::certify_map(t, uv).is_injective());
   }
 }
 

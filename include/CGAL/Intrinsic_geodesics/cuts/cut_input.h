@@ -18,9 +18,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is the input of an intrinsic triangulation that was cut open along edges: the input of a
 triangulation of the pieces.
 
-Faces keep their numbers. Lengths are those before, exactly. A vertex with n cut edges has n copies,
-see `cut_open()`: the first one has its number, others have the numbers after. So rows of matrices
-are those of copies.
+Faces keep their numbers; pieces that become orientable are oriented. Lengths are those before,
+exactly. A vertex with n cut edges has n copies, see `cut_open()`: the first one has its number,
+others have the numbers after. So rows of matrices are those of copies.
 */
 struct Opened_input {
   Intrinsic_input input; ///< the pieces
@@ -29,14 +29,34 @@ struct Opened_input {
   /// The vertices of `input` at the corners of each face, counterclockwise, in the order of the
   /// sides of the face; for values per corner.
   std::vector<std::array<std::uint32_t, 3>> corners;
+  /// Nonzero for each face that was turned around, whose side k is 2 - k now; empty: there is none.
+  std::vector<char> reversed_faces;
 };
+
+/*!
+\brief takes the triangles below a double cover: those from which `make_domain()` made it, glued
+where two of them meet.
+
+Edges where more triangles meet are borders of each of them. The surface need not be orientable:
+cut it to disks, which are, before you build a triangulation. So it maps any triangles to the plane:
+
+    const Intrinsic_input sheet = sheet_of_cover(make_domain(soup).input);
+    const Opened_input disks = cut_open(sheet, cut_to_disk(sheet));
+
+\param cover the result of `make_domain()`
+\return the triangles, in their order, with a vertex for each of the user; the input itself if it is
+  no cover
+\throws Invalid_input if it has more than two sheets: there are no triangles below a cloud of points
+\complexity linear
+*/
+Intrinsic_input sheet_of_cover(const Intrinsic_input& cover);
 
 /*!
 \brief finds a short cut along edges that makes a disk of each component of an input; see the
 overload for arrays in `cut_to_disk.h`.
 
 The user's polygons stay whole: diagonals are not cut.
-\param in the input, with any numbers of handles and borders
+\param in the input, with any numbers of handles and borders, orientable or not
 \param through vertices that the cut passes through
 \param roots how many roots are tried
 \return nonzero for each edge to cut, by its number in `in.mesh`; `cut_open()` takes it
@@ -56,6 +76,7 @@ Parametrization, which needs a disk, then works for every surface:
     const Injective_map map = injective_harmonic_map(t);
     // corner k of face f is at map.uv.row(disk.corners[f][k])
 
+The pieces are oriented, as most of the faces of each are, if they are orientable.
 \param in the input
 \param is_cut nonzero for each edge to cut, by its number in `in.mesh`; border edges are cut already
 \return the pieces

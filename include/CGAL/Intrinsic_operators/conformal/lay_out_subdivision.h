@@ -81,8 +81,8 @@ struct Subdivision_layout {
   std::vector<std::uint32_t> original_vertex;
   /// The face before that each face is.
   std::vector<std::uint32_t> original_face;
-  /// The place of each vertex of `subdivision` in the plane, of a hyperbolic one in Poincaré's
-  /// disk.
+  /// The place of each vertex of `subdivision` in the plane, where components lie beside each other,
+  /// see `pack_components()`; of a hyperbolic one in Poincaré's disk.
   Eigen::MatrixX2d positions;
   /// The number q of each vertex; empty without input lengths.
   Eigen::VectorXd weights;
@@ -130,7 +130,7 @@ Each polygon is divided into triangles from its first corner. A convex polygon, 
 rounding, keeps its orientation exactly if all of these do.
 \param layout the layout
 \return the certificate of these triangles, numbered in the order of the polygons; the border is
-  simple only if the layout is one disk that does not overlap
+  simple only if the layout consists of disks that do not overlap
 \complexity O(n log n)
 */
 Map_certificate certify_map(const Subdivision_layout& layout);

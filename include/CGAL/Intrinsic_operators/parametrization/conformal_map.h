@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <vector>
 
 /*!
 \file
@@ -24,6 +25,8 @@ energy
 
 which is not negative, and zero if all angles stay the same. C is Hermitian: half the cotangent
 Laplacian minus the area as a form on the border.
+
+Several disks are mapped one by one, and lie beside each other, see `pack_components()`.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -32,30 +35,31 @@ namespace internal {
 
 // C, with rows as the Laplacian
 Eigen::SparseMatrix<std::complex<double>>
-conformal_energy(const Eigen::SparseMatrix<double>& laplacian, const Disk_border& border);
+conformal_energy(const Eigen::SparseMatrix<double>& laplacian,
+                 const std::vector<Disk_border>& borders);
 
 Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
-                                             const Disk_border& border);
+                                             const std::vector<Disk_border>& borders);
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
-                                        const Disk_border& border);
+                                        const std::vector<Disk_border>& borders);
 
 } // namespace internal
 
 /*!
-\brief assembles the matrix of the conformal energy of a disk, see the head of the file.
+\brief assembles the matrix of the conformal energy of disks, see the head of the file.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \return a Hermitian, positive semidefinite matrix with a row and column per row of
   `t.input_vertex()`, without dimension
-\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\throws Invalid_input if a face has no area, or a component is not a disk, see `circular_border()`
 \complexity linear
 */
 template <MeasuredTriangulation Triangulation>
   requires NumberedTriangulation<Triangulation> Eigen::SparseMatrix<std::complex<double>>
   conformal_energy(const Triangulation& t) {
-    return internal::conformal_energy(cotangent_laplacian(t), internal::disk_border(t));
+    return internal::conformal_energy(cotangent_laplacian(t), internal::disk_borders(t));
   }
 
 /*!
@@ -69,10 +73,10 @@ If no conformal map exists, the result depends on the two vertices; that of
 finds out exactly.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
-\param t the triangulation of a disk
+\param t the triangulation of a disk, or of several
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
   are at (0, 0)
-\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\throws Invalid_input if a face has no area, or a component is not a disk, see `circular_border()`
 \throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers
 */
@@ -81,7 +85,7 @@ template <MeasuredTriangulation Triangulation>
   least_squares_conformal_map(const Triangulation& t) {
     const internal::Face_table table = internal::face_table(t);
     return internal::least_squares_conformal_map(
-        table, cotangent_laplacian(t), internal::disk_border(table, t.input().names().sheets));
+        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets));
   }
 
 /*!
@@ -95,10 +99,10 @@ the positive x-axis, and is scaled to the area of the surface. `certify_map()` t
 injective.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
-\param t the triangulation of a disk
+\param t the triangulation of a disk, or of several
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
   are at (0, 0)
-\throws Invalid_input if a face has no area, or the surface is not a disk, see `circular_border()`
+\throws Invalid_input if a face has no area, or a component is not a disk, see `circular_border()`
 \throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers, and of some solutions
 */
@@ -106,8 +110,8 @@ template <MeasuredTriangulation Triangulation>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
   spectral_conformal_map(const Triangulation& t) {
     const internal::Face_table table = internal::face_table(t);
-    return internal::spectral_conformal_map(table, cotangent_laplacian(t),
-                                            internal::disk_border(table, t.input().names().sheets));
+    return internal::spectral_conformal_map(
+        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets));
   }
 
 /// \cond

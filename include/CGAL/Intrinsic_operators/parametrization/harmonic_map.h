@@ -29,8 +29,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief maps a disk to the plane by harmonic functions with given values on the border (§4.10, Fig.
-30 of the course).
+\brief maps a disk, or several, to the plane by harmonic functions with given values on the border
+(§4.10, Fig. 30 of the course).
 
 Each inner vertex is the mean of its neighbours, weighted by cotangents. On a Delaunay triangulation
 no weight is negative: if the border is convex, no inner vertex leaves it, and no face turns over
@@ -42,7 +42,7 @@ exactly, and `injective_harmonic_map()` refines the triangulation until there ar
 Without `flip_to_delaunay()` the map exists too, but without that guarantee.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
-\param t the triangulation of a disk
+\param t the triangulation
 \param border the positions of the border, see `circular_border()` and `polygonal_border()`; inner
 vertices may be fixed too
 \return a point, x and y, per row of `t.input_vertex()`; given positions stay exactly; isolated
@@ -72,7 +72,8 @@ Eigen::MatrixX2d harmonic_map(const Triangulation& t, const Border_map& border) 
                                  values);
 }
 
-/// maps a disk to the unit disk by harmonic functions: to the `circular_border()`.
+/// maps a disk to the unit disk by harmonic functions, and several to disks beside each other: to
+/// the `circular_border()`.
 template <MeasuredTriangulation Triangulation>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
   harmonic_map(const Triangulation& t) {
@@ -161,8 +162,9 @@ std::size_t split_longest_inner_edges(Triangulation& t, const std::vector<std::u
 } // namespace internal
 
 /*!
-\brief makes a triangulation of a disk Delaunay, maps it to the plane by harmonic functions, and
-refines it where faces do not turn counterclockwise, until the map is certified to be injective.
+\brief makes a triangulation of a disk, or of several, Delaunay, maps it to the plane by harmonic
+functions, and refines it where faces do not turn counterclockwise, until the map is certified to be
+injective.
 
 In an intrinsic Delaunay triangulation, two vertices may separate a part from the border: two edges
 with the same ends, or a vertex of degree one or two. A map by means of neighbours takes that part
@@ -178,14 +180,14 @@ split: then the status is `inaccurate`. Splits would not help, since rounding de
 parts turn: on a rough grid with needles of 10^-9, splits down to 2^-40 inserted more than 2600
 vertices in 20 rounds and left at least 100 wrong faces; the limit leaves 27.
 \tparam Triangulation a model of `RefinableTriangulation`
-\param t the triangulation of a disk; it stays refined for every status, and if an exception is
+\param t the triangulation; it stays refined for every status, and if an exception is
 thrown
 \param border the positions of the border, a convex polygon; see `circular_border()` and
 `polygonal_border()`
 \param np optional named parameters:
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 20.
 \return the map, its certificate and status
-\throws Invalid_input if a face has no area, or the surface is not a disk
+\throws Invalid_input if a face has no area, or a component is not a disk
 \throws std::invalid_argument as `harmonic_map()` does
 \throws Indefinite_matrix as `harmonic_map()` does
 \complexity that of a harmonic map per round; most inputs need few or none
@@ -216,7 +218,7 @@ Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
   return result;
 }
 
-/// maps a disk to the unit disk: to the `circular_border()`; see above.
+/// maps disks to the `circular_border()`; see above.
 template <RefinableTriangulation Triangulation>
 Injective_map injective_harmonic_map(Triangulation& t) {
   return injective_harmonic_map(t, circular_border(t));

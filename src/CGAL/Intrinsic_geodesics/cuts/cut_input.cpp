@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <array>
@@ -28,9 +29,10 @@ namespace {
 
 void expect_no_cover(const Intrinsic_input& in) {
   if (!in.names.row_of_vertex.empty() || in.names.sheets > 1)
-    throw Invalid_input(Element_kind::none, 0,
-                        "the surface is a cover of faces that are not an oriented manifold, and is "
-                        "not cut open; start from an oriented manifold mesh");
+    throw Invalid_input(
+        Element_kind::none, 0,
+        "the surface is a cover, which is not cut open; cut the triangles below it, "
+        "which sheet_of_cover() returns");
 }
 
 double length_of_side(const Intrinsic_input& in, Gluing_map::Halfedge h) {
@@ -99,6 +101,48 @@ Planar_polygons polygons_of_copies(const Intrinsic_input& in, const Opened_input
 
 } // namespace internal
 
+Intrinsic_input sheet_of_cover(const Intrinsic_input& cover) {
+  using internal::Double_cover;
+  const Input_names& names = cover.names;
+  if (names.sheets == 1) return cover;
+  if (names.sheets > 2)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are no triangles below a surface of " +
+                            std::to_string(names.sheets) +
+                            " sheets, such as that of a cloud of points; start from triangles");
+  internal::check_sizes(cover);
+  const Gluing above = gluing_from_map(cover.mesh);
+  Gluing g{names.number_of_rows(above.number_of_vertices), {}, {}};
+  for (std::uint32_t h = 0; h < above.origin.size() / 2; ++h) {
+    g.origin.push_back(names.row(above.origin[Double_cover::front(h)]));
+    g.glue.push_back(Gluing::none);
+    // where two triangles meet, each side of one is glued to a side of the other
+    const std::uint32_t p = above.glue[Double_cover::front(h)],
+                        q = above.glue[Double_cover::back(h)];
+    if (p == Gluing::none || q == Gluing::none) continue;
+    const std::uint32_t other = Double_cover::side(p);
+    if (other == h || other != Double_cover::side(q)) continue;
+    g.glue.back() = p == Double_cover::front(other) ? other : Gluing::reversed(other);
+  }
+  Intrinsic_input result = cover;
+  result.names = {};
+  for (std::size_t f = 0; f < names.polygon_of_triangle.size(); f += 2)
+    result.names.polygon_of_triangle.push_back(names.polygon_of_triangle[f]);
+  result.mesh = Gluing_map::from_valid(g);
+  if (!cover.points.empty()) {
+    result.points.resize(g.number_of_vertices);
+    for (std::uint32_t v = 0; v < cover.points.size(); ++v)
+      result.points[names.row(v)] = cover.points[v];
+    return result;
+  }
+  result.squared_lengths.resize(result.mesh.number_of_edges());
+  internal::for_each_side(result.mesh, [&](std::uint32_t side, Gluing_map::Halfedge h) {
+    const auto above_it = cover.mesh.sides({2 * (side / 3)})[side % 3];
+    result.squared_lengths[h.index / 2] = cover.squared_lengths[above_it.index / 2];
+  });
+  return result;
+}
+
 std::vector<char> cut_to_disk(const Intrinsic_input& in, std::span<const std::uint32_t> through,
                               std::size_t roots) {
   internal::expect_no_cover(in);
@@ -132,6 +176,9 @@ Opened_input cut_open(const Intrinsic_input& in, const std::vector<char>& is_cut
   Opened_input result;
   Intrinsic_input& out = result.input;
   out = in;
+  if (!in.mesh.is_oriented()) result.reversed_faces = orient_faces(s.gluing).reversed_faces;
+  out.reversed_faces +=
+      internal::number_of_reversed(result.reversed_faces, in.names.polygon_of_triangle);
   out.mesh = Gluing_map::from_valid(s.gluing);
   result.original_vertex = std::move(s.original_vertex);
   if (!in.points.empty())
@@ -143,8 +190,12 @@ Opened_input cut_open(const Intrinsic_input& in, const std::vector<char>& is_cut
   internal::for_each_side(
       in.mesh, [&](std::uint32_t, Gluing_map::Halfedge h) { edge.push_back(h.index / 2); });
   internal::for_each_side(out.mesh, [&](std::uint32_t side, Gluing_map::Halfedge h) {
-    result.corners[side / 3][side % 3] = s.gluing.origin[side];
-    if (in.points.empty()) out.squared_lengths[h.index / 2] = in.squared_lengths[edge[side]];
+    const std::uint32_t f = side / 3, k = side % 3;
+    result.corners[f][k] = s.gluing.origin[side];
+    const bool is_reversed = !result.reversed_faces.empty() && result.reversed_faces[f] != 0;
+    if (in.points.empty())
+      out.squared_lengths[h.index / 2] =
+          in.squared_lengths[edge[3 * f + (is_reversed ? 2 - k : k)]];
   });
   out.names.vertices = internal::names_of_copies(in.names.vertices, result.original_vertex.size());
   out.names.edges = Element_names();

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -163,6 +164,7 @@ private:
       }
     const Developed_pieces developed = develop(p);
     layout_.positions = rows_of_points(developed.position);
+    pack_components(layout_.positions, components());
     layout_.largest_side_error = developed.largest_error;
   }
 
@@ -195,6 +197,15 @@ private:
   // whether the side that starts at a corner lies on an intrinsic edge
   bool is_intrinsic(std::uint32_t c) const {
     return layout_.subdivision.side[c].intrinsic_edge != none;
+  }
+
+  // the least vertex of the component of each vertex
+  std::vector<std::uint32_t> components() const {
+    const Common_subdivision& r = layout_.subdivision;
+    return joined_sets(r.number_of_vertices(), [&r](const auto& join) {
+      for (std::size_t f = 0; f < r.number_of_faces(); ++f)
+        for (const std::uint32_t v : r.face(f)) join(r.face(f)[0], v);
+    });
   }
 
   // the side of the flat surface that a corner is on, or starts at

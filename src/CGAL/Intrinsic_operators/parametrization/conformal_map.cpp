@@ -5,8 +5,10 @@
 #include <CGAL/Intrinsic_operators/parametrization/Border_spectrum.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -24,15 +27,16 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 Complex_matrix conformal_energy(const Eigen::SparseMatrix<double>& laplacian,
-                                const Disk_border& border) {
+                                const std::vector<Disk_border>& borders) {
   Complex_matrix c = (laplacian / 2).cast<std::complex<double>>();
   std::vector<Eigen::Triplet<std::complex<double>>> area;
-  for (std::size_t k = 0; k < border.rows.size(); ++k) { // the area is 1/2 Im(conj(w_i) w_j)
-    const auto i = static_cast<int>(border.rows[k]),
-               j = static_cast<int>(border.rows[(k + 1) % border.rows.size()]);
-    area.emplace_back(i, j, std::complex<double>(0, -0.25));
-    area.emplace_back(j, i, std::complex<double>(0, 0.25));
-  }
+  for (const Disk_border& border : borders)
+    for (std::size_t k = 0; k < border.rows.size(); ++k) { // the area is 1/2 Im(conj(w_i) w_j)
+      const auto i = static_cast<int>(border.rows[k]),
+                 j = static_cast<int>(border.rows[(k + 1) % border.rows.size()]);
+      area.emplace_back(i, j, std::complex<double>(0, -0.25));
+      area.emplace_back(j, i, std::complex<double>(0, 0.25));
+    }
   c -= matrix_of(c.rows(), c.cols(), area);
   c.makeCompressed();
   return c;
@@ -53,10 +57,69 @@ static Eigen::MatrixX2d scaled_to_area(const Face_table& table, const Eigen::Vec
   return result;
 }
 
-Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
-                                             const Eigen::SparseMatrix<double>& laplacian,
-                                             const Disk_border& border) {
-  Complex_matrix c = conformal_energy(laplacian, border);
+// A component alone, with rows of its own.
+struct Disk {
+  Face_table table;
+  Eigen::SparseMatrix<double> laplacian;
+  Disk_border border;
+  std::vector<Eigen::Index> rows; // that it has in the whole
+};
+
+static std::vector<Disk> disks_of(const Face_table& table,
+                                  const Eigen::SparseMatrix<double>& laplacian,
+                                  const std::vector<Disk_border>& borders,
+                                  const std::vector<std::uint32_t>& place) {
+  std::vector<Disk> disks(borders.size());
+  std::vector<int> local(place.size(), -1);
+  for (std::size_t r = 0; r < place.size(); ++r) {
+    if (place[r] == Gluing::none) continue;
+    std::vector<Eigen::Index>& rows = disks[place[r]].rows;
+    local[r] = static_cast<int>(rows.size());
+    rows.push_back(static_cast<Eigen::Index>(r));
+  }
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    disks[i].table.scale_exponent = table.scale_exponent;
+    disks[i].border = borders[i];
+    for (std::uint32_t& r : disks[i].border.rows) r = static_cast<std::uint32_t>(local[r]);
+  }
+  for (Table_face face : table.faces) {
+    Disk& disk = disks[place[static_cast<std::size_t>(face.rows[0])]];
+    for (int& r : face.rows) r = local[static_cast<std::size_t>(r)];
+    disk.table.faces.push_back(face);
+  }
+  for (Disk& disk : disks) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Eigen::Index column : disk.rows)
+      for (Eigen::SparseMatrix<double>::InnerIterator i(laplacian, column); i; ++i)
+        entries.emplace_back(local[static_cast<std::size_t>(i.row())],
+                             local[static_cast<std::size_t>(column)], i.value());
+    const auto n = static_cast<Eigen::Index>(disk.rows.size());
+    disk.laplacian = matrix_of(n, n, entries);
+  }
+  return disks;
+}
+
+// Maps each disk by a function of it, and packs them. One disk alone keeps its isolated vertices.
+template <class Map>
+static Eigen::MatrixX2d maps_of_disks(const Face_table& table,
+                                      const Eigen::SparseMatrix<double>& laplacian,
+                                      const std::vector<Disk_border>& borders, const Map& map) {
+  if (borders.size() == 1) return map(table, laplacian, borders.front());
+  const std::vector<std::uint32_t> component = table.components();
+  std::vector<std::uint32_t> place(component.size(), Gluing::none);
+  for (std::uint32_t i = 0; i < borders.size(); ++i) place[component[borders[i].rows[0]]] = i;
+  for (std::size_t r = 0; r < place.size(); ++r) place[r] = place[component[r]];
+  Eigen::MatrixX2d result = Eigen::MatrixX2d::Zero(laplacian.rows(), 2);
+  for (const Disk& disk : disks_of(table, laplacian, borders, place))
+    result(disk.rows, Eigen::all) = map(disk.table, disk.laplacian, disk.border);
+  pack_components(result, place);
+  return result;
+}
+
+static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
+                                                  const Eigen::SparseMatrix<double>& laplacian,
+                                                  const Disk_border& border) {
+  Complex_matrix c = conformal_energy(laplacian, {border});
   regularise_isolated(c);
   const double half = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0) / 2;
   std::size_t other = 0;
@@ -73,15 +136,27 @@ Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
   return scaled_to_area(table, w);
 }
 
-Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
-                                        const Eigen::SparseMatrix<double>& laplacian,
-                                        const Disk_border& border) {
-  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, border), border);
+static Eigen::MatrixX2d spectral_map_of_disk(const Face_table& table,
+                                             const Eigen::SparseMatrix<double>& laplacian,
+                                             const Disk_border& border) {
+  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, {border}), border);
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
   for (Eigen::Index r = 0; r < w.size(); ++r)
     if (laplacian.coeff(static_cast<int>(r), static_cast<int>(r)) == 0) w[r] = 0;
   return scaled_to_area(table, w);
+}
+
+Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
+                                             const Eigen::SparseMatrix<double>& laplacian,
+                                             const std::vector<Disk_border>& borders) {
+  return maps_of_disks(table, laplacian, borders, least_squares_map_of_disk);
+}
+
+Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
+                                        const Eigen::SparseMatrix<double>& laplacian,
+                                        const std::vector<Disk_border>& borders) {
+  return maps_of_disks(table, laplacian, borders, spectral_map_of_disk);
 }
 
 } // namespace internal

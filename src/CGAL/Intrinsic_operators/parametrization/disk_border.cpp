@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -10,13 +12,12 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,44 +27,94 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-[[noreturn]] static void throw_no_disk(const std::string& why) {
+[[noreturn]] static void throw_no_disk(const std::string& what, const std::string& why) {
   throw Invalid_input(Element_kind::none, 0,
-                      "only a disk is mapped to the plane, but the surface " + why +
-                          "; cut_open() makes a disk of a connected oriented surface");
+                      "only disks are mapped to the plane, but " + what + ' ' + why +
+                          "; cut_open() makes disks of surfaces");
 }
 
-Disk_border disk_border(const Face_table& table, std::uint32_t sheets) {
-  if (sheets > 1) throw_no_disk("is a cover");
-  std::set<int> rows;
-  for (const Table_face& f : table.faces) rows.insert(f.rows.begin(), f.rows.end());
-  std::ptrdiff_t edges = 0;
-  table.for_each_edge([&](const Table_face&, std::size_t) { ++edges; });
-  const std::vector<std::uint32_t> component = table.components();
-  for (const int row : rows)
-    if (component[static_cast<std::size_t>(row)] != static_cast<std::uint32_t>(*rows.begin()))
-      throw_no_disk("is not connected");
-  std::map<int, std::pair<int, double>> next;
-  table.for_each_border_side([&](const Table_face& f, std::size_t k) {
-    if (!next.insert({f.rows[k], {f.rows[(k + 1) % 3], f.length(k)}}).second)
-      throw_no_disk("has a border that meets itself at the vertex of row " +
-                    std::to_string(f.rows[k]));
-  });
-  if (next.empty()) throw_no_disk("has no border");
-  Disk_border border;
-  int row = next.begin()->first;
-  do {
-    border.rows.push_back(static_cast<std::uint32_t>(row));
-    border.lengths.push_back(next.at(row).second);
-    row = next.at(row).first;
-  } while (row != next.begin()->first);
-  if (border.rows.size() < next.size()) throw_no_disk("has more than one border");
-  if (static_cast<std::ptrdiff_t>(rows.size()) - edges +
-          static_cast<std::ptrdiff_t>(table.faces.size()) !=
-      1)
-    throw_no_disk("has handles, or is not manifold");
-  if (border.rows.size() < 3)
-    throw_no_disk("has only " + std::to_string(border.rows.size()) + " vertices on its border");
-  return border;
+namespace {
+
+// Finds the borders of components, which have their least row as name.
+class Border_finder {
+public:
+  explicit Border_finder(const Face_table& table)
+      : table_(table), component_(table.components()), place_(table.number_of_rows, Gluing::none),
+        euler_(table.number_of_rows, 0), next_(table.number_of_rows, {Gluing::none, 0}) {
+    for (const Table_face& f : table.faces) {
+      ++euler_[component_[row(f, 0)]];
+      for (std::size_t k = 0; k < 3; ++k) has_faces_[row(f, k)] = 1;
+    }
+    table.for_each_edge(
+        [this](const Table_face& f, std::size_t) { --euler_[component_[row(f, 0)]]; });
+    for (std::uint32_t r = 0; r < component_.size(); ++r) {
+      if (has_faces_[r] == 0) continue;
+      ++euler_[component_[r]];
+      if (component_[r] == r) place_[r] = components_++;
+    }
+  }
+
+  std::vector<Disk_border> run() {
+    link();
+    std::vector<Disk_border> borders(components_);
+    for (std::uint32_t r = 0; r < next_.size(); ++r) {
+      if (next_[r].first == Gluing::none) continue;
+      Disk_border& border = borders[place_[component_[r]]];
+      if (!border.rows.empty()) fail(r, "has more than one border");
+      for (std::uint32_t v = r; next_[v].first != Gluing::none;) {
+        border.rows.push_back(v);
+        border.lengths.push_back(next_[v].second);
+        v = std::exchange(next_[v].first, Gluing::none);
+      }
+    }
+    for (std::uint32_t r = 0; r < place_.size(); ++r) {
+      if (place_[r] == Gluing::none) continue;
+      const std::size_t size = borders[place_[r]].rows.size();
+      if (size == 0) fail(r, "has no border");
+      if (euler_[r] != 1) fail(r, "has handles, or is not manifold");
+      if (size < 3) fail(r, "has only " + std::to_string(size) + " vertices on its border");
+    }
+    for (const Table_face& f : table_.faces)
+      borders[place_[component_[row(f, 0)]]].area += f.area();
+    return borders;
+  }
+
+private:
+  static std::uint32_t row(const Table_face& f, std::size_t k) {
+    return static_cast<std::uint32_t>(f.rows[k]);
+  }
+
+  void link() {
+    table_.for_each_border_side([this](const Table_face& f, std::size_t k) {
+      auto& next = next_[row(f, k)];
+      if (next.first != Gluing::none)
+        fail(row(f, k),
+             "has a border that meets itself at the vertex of row " + std::to_string(f.rows[k]));
+      next = {row(f, (k + 1) % 3), f.length(k)};
+    });
+  }
+
+  [[noreturn]] void fail(std::uint32_t r, const std::string& why) const {
+    throw_no_disk(components_ == 1
+                      ? "the surface"
+                      : "the component of the vertex of row " + std::to_string(component_[r]),
+                  why);
+  }
+
+  const Face_table& table_;
+  std::vector<std::uint32_t> component_;               // of each row
+  std::vector<std::uint32_t> place_;                   // of a component among all
+  std::vector<std::ptrdiff_t> euler_;                  // characteristic of each component
+  std::vector<std::pair<std::uint32_t, double>> next_; // on the border, with the distance
+  std::vector<char> has_faces_ = std::vector<char>(component_.size(), 0); // of each row
+  std::uint32_t components_ = 0;
+};
+
+} // namespace
+
+std::vector<Disk_border> disk_borders(const Face_table& table, std::uint32_t sheets) {
+  if (sheets > 1) throw_no_disk("the surface", "is a cover");
+  return Border_finder(table).run();
 }
 
 // the position of each vertex along the border, as a part of its length
@@ -75,14 +126,41 @@ static std::vector<double> places_along(const Disk_border& border) {
   return places; // one more than there are vertices: 1
 }
 
-Border_map circular_border(const Disk_border& border) {
-  Border_map map{border.rows, Eigen::MatrixX2d(static_cast<Eigen::Index>(border.rows.size()), 2)};
-  const std::vector<double> places = places_along(border);
-  for (Eigen::Index i = 0; i < map.positions.rows(); ++i) {
-    const double angle = 2 * std::numbers::pi * places[static_cast<std::size_t>(i)];
-    map.positions.row(i) << std::cos(angle), std::sin(angle);
+// Maps each border by a function, scaled in proportion to its disk, and packs them.
+template <class Function>
+static Border_map borders_beside_each_other(const std::vector<Disk_border>& borders,
+                                            const Function& positions) {
+  std::size_t size = 0;
+  double largest = 0;
+  for (const Disk_border& b : borders) {
+    size += b.rows.size();
+    largest = std::max(largest, b.area);
   }
+  Border_map map{{}, Eigen::MatrixX2d(static_cast<Eigen::Index>(size), 2)};
+  std::vector<std::uint32_t> component;
+  for (std::uint32_t i = 0; i < borders.size(); ++i) {
+    const Disk_border& b = borders[i];
+    const double part = std::sqrt(b.area / largest), radius = part >= 1e-3 ? part : 1e-3;
+    map.positions.middleRows(static_cast<Eigen::Index>(component.size()),
+                             static_cast<Eigen::Index>(b.rows.size())) =
+        borders.size() == 1 ? positions(b) : Eigen::MatrixX2d(radius * positions(b));
+    map.rows.insert(map.rows.end(), b.rows.begin(), b.rows.end());
+    component.insert(component.end(), b.rows.size(), i);
+  }
+  pack_components(map.positions, component);
   return map;
+}
+
+Border_map circular_border(const std::vector<Disk_border>& borders) {
+  return borders_beside_each_other(borders, [](const Disk_border& border) {
+    Eigen::MatrixX2d result(static_cast<Eigen::Index>(border.rows.size()), 2);
+    const std::vector<double> places = places_along(border);
+    for (Eigen::Index i = 0; i < result.rows(); ++i) {
+      const double angle = 2 * std::numbers::pi * places[static_cast<std::size_t>(i)];
+      result.row(i) << std::cos(angle), std::sin(angle);
+    }
+    return result;
+  });
 }
 
 // The turns at the corners are to the left, and make one round.
@@ -121,9 +199,9 @@ static std::vector<std::size_t> vertices_at_corners(const std::vector<double>& p
   return result;
 }
 
-Border_map polygonal_border(const Disk_border& border,
-                            const std::vector<std::array<double, 2>>& corners) {
-  expect_convex(corners);
+// The places of the vertices of one border on a convex polygon.
+static Eigen::MatrixX2d on_polygon(const Disk_border& border,
+                                   const std::vector<std::array<double, 2>>& corners) {
   const std::size_t n = corners.size();
   if (border.rows.size() < n)
     throw std::invalid_argument(
@@ -138,13 +216,20 @@ Border_map polygonal_border(const Disk_border& border,
   for (double& x : wanted) x /= around;
   const std::vector<double> places = places_along(border);
   const std::vector<std::size_t> at = vertices_at_corners(places, wanted);
-  Border_map map{border.rows, Eigen::MatrixX2d(static_cast<Eigen::Index>(border.rows.size()), 2)};
+  Eigen::MatrixX2d result(static_cast<Eigen::Index>(border.rows.size()), 2);
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t i = at[c]; i < at[c + 1]; ++i) {
       const double x = (places[i] - places[at[c]]) / (places[at[c + 1]] - places[at[c]]);
-      map.positions.row(static_cast<Eigen::Index>(i)) = (1 - x) * point(c) + x * point(c + 1);
+      result.row(static_cast<Eigen::Index>(i)) = (1 - x) * point(c) + x * point(c + 1);
     }
-  return map;
+  return result;
+}
+
+Border_map polygonal_border(const std::vector<Disk_border>& borders,
+                            const std::vector<std::array<double, 2>>& corners) {
+  expect_convex(corners);
+  return borders_beside_each_other(
+      borders, [&](const Disk_border& border) { return on_polygon(border, corners); });
 }
 
 } // namespace internal
