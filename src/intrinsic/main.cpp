@@ -132,14 +132,17 @@ void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
       "parametrize", "map a surface to the plane, and certify that it is injective");
   program::add_application_options(command, options);
   command
-      .add_option("--method", options.application.map,
-                  "harmonic (to a circle, default), spectral (conformal, also of points) or lscm")
-      ->check(CLI::IsMember({"harmonic", "spectral", "lscm"}));
+      .add_option(
+          "--method", options.application.map,
+          "harmonic (to a circle, default), conformal (with scale 1 on the border of disks), "
+          "spectral (nearly conformal, also of points) or lscm")
+      ->check(CLI::IsMember({"harmonic", "conformal", "spectral", "lscm"}));
   command.add_option("--cut", options.application.cut,
                      "auto (default): cut open along few edges unless it is a disk; or a file that "
                      "lists the edges, two vertices a line");
   command.callback([&chosen, &options] {
-    if (options.application.cut.empty()) options.application.cut = "auto";
+    if (options.application.cut.empty() && options.application.map != "conformal")
+      options.application.cut = "auto";
     chosen = program::run_parametrize;
   });
 }
@@ -289,6 +292,8 @@ int run(int argc, char** argv) {
   if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
   if (misuse.empty() && chosen == program::run_cut) misuse = program::cut_misuse(options);
   if (misuse.empty() && chosen == program::run_distance) misuse = program::distance_misuse(options);
+  if (misuse.empty() && chosen == program::run_parametrize)
+    misuse = program::parametrize_misuse(options);
   if (misuse.empty() && chosen == program::run_field) misuse = program::field_misuse(options);
   if (!misuse.empty()) {
     std::cerr << "intrinsic: " << misuse << '\n';

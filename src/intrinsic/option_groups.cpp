@@ -599,6 +599,14 @@ std::string distance_misuse(const Options& o) {
   return {};
 }
 
+std::string parametrize_misuse(const Options& o) {
+  if (o.application.map == "conformal" &&
+      (!o.application.cut.empty() || o.refines || has_constraints(o)))
+    return "--method conformal maps disks, and flips edges of the triangles of the file; leave "
+           "--cut, --refine, --sharp-angle and --marked out";
+  return {};
+}
+
 std::string field_misuse(const Options& o) {
   if (o.application.alignment && o.application.degree % 2 != 0)
     return "directions of curvature have no sign; with --align, give an even --degree: 2 for "

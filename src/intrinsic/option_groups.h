@@ -63,6 +63,8 @@ std::string geodesic_misuse(const Options& options);
 std::string cut_misuse(const Options& options);
 /// returns what is wrong with the options of the command `distance`, like `misuse()`.
 std::string distance_misuse(const Options& options);
+/// returns what is wrong with the options of the command `parametrize`, like `misuse()`.
+std::string parametrize_misuse(const Options& options);
 /// returns what is wrong with the options of the command `field`, like `misuse()`.
 std::string field_misuse(const Options& options);
 /// returns what is wrong with options that are valid by themselves, and the remedy; empty: nothing.

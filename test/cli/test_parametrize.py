@@ -131,6 +131,61 @@ class Parametrize(Cli_test):
             self.assertEqual(len(boxes), len(shapes))
             self.assert_disjoint(boxes)
 
+    def test_conformal_maps_of_disks(self):
+        points, faces = grid(6)
+        flat = self.write_off("flat.off", points, faces)
+        bent = self.write_off("bent.off", [(x, y, math.hypot(x - 3, y - 3) / 2)
+                                           for x, y, _ in points], faces)
+        for mesh in (flat, bent):
+            maps = {}
+            for on in ("subdivision", "input"):
+                stats = self.stats("parametrize", mesh, "--method", "conformal", "--on", on, "-o",
+                                   "m.obj", "--view", "m.html")
+                result = stats["parametrize"]
+                self.assertEqual((result["status"], result["method"]), ("done", "conformal"))
+                self.assertTrue(result["injective"] and result["border_is_simple"])
+                self.assertLess(result["proven_residual"], 1e-9)
+                found, places, corners = read_obj(self.path("m.obj"))
+                maps[on] = {tuple(found[v]): places[c] for face in corners for v, c in face}
+                if on == "input":
+                    self.assertEqual((len(found), len(corners)), (len(points), len(faces)))
+            for point, place in maps["input"].items():
+                self.assertLess(math.dist(place, maps["subdivision"][point]), 1e-9)
+            self.stats("parametrize", mesh, "--method", "conformal", "-o", "m.txt")
+            rows = self.read_rows("m.txt")
+            for a, b in zip(faces[0], faces[0][1:]):
+                if mesh == flat:
+                    self.assertAlmostEqual(math.dist(rows[a], rows[b]),
+                                           math.dist(points[a], points[b]))
+            self.assertEqual(stats["parametrize"]["max_scale_ratio"] == 1, mesh == flat)
+        # the same as that of uniformize
+        stats = self.stats("uniformize", bent, "-o", "m.vtp")
+        for key in ("iterations", "mean_quasi_conformal", "max_scale_ratio"):
+            self.assertAlmostEqual(stats["conformal"][key], result[key])
+        with open(self.path("m.vtp"), encoding="utf-8") as file:
+            self.assertIn('Name="log_scale"', file.read())
+        two = self.write_off("two.off", points + [(x + 9, y, z) for x, y, z in points],
+                             [list(f) for f in faces] + [[v + len(points) for v in f]
+                                                         for f in faces])
+        self.assertTrue(self.stats("parametrize", two, "--method", "conformal", "-o", "m.obj")
+                        ["parametrize"]["injective"])
+        self.assert_disjoint(self.boxes_of_components("m.obj"))
+
+    def test_conformal_maps_of_other_surfaces_are_those_of_uniformize(self):
+        points, faces = torus(6, 5)
+        mesh = self.write_off("m.off", points, triangles(faces))
+        self.assert_fails(self.run_program("parametrize", mesh, "--method", "conformal"),
+                          "has handles", "uniformize")
+        mesh = self.write_off("m.off", *icosphere(1))
+        self.assert_fails(self.run_program("parametrize", mesh, "--method", "conformal"),
+                          "0 borders of 1 components", "uniformize")
+        mesh = self.write_off("m.off", *self.moebius(6))
+        self.assert_fails(self.run_program("parametrize", mesh, "--method", "conformal"),
+                          "no oriented manifold", "uniformize")
+        for more in (("--cut", "auto"), ("--refine",), ("--sharp-angle", "20")):
+            run = self.run_program("parametrize", mesh, "--method", "conformal", *more)
+            self.assertEqual(run.code, 2)
+
     @staticmethod
     def moebius(n):
         """A strip of n squares with half a turn."""

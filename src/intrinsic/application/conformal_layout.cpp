@@ -33,9 +33,12 @@ Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>&
                       Json& json) {
   json["mean_quasi_conformal"] = finite_or_null(layout.distortion.mean_quasi_conformal);
   json["max_quasi_conformal"] = finite_or_null(layout.distortion.maximum_quasi_conformal);
+  json["min_area_ratio"] = finite_or_null(layout.distortion.minimum_area_ratio);
+  json["max_area_ratio"] = finite_or_null(layout.distortion.maximum_area_ratio);
   const IT::Map_certificate& c = layout.certificate;
   json["injective"] = c.is_injective();
   json["locally_injective"] = c.is_locally_injective();
+  json["border_is_simple"] = c.border_is_simple;
   json["flipped_faces"] = c.flipped;
   json["degenerate_faces"] = c.degenerate;
   if (layout.layout.is_hyperbolic) report_disk(layout, json);

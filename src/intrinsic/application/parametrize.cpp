@@ -4,6 +4,7 @@
 #include "../commands.h"
 #include "../status_name.h"
 #include "application.h"
+#include "conformal_disks.h"
 
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
@@ -64,10 +65,8 @@ bool is_injective_on_input(const Triangulation& t, const Eigen::MatrixX2d& uv) {
   return IT::certify_map(triangles, uv.topRows(input.number_of_rows())).is_injective();
 }
 
-Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
-             const std::string& method) {
-  return {{"method", method},
-          {"injective", map.certificate.is_injective()},
+Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion) {
+  return {{"injective", map.certificate.is_injective()},
           {"flipped_faces", map.certificate.flipped},
           {"degenerate_faces", map.certificate.degenerate},
           {"border_is_simple", map.certificate.border_is_simple},
@@ -79,9 +78,26 @@ Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion,
           {"max_area_ratio", distortion.maximum_area_ratio}};
 }
 
-} // namespace
+template <class Triangulation>
+Computed mapped(Triangulation& t, const Options& options) {
+  const IT::Injective_map map = map_of(t, options);
+  Computed computed{"parametrize", json_of(map, IT::measure_distortion(t, map.uv)), {}};
+  computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
+  computed.is_map = true;
+  if (is_made_injective(options)) computed.json["status"] = name(map.status);
+  return computed;
+}
 
-namespace {
+// On the mesh of the file, values at vertices are all there is of a map.
+template <class Triangulation>
+Computed mapped_conformally(const Triangulation& t, const Points& points, const Options& options) {
+  if (t.number_of_vertices() > t.input().number_of_rows())
+    throw std::runtime_error("--method conformal maps the triangles of the file, without vertices "
+                             "that were inserted; leave --refine out, or start from the mesh");
+  Computed computed = conformal_map_of_disks(t, points);
+  if (options.application.on == "input") computed.laid_out.reset();
+  return computed;
+}
 
 // The conformal map of a cloud of points, which has no faces that could be certified.
 template <class Triangulation>
@@ -107,14 +123,14 @@ Computed map_of_points(const Triangulation& t, const Options& options, const Poi
 void run_parametrize(const Options& options) {
   run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
     if (t.input().names().sheets > 2) return map_of_points(t, options, points);
-    const IT::Injective_map map = map_of(t, options);
-    Computed computed{"parametrize", {}, {}};
-    computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
-    computed.is_map = true;
-    computed.json = json_of(map, IT::measure_distortion(t, map.uv), options.application.map);
-    if (is_made_injective(options)) computed.json["status"] = name(map.status);
-    if (t.input().names().sheets == 1)
-      computed.json["injective_on_input"] = is_injective_on_input(t, map.uv);
+    Computed computed = options.application.map == "conformal"
+                            ? mapped_conformally(t, points, options)
+                            : mapped(t, options);
+    computed.json["method"] = options.application.map;
+    Eigen::MatrixX2d uv(t.number_of_vertices(), 2);
+    for (const Eigen::Index c : {0, 1})
+      uv.col(c) = computed.functions[static_cast<std::size_t>(c)].values;
+    computed.json["injective_on_input"] = is_injective_on_input(t, uv);
     return computed;
   });
 }

@@ -243,6 +243,14 @@ TEST(LayOutSubdivision, interpolatesProjectivelyBetweenIdealTriangulations) {
     std::mt19937 random(seed);
     const Flattened r = flatten(random);
     const IT::Common_subdivision& s = r.layout.subdivision;
+    const std::vector<double> u = IT::fields_of_layout(r.layout).back().values;
+    for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
+      const IT::Weighted_vertices on = s.on_input(v);
+      double expected = 0;
+      for (std::size_t i = 0; i < on.size; ++i)
+        expected += 2 * on.weights[i] * std::log(r.factors[on.vertices[i]]);
+      EXPECT_NEAR(u[v], expected, 1e-13);
+    }
     EXPECT_GT(s.crossings.size(), 0U);
     ASSERT_EQ(r.layout.weights.size(), r.layout.positions.rows());
     for (std::size_t v = 0; v < s.number_of_vertices(); ++v) {
@@ -305,7 +313,7 @@ TEST(LayOutSubdivision, writesTextureCoordinates) {
   flat::Surface s = flat::Surface::torus(1, flat::Complex(0, 1), 3);
   const Laid_out r = lay_out(s, random, 30);
   const std::vector<IT::Subdivision_field> fields = IT::fields_of_layout(r.layout);
-  ASSERT_EQ(fields.size(), 3U);
+  ASSERT_EQ(fields.size(), 4U);
   const std::vector<std::array<double, 3>> points(r.layout.subdivision.number_of_vertices());
   for (const char* extension : {"obj", "vtp", "ply"}) {
     std::ostringstream out;

@@ -153,7 +153,8 @@ std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout);
 \return numbers `u` and `v` per vertex of `layout.subdivision`, which OBJ files have as texture
   coordinates, linear on each face; and, if there are weights, vectors `homogeneous_uv` with the
   coordinates (x q, y q, q), for projective interpolation; of a hyperbolic layout, q times the
-  points of the hyperboloid: homogeneous coordinates in Klein's model of the plane
+  points of the hyperboloid: homogeneous coordinates in Klein's model of the plane. Numbers
+  `log_scale` are u of the scale factors exp(u/2), linear along edges of the input.
 \complexity linear
 */
 std::vector<Subdivision_field> fields_of_layout(const Subdivision_layout& layout);

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -264,6 +265,21 @@ private:
   Subdivision_layout layout_;
 };
 
+// u at each vertex: -log q at those of the input, and linear along its edges between them.
+Eigen::VectorXd log_scale(const Subdivision_layout& layout) {
+  const Common_subdivision& s = layout.subdivision;
+  std::map<std::uint32_t, double> u;
+  for (std::uint32_t v = 0; v < s.vertices.size(); ++v)
+    u[s.on_input(v).vertices[0]] = -std::log(layout.weights[v]);
+  Eigen::VectorXd result(layout.weights.size());
+  for (std::uint32_t v = 0; v < s.number_of_vertices(); ++v) {
+    const Weighted_vertices on = s.on_input(v);
+    result[v] = 0;
+    for (std::size_t i = 0; i < on.size; ++i) result[v] += on.weights[i] * u.at(on.vertices[i]);
+  }
+  return result;
+}
+
 } // namespace
 
 } // namespace internal
@@ -329,6 +345,7 @@ std::vector<Subdivision_field> fields_of_layout(const Subdivision_layout& layout
     homogeneous.push_back(point);
   }
   result.emplace_back("homogeneous_uv", homogeneous);
+  result.emplace_back("log_scale", internal::log_scale(layout));
   return result;
 }
 
