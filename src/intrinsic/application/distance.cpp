@@ -142,6 +142,17 @@ void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
       };
 }
 
+// The distances that a search has found, and how it ended.
+template <class Triangulation>
+Computed found_distances(const IT::Polyhedral_distance<Triangulation>& search,
+                         const Application_options& o) {
+  const std::vector<double> by_row = search.distances();
+  const auto rows = static_cast<Eigen::Index>(by_row.size());
+  Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
+  computed.json["status"] = program::name(search.status());
+  return computed;
+}
+
 template <class Triangulation>
 Computed exact_distances(const Triangulation& t, const Sources& sources,
                          const Application_options& o) {
@@ -151,12 +162,10 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   const IT::Polyhedral_distance<Triangulation> search(
       t, points,
       IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(targets));
-  const std::vector<double> by_row = search.distances();
-  const auto rows = static_cast<Eigen::Index>(by_row.size());
-  Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
+  Computed computed = found_distances(search, o);
+  const Eigen::VectorXd& by_row = computed.functions.front().values;
   Json to_targets = Json::array();
   for (const auto v : targets) to_targets.push_back(finite_or_null(by_row[t.input_vertex(v)]));
-  computed.json["status"] = program::name(search.status());
   computed.json["reached"] = finite_or_null(search.reached_distance());
   computed.json["targets"] = std::move(to_targets);
   if (!o.voronoi.empty()) {
@@ -173,11 +182,8 @@ Computed cells_of_sets(const Triangulation& t, const Application_options& o) {
   const std::vector<Vertices> sets =
       vertices_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
   const IT::Polyhedral_distance<Triangulation> search(t, sets);
-  const std::vector<double> by_row = search.distances();
-  const auto rows = static_cast<Eigen::Index>(by_row.size());
-  Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
+  Computed computed = found_distances(search, o);
   computed.json["sets"] = sets.size();
-  computed.json["status"] = program::name(search.status());
   std::vector<std::uint32_t> set_of_source;
   for (std::size_t i = 0; i < sets.size(); ++i)
     set_of_source.insert(set_of_source.end(), sets[i].size(), static_cast<std::uint32_t>(i));
