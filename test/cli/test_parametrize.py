@@ -92,7 +92,9 @@ class Parametrize(Cli_test):
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", loop), "cut.txt",
                           "1 component, 0 handles and 2 borders")
         moebius = self.write_off("moebius.off", *self.moebius(6))
-        self.assert_fails(self.run_program("parametrize", moebius, "--cut", none), "one side only")
+        border = self.write("border.txt", "0 2\n")
+        self.assert_fails(self.run_program("parametrize", moebius, "--cut", border),
+                          "border.txt", "one side only")
         none = self.write("none.txt", "0 8\n")
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", none), "none.txt")
         self.assert_fails(self.run_program("parametrize", mesh, "--cut", "missing.txt"),
@@ -120,11 +122,12 @@ class Parametrize(Cli_test):
         shapes = (torus(6, 5), icosphere(1), grid(3))
         points, faces = [], []
         for k, (more, others) in enumerate(shapes):
-            faces += [[v + len(points) for v in f] for f in triangles(others)]
+            faces += [[v + len(points) for v in f] for f in others]
             points += [(x + 9 * k, y, z) for x, y, z in more]
         mesh = self.write_off("m.off", points, faces)
         for method in ("harmonic", "lscm", "spectral"):
-            stats = self.stats("parametrize", mesh, "--method", method, "--on", "input", "-o", "m.obj")
+            stats = self.stats("parametrize", mesh, "--method", method, "--on", "input",
+                               "-o", "m.obj")
             if method != "spectral":
                 self.assertTrue(stats["parametrize"]["injective"])
             boxes = self.boxes_of_components("m.obj")
@@ -204,7 +207,7 @@ class Parametrize(Cli_test):
             points += [(0, y, x) if k == 1 else (-x, y, 0)
                        for (x, y, _) in sorted(leaf, key=lambda p: p[0] == 0) if x != 0]
             faces += [[number[v] for v in (reversed(f) if k == 2 else f)] for f in squares]
-        book = self.write_off("book.off", points, triangles(faces))
+        book = self.write_off("book.off", points, faces)
         for edges in ((), ("--sharp-angle", "20"), ("--metric", self.write(
                 "scale.txt", "2\n" * len(points))), ("--arithmetic", "double")):
             stats = self.stats("parametrize", book, "--method", "lscm", "--on", "input", "-o",

@@ -28,8 +28,11 @@ void expect_disks(const IT::Input& surface) {
   else if (facts.genus != 0)
     what = "has handles";
   else if (facts.boundary_loops != facts.components)
-    what = "has " + std::to_string(facts.boundary_loops) + " borders of " +
-           std::to_string(facts.components) + " components";
+    what.append("has ")
+        .append(std::to_string(facts.boundary_loops))
+        .append(" borders of ")
+        .append(std::to_string(facts.components))
+        .append(" components");
   if (!what.empty())
     throw std::runtime_error("--method conformal maps disks, but the surface " + what +
                              "; take intrinsic uniformize, with --cones where it asks for them");

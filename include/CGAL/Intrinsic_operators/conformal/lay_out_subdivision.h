@@ -81,8 +81,8 @@ struct Subdivision_layout {
   std::vector<std::uint32_t> original_vertex;
   /// The face before that each face is.
   std::vector<std::uint32_t> original_face;
-  /// The place of each vertex of `subdivision` in the plane, where components lie beside each other,
-  /// see `pack_components()`; of a hyperbolic one in Poincaré's disk.
+  /// The place of each vertex of `subdivision` in the plane, where components lie beside each
+  /// other, see `pack_components()`; of a hyperbolic one in Poincaré's disk.
   Eigen::MatrixX2d positions;
   /// The number q of each vertex; empty without input lengths.
   Eigen::VectorXd weights;
