@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
+#include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
@@ -88,7 +89,8 @@ public:
     if (!(options_.is_shortest && add_geodesics(curves))) add_along_edges(curves);
     Shortening_watch visitor{&watch_};
     found_.shortening += IT::shorten_curves(network_, IT::parameters::visitor(std::ref(visitor)));
-    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) found_.ways.push_back(way(c));
+    measure();
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) trace(c);
     if (options_.is_certified) found_.is_certified = IT::certify_geodesic(network_).is_geodesic();
     found_.input = t_->shared_input();
     found_.edges = edges();
@@ -186,21 +188,37 @@ private:
     return way;
   }
 
-  Way way(std::uint32_t c) const {
-    if (!network_.is_point(c)) {
-      Way way{IT::trace_curve(*t_, network_.halfedges(c)), network_.is_loop(c)};
+  // Lengths, and whether curves are geodesic, in the order in which the program finds them: each
+  // number that is asked for sharpens others.
+  void measure() {
+    std::vector<char> is_geodesic(network_.number_of_curves(), 1);
+    for (const IT::Joint_report& joint : IT::is_geodesic(network_).joints)
+      if (!joint.is_geodesic()) is_geodesic[joint.curve] = 0;
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
+      Way way;
+      way.is_closed = network_.is_loop(c) && !network_.is_point(c);
+      way.curve.status = network_.is_point(c)  ? IT::Status::contracted
+                         : is_geodesic[c] != 0 ? IT::Status::done
+                                               : found_.shortening.status;
       way.curve.length = network_.length(c);
       way.curve.length_enclosure = network_.length_enclosure(c);
-      return way;
+      found_.ways.push_back(std::move(way));
     }
-    const auto out = opposite(halfedge(network_.start(c), t_->mesh()), t_->mesh());
-    Way way{IT::trace_curve(*t_, std::vector{out}), false};
-    way.curve.points.resize(1);
-    way.curve.faces.clear();
-    way.curve.status = IT::Status::contracted;
-    way.curve.length = 0;
-    way.curve.length_enclosure = 0;
-    return way;
+  }
+
+  // The points of a curve; one if it has contracted.
+  void trace(std::uint32_t c) {
+    IT::Traced_curve& curve = found_.ways[c].curve;
+    IT::Traced_curve traced =
+        network_.is_point(c)
+            ? IT::trace_curve(
+                  *t_, std::vector{opposite(halfedge(network_.start(c), t_->mesh()), t_->mesh())})
+            : IT::trace_curve(*t_, network_.halfedges(c));
+    curve.points = std::move(traced.points);
+    curve.faces = std::move(traced.faces);
+    if (!network_.is_point(c)) return;
+    curve.points.resize(1);
+    curve.faces.clear();
   }
 
   // what cuts need; the triangulation is moved there
