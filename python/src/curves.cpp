@@ -10,7 +10,6 @@
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
-#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/Copies_of_curve.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
@@ -22,20 +21,17 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-// Curves on surfaces: geodesics as the command `geodesic` finds them, and isolines.
+// Curves on surfaces: geodesics as the command `geodesic` finds them.
 
 namespace python {
 
@@ -262,45 +258,6 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
   return result;
 }
 
-// Evenly between the least and the greatest finite value.
-py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
-  double least = HUGE_VAL, greatest = -HUGE_VAL;
-  for (const double x : std::span(u.data(), static_cast<std::size_t>(u.size()))) {
-    if (!std::isfinite(x)) continue;
-    least = std::min(least, x);
-    greatest = std::max(greatest, x);
-  }
-  std::vector<double> levels;
-  for (std::size_t k = 1; k <= count && least <= greatest; ++k)
-    levels.push_back(
-        std::lerp(least, greatest, static_cast<double>(k) / static_cast<double>(count + 1)));
-  return array_of(std::move(levels));
-}
-
-py::list isolines(Surface& s, const Doubles& u, const Doubles& l) {
-  Watch watch;
-  std::shared_ptr<const IT::Input> input;
-  std::vector<IT::Isoline> lines;
-  std::vector<Way> ways;
-  const std::span values(u.data(), static_cast<std::size_t>(u.size()));
-  const std::span levels(l.data(), static_cast<std::size_t>(l.size()));
-  with_triangulation(s, watch, [&](const auto& t) {
-    input = t.shared_input();
-    lines = IT::isolines(t, values, levels);
-    for (const IT::Isoline& line : lines)
-      ways.push_back({IT::trace_isoline(t, line), line.is_closed});
-  });
-  py::list result;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (ways[i].curve.points.empty()) continue; // it has no length
-    py::dict line = curve_arrays(*input, s.points, std::move(ways[i]), true);
-    line["level"] = lines[i].level;
-    line["number_of_level"] = lines[i].number_of_level;
-    result.append(line);
-  }
-  return result;
-}
-
 } // namespace
 
 void bind_cuts(py::module_& m);
@@ -313,8 +270,6 @@ void bind_curves(py::module_& m) {
       .def(py::init<bool, bool, bool>(), py::arg("is_shortest"), py::arg("stays_at_points"),
            py::arg("is_certified"));
   m.def("curves", curves);
-  m.def("isolines", isolines);
-  m.def("even_levels", even_levels);
   bind_cuts(m);
   bind_traces(m);
 }

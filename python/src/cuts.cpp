@@ -10,21 +10,25 @@
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
+#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-// Surfaces cut open along curves, as the command `cut` does.
+// Isolines, and surfaces cut open along curves, as the command `cut` does it.
 
 namespace python {
 
@@ -163,9 +167,50 @@ py::dict cut_to_disks_through(Surface& s, const Place_arrays& through) {
       s.points);
 }
 
+// Evenly between the least and the greatest finite value.
+py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
+  double least = HUGE_VAL, greatest = -HUGE_VAL;
+  for (const double x : std::span(u.data(), static_cast<std::size_t>(u.size()))) {
+    if (!std::isfinite(x)) continue;
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+  }
+  std::vector<double> levels;
+  for (std::size_t k = 1; k <= count && least <= greatest; ++k)
+    levels.push_back(
+        std::lerp(least, greatest, static_cast<double>(k) / static_cast<double>(count + 1)));
+  return array_of(std::move(levels));
+}
+
+py::list isolines(Surface& s, const Doubles& u, const Doubles& l) {
+  Watch watch;
+  std::shared_ptr<const IT::Input> input;
+  std::vector<IT::Isoline> lines;
+  std::vector<Way> ways;
+  const std::span values(u.data(), static_cast<std::size_t>(u.size()));
+  const std::span levels(l.data(), static_cast<std::size_t>(l.size()));
+  with_triangulation(s, watch, [&](const auto& t) {
+    input = t.shared_input();
+    lines = IT::isolines(t, values, levels);
+    for (const IT::Isoline& line : lines)
+      ways.push_back({IT::trace_isoline(t, line), line.is_closed});
+  });
+  py::list result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (ways[i].curve.points.empty()) continue; // it has no length
+    py::dict line = curve_arrays(*input, s.points, std::move(ways[i]), true);
+    line["level"] = lines[i].level;
+    line["number_of_level"] = lines[i].number_of_level;
+    result.append(line);
+  }
+  return result;
+}
+
 } // namespace
 
 void bind_cuts(py::module_& m) {
+  m.def("isolines", isolines);
+  m.def("even_levels", even_levels);
   m.def("cut_network", cut_network);
   m.def("cut_ways", cut_ways);
   m.def("cut_to_disks", cut_to_disks_through);
