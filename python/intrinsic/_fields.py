@@ -1,6 +1,187 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""Vectors on surfaces: logarithmic maps, transport, direction fields, signed distances."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _arrays, _core
+from ._points import is_point
+
+
+class VectorField:
+    """A tangent vector at each vertex of a surface.
+
+    `coordinates`, of shape (n, 2), are in the polar coordinates of the vertex: the real axis runs
+    along the first edge there, and angles from it are scaled so that a full turn around the vertex
+    is 2 pi, half a turn on the border. NaN where the vector is unknown.
+    """
+
+    def __init__(self, core, field, neighbors):
+        self._core, self._field, self._neighbors = core, field, neighbors
+        self.coordinates = field.coordinates
+
+    def __len__(self):
+        return len(self.coordinates)
+
+    def __repr__(self):
+        return f"<intrinsic.{type(self).__name__}: {len(self)} vertices>"
+
+    @property
+    def lengths(self):
+        """The lengths of the vectors, of shape (n,)."""
+        return np.hypot(self.coordinates[:, 0], self.coordinates[:, 1])
+
+    @property
+    def vectors(self):
+        """The vectors in space, of shape (n, 3), each in a face at its vertex."""
+        return _core.vectors_in_space(self._core, self._field, 0.0, self._neighbors)
+
+    @property
+    def axes(self):
+        """The unit vectors in space along the real axes, of shape (n, 3)."""
+        return _core.axes_in_space(self._core, 0.0, self._neighbors)
+
+
+class Singularities(NamedTuple):
+    """Faces of the triangulation about which a field of directions turns.
+
+    Their centres lie in faces of the user's mesh, `faces` of shape (k,), at `barycentric` of shape
+    (k, 3); `points` of shape (k, 3) are their places in space. The field makes index / degree
+    turns about each: `index` of shape (k,).
+    """
+
+    faces: np.ndarray
+    barycentric: np.ndarray
+    points: np.ndarray
+    index: np.ndarray
+
+    def __len__(self):
+        return len(self.faces)
+
+
+class DirectionField(VectorField):
+    """Equivalent directions at each vertex, `degree` of them at equal angles: vectors, lines,
+    crosses. `coordinates` are those of one of them, of length 1.
+
+    `index_sum` is the sum of the indices of all `singularities`: `degree` times the Euler
+    characteristic, and `border_turns`. `face_index` of shape (m,) has the index of each face of
+    the triangulation. A cloud of points has no faces, and so no singularities.
+    """
+
+    def __init__(self, core, degree, found, neighbors):
+        field, self.face_index, faces, weights, points, index, self.index_sum, \
+            self.border_turns = found
+        super().__init__(core, field, neighbors)
+        self.degree = degree
+        self.singularities = Singularities(faces, weights, points, index)
+
+    @property
+    def vectors(self):
+        """All directions as vectors in space, of shape (degree, n, 3)."""
+        return np.stack([
+            _core.vectors_in_space(self._core, self._field, 2 * np.pi * k / self.degree,
+                                   self._neighbors) for k in range(self.degree)])
+
+
+def _positive(x, name):
+    if not (np.ndim(x) == 0 and np.isreal(x) and x > 0):
+        raise ValueError(f"{name} is {x!r}; give a positive number")
+    return float(x)
+
+
+def _curves(curves, count):
+    """Returns an array of vertices for each curve."""
+    curves = list(curves)
+    if curves and all(is_point(c) for c in curves):
+        curves = [curves]
+    rows = [_arrays.indices(c, f"curves[{i}]", (None,), count=count)
+            for i, c in enumerate(curves)]
+    if not any(len(r) > 1 for r in rows):
+        raise ValueError("curves has no curve; give lists of two or more vertices each")
+    return rows
 
 
 class _Fields:
-    pass
+    def _cloud_neighbors(self):
+        return getattr(self, "_neighbors", None) or 30
+
+    def log_map(self, p, *, method=None, time_factor=1.0, max_distance=np.inf, progress=None):
+        """Returns the logarithmic map of a point: for each vertex the vector at `p` along the
+        shortest path to it, as long as the path; of shape (n, 2), in the units of the mesh.
+
+        Vectors at a vertex are in its polar coordinates, see `VectorField`; those at a `Point` are
+        along the first side of its face, and to the left of it. NaN where no path leads, or beyond
+        `max_distance`. `method` is "exact" (by default), "affine" or "polar" (by heat: fast for
+        many points; `time_factor` is its time in squares of the mean edge). Clouds of points have
+        the method "affine".
+        """
+        if not is_point(p):
+            raise ValueError("p has several points; a logarithmic map has one")
+        return _core.log_map(self._flipped(), self._places(p, "p"), method or "",
+                             _positive(time_factor, "time_factor"), float(max_distance),
+                             self._cloud_neighbors(), progress)
+
+    def transport(self, points, vectors, *, time_factor=1.0, progress=None):
+        """Transports vectors from points to all vertices, each from the nearest point: the vector
+        heat method. Returns a `VectorField`.
+
+        `vectors`, of shape (k, 2), are in the polar coordinates of vertices, see `VectorField`, or,
+        at a `Point`, along the first side of its face and to the left of it; or of shape (k, 3) in
+        space, and are projected to a face. One point takes one vector.
+        """
+        vectors = _arrays.numbers(vectors, "vectors")
+        if is_point(points) and vectors.ndim == 1:
+            vectors = vectors[None, :]
+        if vectors.ndim != 2:
+            _arrays.expect_shape(vectors, "vectors", (None, 2))
+        core = self._flipped()
+        field = _core.transport(core, self._places(points, "points"), vectors,
+                                _positive(time_factor, "time_factor"), self._cloud_neighbors(),
+                                progress)
+        return VectorField(core, field, self._cloud_neighbors())
+
+    def extend(self, points, values, *, time_factor=1.0, progress=None):
+        """Extends values at points to all vertices, of shape (n,): near the value of the nearest
+        point, smoothly, never beyond the extremes."""
+        values = np.atleast_1d(_arrays.numbers(values, "values"))
+        return _core.extend(self._flipped(), self._places(points, "points"), values,
+                            _positive(time_factor, "time_factor"), self._cloud_neighbors(),
+                            progress)
+
+    def direction_field(self, degree=4, *, align=None, fixed=None, progress=None):
+        """Returns the smoothest field of directions: `degree` 1 for vectors, 2 for lines, 4 for
+        crosses; a `DirectionField`.
+
+        With `align`, a number that is not negative, it follows the directions of curvature, for
+        even degrees: 0 gives the smoothest of such fields, more is closer to them. `fixed` is a
+        pair of vertices and directions there, as for `transport()`.
+        """
+        core = self._flipped()
+        points, vectors = fixed if fixed is not None else ([], np.zeros((0, 2)))
+        vectors = _arrays.numbers(vectors, "fixed[1]")
+        if vectors.ndim == 1 and vectors.size:
+            vectors = vectors[None, :]
+        if align is not None and not (np.isreal(align) and 0 <= align < np.inf):
+            raise ValueError(f"align is {align!r}; give a number that is not negative")
+        if not isinstance(degree, (int, np.integer)) or not 0 < degree < 1000:
+            raise ValueError(f"degree is {degree!r}; give the number of directions at a vertex")
+        found = _core.direction_field(core, int(degree), align, self._places(points, "fixed[0]"),
+                                      vectors, self._cloud_neighbors(), progress)
+        return DirectionField(core, int(degree), found, self._cloud_neighbors())
+
+    def signed_distance(self, curves, *, time_factor=1.0):
+        """Returns signed distances from curves, of shape (n,): negative on their left, positive on
+        their right, by heat.
+
+        `curves` is a list of vertices, or a list of such lists; a curve follows the shortest way
+        along edges from each vertex to the next. A loop ends at its first vertex.
+        """
+        rows = _curves(curves, self._core.number_of_vertices)
+        return _core.signed_distance(self._flipped(), rows, _positive(time_factor, "time_factor"))
+
+    def connection_laplacian(self, degree=1):
+        """Returns the Laplacian of tangent vectors, a complex matrix of scipy: in the polar
+        coordinates of vertices, for fields with `degree` directions."""
+        return _arrays.sparse(_core.connection_laplacian(self._flipped(), int(degree)))

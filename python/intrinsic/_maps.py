@@ -1,6 +1,278 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+"""Maps to the plane and to the sphere, eigenfunctions, deformations."""
+
+import re
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _arrays, _core
+
+
+class PlaneMap:
+    """A map of a surface to the plane, linear on the faces of `surface`.
+
+    `uv`, of shape (n, 2), has the place of each vertex of `surface`: of those of the mesh, and of
+    vertices that were inserted to make the map injective. Of a surface that was cut open,
+    `original_vertex`, of shape (n,), is the vertex of the mesh that each is a copy of; else None.
+
+    `certificate` is a dict: "injective", "flipped_faces", "degenerate_faces", "border_is_simple",
+    exact for the numbers in `uv`; `injective_on_input` is the same answer for the triangles of the
+    mesh. `distortion` is a dict; "mean_quasi_conformal" is 1 if angles stay the same. `status` is
+    "done", or says why the map is not injective.
+    """
+
+    def __init__(self, surface, uv, status, certificate, distortion, rounds, inserted):
+        self.surface, self.uv, self.status = surface, uv, status
+        self.certificate, self.distortion = certificate, distortion
+        self.rounds, self.inserted_vertices = rounds, inserted
+        self.injective_on_input = None
+        self.original_vertex = None
+
+    def __repr__(self):
+        return f"<intrinsic.PlaneMap: {len(self.uv)} vertices, {self.status}>"
+
+
+class Layout(NamedTuple):
+    """The layout of a surface in the plane: the pieces of faces of the mesh between edges of the
+    flat triangulation, cut open to disks.
+
+    `points` of shape (k, 3) and `polygons`, a list of arrays, are the pieces on the mesh; `uv` of
+    shape (k, 2) their places in the plane, and `weights` of shape (k,) the third homogeneous
+    coordinates: (u q, v q, q) is linear on the faces of the mesh. `vertices` of shape (k,) are
+    those of the mesh, or -1 at crossings of edges, and `input_faces` the faces of the mesh.
+    `seams` of shape (s, 2) are the ends of the edges that were cut.
+    """
+
+    points: np.ndarray
+    polygons: list
+    uv: np.ndarray
+    weights: np.ndarray
+    vertices: np.ndarray
+    input_faces: np.ndarray
+    seams: np.ndarray
+
+
+class ConformalMap:
+    """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
+
+    `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
+    prescribed ones; `residual` is the largest difference, in radians, and `proven_residual` a
+    proven bound of it. `cones` is a dict from vertices to their angles. `target` is "plane",
+    "sphere", "torus" or "disk".
+
+    On a sphere `positions` of shape (n, 3) are the vertices; of a torus, `period` is a complex
+    number. `layout` is a `Layout`, with `certificate` and `distortion` as those of a `PlaneMap`;
+    None for spheres, and with `start="delaunay"`.
+    """
+
+    def __init__(self, target, found):
+        sphere = found.pop("sphere", None)
+        layout = found.pop("layout", None)
+        self.target = target
+        self.certificate = self.distortion = self.positions = None
+        self.__dict__.update(found)
+        self.sphere = sphere
+        if sphere is not None:
+            self.positions = sphere.pop("positions")
+            if not sphere["convex"]:
+                self.status = "stalled"
+        self.layout = None if layout is None else _layout(layout)
+
+    def __repr__(self):
+        return f"<intrinsic.ConformalMap to the {self.target}: {len(self.u)} vertices, " \
+               f"{self.status}>"
+
+
+def _layout(parts):
+    begins = parts["begins"].astype(np.int64)
+    polygons = np.split(parts["corners"].astype(np.int64), begins[1:-1])
+    return Layout(parts["points"], polygons, parts["uv"], parts["weights"], parts["vertices"],
+                  parts["input_faces"].astype(np.int64), parts["seams"].astype(np.int64))
+
+
+_multiple = re.compile(r"\s*(\d+)?(?:/(\d+))?\s*\*?\s*pi\s*(?:/\s*(\d+))?\s*")
+
+
+def _angle(x, name):
+    """Returns an angle as radians, NaN if free, and as a multiple of pi, whose denominator is 0 if
+    it is none."""
+    if isinstance(x, Fraction):
+        return 0.0, x.numerator, x.denominator
+    if isinstance(x, str):
+        if x == "free":
+            return np.nan, 0, 0
+        found = _multiple.fullmatch(x)
+        if found:
+            over, below = (int(g) if g else 1 for g in found.groups()[1:])
+            angle = Fraction(int(found[1] or 1), over * below) if over * below else None
+            if angle:
+                return 0.0, angle.numerator, angle.denominator
+        raise ValueError(f'{name} is "{x}"; give radians, "free", or a multiple of pi such as '
+                         '"3/2 pi"')
+    radians = float(x)
+    if not (np.isnan(radians) or 0 < radians < np.inf):
+        raise ValueError(f"{name} is {x}; give a positive angle in radians")
+    return radians, 0, 0
+
+
+def _angle_arrays(angles, vertices):
+    """Returns rows, radians, numerators and denominators."""
+    if angles is None:
+        angles = {}
+    elif not isinstance(angles, dict):
+        listed = list(angles)
+        if len(listed) != vertices:
+            raise ValueError(f"angles has {len(listed)} angles; give one for each of {vertices} "
+                             "vertices")
+        angles = dict(enumerate(listed))
+    rows = _arrays.indices(list(angles), "the vertices of angles", (None,), count=vertices)
+    parts = [_angle(x, f"the angle of vertex {v}") for v, x in angles.items()]
+    radians, over, below = zip(*parts) if parts else ((), (), ())
+    return (rows, np.array(radians, dtype=float), np.array(over, dtype=np.int64),
+            np.array(below, dtype=np.int64))
 
 
 class _Maps:
-    pass
+    def parametrize(self, method="harmonic", *, cut=None):
+        """Maps a disk to the plane: a `PlaneMap`.
+
+        `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
+        "spectral" or "lscm": as conformal as possible with a free border; or "conformal":
+        discretely conformal, see `uniformize()`, whose `ConformalMap` it returns.
+        Clouds of points have the method "spectral".
+
+        `cut` is "auto" to cut any surface open to a disk along short curves, or an array of edges
+        of shape (k, 2), as pairs of vertices.
+        """
+        if method == "conformal":
+            return self.uniformize(target="plane")
+        if self._is_cloud():
+            if method != "spectral":
+                raise ValueError('for a cloud of points only method="spectral" works')
+            uv = _core.map_of_points(self._core, self._cloud_neighbors())
+            return PlaneMap(self, uv, "done", None, None, 0, 0)
+        surface, original = self._cut_open(cut)
+        core = _core.copy(surface._flipped()) if method == "harmonic" else surface._flipped()
+        uv, *found = _core.parametrize(core, method)
+        changed = type(self)._of(core) if found[-1] else surface
+        result = PlaneMap(changed, uv, *found)
+        result.original_vertex = original
+        if _core.sheets(core) == 1:
+            result.injective_on_input = _core.is_injective_on_input(core, uv)
+        return result
+
+    def uniformize(self, angles=None, *, cones=None, target=None, start="input", progress=None):
+        """Finds scale factors with which the surface has prescribed angles, and lays it out: a
+        `ConformalMap`.
+
+        `angles` has one for each vertex, in radians, NaN where the vertex keeps its scale, or as
+        strings: "3/2 pi", "free"; `fractions.Fraction` is a multiple of pi, which is checked
+        exactly. `cones` is the number of vertices, to be chosen, with other angles than a full
+        turn, or a dict from vertices to angles. A border is free: the surface is doubled.
+
+        `target` is "plane", "sphere", "torus", or "disk": that of Poincaré, for surfaces with
+        handles and, with a geodesic border, others; by default what the surface allows. `start` is
+        "input": lengths of the triangles of the mesh are scaled; or "delaunay": those of the
+        intrinsic Delaunay triangulation, without a layout.
+        """
+        if start not in ("input", "delaunay"):
+            raise ValueError(f'start="{start}" does not exist; give "input" or "delaunay"')
+        if angles is not None and cones is not None:
+            raise ValueError("give angles or cones, not both")
+        closed, polygons = self._closed()
+        core = closed._flipped() if start == "delaunay" else closed._core
+        target = _target(core, target, angles is not None or cones is not None)
+        count = None
+        if cones is not None and not isinstance(cones, dict):
+            count = int(_arrays.indices(cones, "cones", ()))
+            if count < 0 or target == "disk":
+                raise ValueError(f"cones is {count}; give a number of cones of a flat surface, or "
+                                 "a dict")
+        arrays = _angle_arrays(cones if isinstance(cones, dict) else angles,
+                               core.number_of_input_vertices)
+        found = _core.uniformize(core, target, start == "input", count, *arrays, progress)
+        if polygons is not None and "layout" in found:
+            found["layout"]["input_faces"] = polygons[found["layout"]["input_faces"]]
+        return ConformalMap(target, found)
+
+    def eigen(self, k, *, progress=None):
+        """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
+        the eigenfunctions, of shape (n, k), orthonormal in the mass matrix."""
+        if isinstance(k, bool) or not isinstance(k, (int, np.integer)) or k < 0:
+            raise ValueError(f"k is {k!r}; give the number of eigenfunctions")
+        return _core.eigen(self._flipped(), int(k), progress)
+
+    def deform(self, handles, displacements=None, *, energy="biharmonic"):
+        """Moves some vertices, and the others with them, as smoothly as possible. Returns the
+        displacements of all vertices, of shape (n, d).
+
+        `handles` are vertices, and `displacements`, of shape (k, d), how far they move; or
+        `handles` is a dict. The same handles may move many times: that is fast. `energy` is
+        "biharmonic" or "harmonic".
+        """
+        if displacements is None:
+            if not isinstance(handles, dict):
+                raise ValueError("displacements are missing; give them, or a dict of handles")
+            handles, displacements = list(handles), list(handles.values())
+        core = self._flipped()
+        rows = _arrays.indices(handles, "handles", (None,), count=core.number_of_vertices)
+        moved = _arrays.numbers(displacements, "displacements")
+        if moved.ndim != 2 or len(moved) != len(rows):
+            raise ValueError(f"displacements has the shape {moved.shape}; give a row for each of "
+                             f"{len(rows)} handles")
+        return _core.deform(core, rows, moved, energy)
+
+    def _is_cloud(self):
+        return _core.sheets(self._core) > 2
+
+    def _of_triangles(self, triangles, points, domain):
+        arithmetic = "exact" if _core.is_exact(self._core) else "double"
+        return type(self)(points, triangles, domain=domain, arithmetic=arithmetic)
+
+    def _input_triangles(self, why):
+        points = _core.input_points(self._core)
+        if not len(points):
+            raise ValueError(f"a surface of lengths alone cannot be {why}; give one that is")
+        return points, *_core.input_triangles(self._core)
+
+    def _closed(self):
+        """Returns the surface, or the double of one with border; and the user's face that each of
+        its faces is, or None."""
+        if self._is_cloud():
+            raise ValueError("a cloud of points has no faces; give a mesh")
+        if _core.topology(self._core)[2] == 0:
+            return self, None
+        points, triangles, polygons = self._input_triangles("doubled")
+        return self._of_triangles(triangles, points, "closed"), polygons
+
+    def _cut_open(self, cut):
+        """Returns the surface, cut open, and the vertex that each of its vertices is a copy of."""
+        if cut is None:
+            return self, None
+        points, triangles, _ = self._input_triangles("cut open")
+        if isinstance(cut, str):
+            if cut != "auto":
+                raise ValueError(f'cut="{cut}" does not exist; give "auto" or an array of edges')
+            cut = None
+        else:
+            cut = _arrays.indices(cut, "cut", (None, 2), count=len(points))
+        faces, original = _core.cut_open(points, triangles, cut)
+        return self._of_triangles(faces, points[original], "auto"), original
+
+
+def _target(core, target, has_angles):
+    """Returns what a surface becomes, if the user does not say it."""
+    if target not in (None, "plane", "sphere", "torus", "disk"):
+        raise ValueError(f'target="{target}" does not exist; give "plane", "sphere", "torus" or '
+                         '"disk"')
+    if has_angles and target not in (None, "plane", "disk"):
+        raise ValueError(f'target="{target}" has no cones; leave angles and cones out')
+    if target is not None:
+        return target
+    components, euler, border, sheets = _core.topology(core)
+    if has_angles or sheets > 1 or border or components != 1 or euler % 2:
+        return "plane"
+    return {2: "sphere", 0: "torus"}.get(euler, "disk")

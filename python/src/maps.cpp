@@ -1,10 +1,251 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Surface.h"
+#include "maps.h"
+#include "../../src/intrinsic/status_name.h"
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
+#include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/operators/surface_modes.h>
+#include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+
+#include <pybind11/stl.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Maps to the plane, eigenfunctions, deformations.
 
 namespace python {
 
-void bind_maps(py::module_&) {}
+using namespace py::literals;
+
+py::dict dict_of(const IT::Map_certificate& c) {
+  return py::dict("injective"_a = c.is_injective(),
+                  "locally_injective"_a = c.is_locally_injective(), "faces"_a = c.faces,
+                  "flipped_faces"_a = c.flipped, "degenerate_faces"_a = c.degenerate,
+                  "border_is_simple"_a = c.border_is_simple);
+}
+
+py::dict dict_of(const IT::Map_distortion& d) {
+  return py::dict(
+      "mean_quasi_conformal"_a = d.mean_quasi_conformal,
+      "max_quasi_conformal"_a = d.maximum_quasi_conformal,
+      "mean_angle_change"_a = d.mean_angle_change, "max_angle_change"_a = d.maximum_angle_change,
+      "min_area_ratio"_a = d.minimum_area_ratio, "max_area_ratio"_a = d.maximum_area_ratio,
+      "mean_area_ratio"_a = d.mean_area_ratio);
+}
+
+namespace {
+
+// ---- Maps to the plane -------------------------------------------------------------------------
+
+template <class T>
+IT::Injective_map certified(const T& t, Eigen::MatrixX2d uv) {
+  IT::Injective_map map{IT::Status::done, std::move(uv), {}};
+  map.certificate = IT::certify_map(t, map.uv);
+  return map;
+}
+
+template <class T>
+IT::Injective_map map_of(T& t, const std::string& method) {
+  if (method == "harmonic") return IT::injective_harmonic_map(t);
+  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
+  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
+  refuse("method=\"" + method +
+         "\" does not exist; give \"harmonic\", \"lscm\", \"spectral\" or \"conformal\"");
+}
+
+// The surface may be refined.
+py::tuple parametrize(Surface& s, const std::string& method) {
+  IT::Map_distortion distortion;
+  IT::Injective_map map = with_triangulation(s, [&](auto& t) {
+    IT::Injective_map result = map_of(t, method);
+    distortion = IT::measure_distortion(t, result.uv);
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(map.uv)), program::name(map.status),
+                        dict_of(map.certificate), dict_of(distortion), map.rounds, map.inserted);
+}
+
+py::array_t<double> map_of_points(Surface& s, std::size_t neighbors) {
+  Watch watch;
+  return array_of(
+      without_interpreter(watch, [&] { return IT::conformal_map_of_points(s.points, neighbors); }));
+}
+
+// Certifies a map that is linear on the triangles of the mesh.
+bool is_injective_on_input(Surface& s, const Doubles& uv) {
+  expect_columns(uv, 2, "uv");
+  const Eigen::MatrixX2d given = matrix_of(uv);
+  return with_triangulation(s, [&](auto& t) {
+    const IT::Input& input = t.input();
+    std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
+    for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+      std::uint32_t h = input.halfedge_of_face(f);
+      for (std::uint32_t& row : triangles[f]) {
+        row = input.names().row(input.source(h));
+        h = input.next(h);
+      }
+    }
+    return IT::certify_map(triangles, given.topRows(input.number_of_rows())).is_injective();
+  });
+}
+
+// ---- The surface before its first move ---------------------------------------------------------
+
+py::array_t<double> input_points(Surface& s) { return array_of(std::vector<Point>(s.points)); }
+
+// The user's triangles, in their order, and the user's face that each is a part of.
+py::tuple input_triangles(Surface& s) {
+  std::vector<std::int64_t> polygons;
+  auto triangles = with_triangulation(s, [&](auto& t) {
+    const IT::Input& input = t.input();
+    const std::uint32_t step = std::max<std::uint32_t>(input.names().sheets, 1);
+    std::vector<std::array<std::int64_t, 3>> result(input.number_of_faces() / step);
+    for (std::uint32_t f = 0; f < result.size(); ++f) {
+      const std::uint32_t here = input.names().faces.here(step * f);
+      std::uint32_t h = input.halfedge_of_face(here);
+      for (std::int64_t& row : result[f]) {
+        row = input.names().row(input.source(h));
+        h = input.next(h);
+      }
+      polygons.push_back(input.names().polygon(here));
+    }
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(triangles)), array_of(std::move(polygons)));
+}
+
+// Marks edges by their ends. \throws Invalid_input naming one that does not exist
+std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
+  std::map<std::array<std::int64_t, 2>, std::uint32_t> edge_of;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const std::int64_t i = mesh.source({2 * e}).index, j = mesh.source({2 * e + 1}).index;
+    edge_of[{std::min(i, j), std::max(i, j)}] = e;
+  }
+  std::vector<char> marks(mesh.number_of_edges(), 0);
+  const std::int64_t* const ends = edges.data();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(edges.size()) / 2; ++k) {
+    const std::int64_t i = ends[2 * k], j = ends[2 * k + 1];
+    const auto found = edge_of.find({std::min(i, j), std::max(i, j)});
+    if (found == edge_of.end())
+      refuse("cut[" + std::to_string(k) + "]: no edge joins the vertices " + std::to_string(i) +
+             " and " + std::to_string(j) + "; give edges of the mesh");
+    marks[found->second] = 1;
+  }
+  return marks;
+}
+
+// Cuts triangles open along edges, or, without edges, to disks. The corners of the triangles
+// afterwards, and the vertex that each vertex is a copy of.
+py::tuple cut_open(const Doubles& points, const Integers& triangles,
+                   const std::optional<Integers>& edges) {
+  IT::Triangle_soup soup;
+  soup.points = points_of(points);
+  const std::vector<std::uint32_t> corners = numbers_of(triangles, soup.points.size(), "vertex");
+  for (std::size_t c = 0; c + 2 < corners.size(); c += 3)
+    soup.triangles.push_back({corners[c], corners[c + 1], corners[c + 2]});
+  soup.input_faces = soup.triangles.size();
+  Watch watch;
+  IT::Opened_input opened = without_interpreter(watch, [&] {
+    const IT::Intrinsic_input in =
+        IT::make_domain(std::move(soup), IT::Domain_kind::manifold).input;
+    return IT::cut_open(in, edges ? marks_of(in.mesh, *edges) : IT::cut_to_disk(in));
+  });
+  return py::make_tuple(array_of(std::move(opened.corners)),
+                        array_of(std::move(opened.original_vertex)));
+}
+
+// How many sheets the surface has over each face of the user.
+std::uint32_t sheets(Surface& s) {
+  return with_triangulation(s, [](auto& t) { return t.input().names().sheets; });
+}
+
+// ---- Eigenfunctions ----------------------------------------------------------------------------
+
+struct Solution_watch {
+  Watch* watch;
+  bool progress(std::size_t solutions) { return (*watch)("solutions", solutions); }
+};
+
+py::tuple eigen(Surface& s, std::size_t count, const py::object& progress) {
+  Watch watch(progress);
+  Solution_watch visitor{&watch};
+  IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
+    return IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
+  });
+  return py::make_tuple(array_of(std::move(pairs.values)), array_of(std::move(pairs.vectors)));
+}
+
+// ---- Deformations ------------------------------------------------------------------------------
+
+// The deformation that was used last: its handles may move many times.
+struct Kept_deformation {
+  std::vector<std::uint32_t> rows;
+  std::string energy;
+  IT::Surface_deformation deformation;
+};
+
+IT::Deformation_energy energy_of(const std::string& name) {
+  if (name == "biharmonic") return IT::Deformation_energy::biharmonic;
+  if (name == "harmonic") return IT::Deformation_energy::harmonic;
+  refuse("energy=\"" + name + "\" does not exist; give \"biharmonic\" or \"harmonic\"");
+}
+
+py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& displacements,
+                           const std::string& energy) {
+  const IT::Deformation_energy minimized = energy_of(energy);
+  const Row_matrix given = matrix_of(displacements);
+  const std::vector<std::uint32_t> rows = numbers_of(
+      handles, with_triangulation(s, [](auto& t) { return t.number_of_vertices(); }), "vertex");
+  return array_of(with_triangulation(s, [&](auto& t) -> Row_matrix {
+    std::shared_ptr<void>& place = s.cache["deformation"];
+    auto* kept = static_cast<Kept_deformation*>(place.get());
+    if (kept == nullptr || kept->rows != rows || kept->energy != energy) {
+      auto made = std::make_shared<Kept_deformation>(
+          Kept_deformation{rows, energy, IT::Surface_deformation(t, rows, minimized)});
+      kept = made.get();
+      place = std::move(made);
+    }
+    return kept->deformation.displacements(given);
+  }));
+}
+
+} // namespace
+
+void bind_maps(py::module_& m) {
+  m.def("parametrize", &parametrize);
+  m.def("map_of_points", &map_of_points);
+  m.def("is_injective_on_input", &is_injective_on_input);
+  m.def("input_points", &input_points);
+  m.def("input_triangles", &input_triangles);
+  m.def("cut_open", &cut_open);
+  m.def("sheets", &sheets);
+  m.def("is_exact", [](Surface& s) {
+    return with_triangulation(
+        s, [](auto& t) { return std::remove_cvref_t<decltype(t)>::Metric::is_exact; });
+  });
+  m.def("eigen", &eigen);
+  m.def("deform", &deform);
+  bind_uniformize(m);
+}
 
 } // namespace python

@@ -4,6 +4,7 @@
 #include "Surface.h"
 #include "curve_arrays.h"
 #include "places.h"
+#include "tangents.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -32,7 +33,6 @@ namespace python {
 namespace {
 
 using Plane_vector = IT::Plane_vector<double>;
-using Space_vector = std::array<double, 3>;
 /// A vector in space, or in the tangent plane of the point.
 using Direction = std::variant<std::complex<double>, Space_vector>;
 
@@ -76,7 +76,8 @@ IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p
   return {p, c.first * face.edge[0] - c.second * face.edge[2]};
 }
 
-// At a vertex, into the face whose plane has the vector nearest to it.
+} // namespace
+
 IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
                                     const Place& p, std::uint32_t vertex, const Space_vector& v) {
   if (!p.is_vertex()) {
@@ -94,6 +95,8 @@ IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordi
   });
   return tangent_of(input, {side, {1, 0, 0}}, best);
 }
+
+namespace {
 
 // In the frame of the face; at a vertex, in the polar coordinates of the surface there.
 template <class T>

@@ -53,11 +53,16 @@ public:
     scale_[v] = sum > 0 ? full / sum : 1;
   }
 
-  // the vector at a vertex, in the face that it points into
+  // The vector at a vertex, in the face that it points into. On the border half of the circle has
+  // the vectors that point out of the surface, which are in the frame of the first face.
   Tangent_vector at_vertex(std::uint32_t v, std::complex<double> z) const {
-    const Geodesic_walk<Surface> walk(surface_,
-                                      Corner_direction{surface_.outgoing_halfedge(v), angle(v, z)});
-    return at_start(walk, std::abs(z));
+    const std::uint32_t first = surface_.outgoing_halfedge(v);
+    const Geodesic_walk<Surface> walk(surface_, Corner_direction{first, angle(v, z)});
+    if (!walk.is_blocked()) return at_start(walk, std::abs(z));
+    constexpr double pi = std::numbers::pi;
+    const double inside = pi / scale_[v], beyond = (angle(v, z) * scale_[v] - pi) / pi;
+    return at_start(Geodesic_walk<Surface>(surface_, Corner_direction{first, 0}), std::abs(z),
+                    inside + beyond * (2 * pi - inside));
   }
 
   // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a

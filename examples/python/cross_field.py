@@ -1,0 +1,58 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The smoothest crosses on a rounded cube, and crosses that follow its curvature.
+
+Red and blue points are the centres about which they turn: a quarter turn each, eight on balance.
+Usage: cross_field.py [picture.png]
+"""
+
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+
+import intrinsic as it
+
+
+def rounded_cube(n=10):
+    """A cube with n by n squares on each side, rounded and stretched."""
+    sides = np.arange(n + 1) / n * 2 - 1
+    x, y = (a.ravel() for a in np.meshgrid(sides, sides, indexing="ij"))
+    i = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    a, b, c, d = i[:-1, :-1].ravel(), i[1:, :-1].ravel(), i[1:, 1:].ravel(), i[:-1, 1:].ravel()
+    face = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    V, F = [], []
+    for axis in range(3):
+        for sign in (-1, 1):
+            side = np.roll(np.column_stack([x, y, np.full(len(x), sign)]), axis + 1, axis=1)
+            F.append((face if sign > 0 else face[:, ::-1]) + len(V) * len(x))
+            V.append(side)
+    V, number = np.unique(np.round(np.concatenate(V), 9), axis=0, return_inverse=True)
+    V = V / np.linalg.norm(V, ord=6, axis=1)[:, None] * [1.4, 1.0, 0.8]
+    return V, number.ravel()[np.concatenate(F)]
+
+
+V, F = rounded_cube()
+s = it.Surface(V, F)
+figure = plt.figure(figsize=(10, 5))
+for k, align in enumerate((None, 1.0)):
+    field = s.direction_field(4, align=align)
+    singular = field.singularities
+    print(f"align={align}: {len(singular)} singularities, sum of indices {field.index_sum}")
+    size = 0.07
+    crosses = np.stack([V + size * d for d in field.vectors] + [V] * 4)
+    lines = [(crosses[j + 4][v], crosses[j][v]) for j in range(4) for v in range(len(V))]
+    axes = figure.add_subplot(1, 2, k + 1, projection="3d")
+    axes.add_collection3d(Poly3DCollection(V[F] * 0.985, facecolor="white", edgecolor="0.85",
+                                           linewidth=0.3))
+    axes.add_collection3d(Line3DCollection(lines, colors="0.2", linewidths=0.8))
+    axes.scatter(*singular.points.T * 1.02, c=singular.index, cmap="coolwarm", vmin=-1,
+                 vmax=1, s=30, zorder=5)
+    axes.set(title="smoothest" if align is None else "along curvature", xlim=(-1, 1),
+             ylim=(-1, 1), zlim=(-1, 1))
+    axes.view_init(25, 35)
+    axes.set_axis_off()
+figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "cross_field.png", dpi=150)

@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTRINSIC_PYTHON_ASKED_VECTORS_H
+#define INTRINSIC_PYTHON_ASKED_VECTORS_H
+
+#include "Surface.h"
+#include "places.h"
+#include "tangents.h"
+
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
+#include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Vectors that the user gives at points.
+
+namespace python {
+
+/// Vectors at points: two coordinates in the tangent plane, or three in space.
+struct Asked_vectors {
+  /// \throws Invalid_input if there is not one vector per point
+  Asked_vectors(std::vector<Place> at, const Doubles& array)
+      : places(std::move(at)), vectors(matrix_of(array)) {
+    if (vectors.rows() != static_cast<Eigen::Index>(places.size()))
+      refuse("there must be a vector per point, " + std::to_string(places.size()) + ", not " +
+             std::to_string(vectors.rows()));
+    if (vectors.cols() != 2 && vectors.cols() != 3)
+      refuse("vectors have two coordinates in the tangent plane or three in space, not " +
+             std::to_string(vectors.cols()));
+  }
+
+  /// tells whether they are in tangent planes.
+  bool are_in_planes() const { return vectors.cols() == 2; }
+  /// tells whether all points are vertices.
+  bool are_at_vertices() const {
+    return std::ranges::all_of(places, [](const Place& p) { return p.is_vertex(); });
+  }
+  /// returns a vector in a tangent plane.
+  std::complex<double> in_plane(std::size_t i) const {
+    const auto r = static_cast<Eigen::Index>(i);
+    return {vectors(r, 0), vectors(r, 1)};
+  }
+  /// returns a vector in space.
+  Eigen::Vector3d in_space(std::size_t i) const {
+    return vectors.row(static_cast<Eigen::Index>(i)).transpose();
+  }
+
+  std::vector<Place> places; ///< where they are
+  Row_matrix vectors;        ///< a row for each
+};
+
+/// returns the numbers of points of a cloud and vectors in their tangent planes.
+inline std::vector<std::pair<std::size_t, std::complex<double>>>
+vectors_of_cloud(const IT::Point_cloud_vectors& cloud, const Asked_vectors& asked) {
+  std::vector<std::pair<std::size_t, std::complex<double>>> result;
+  for (std::size_t i = 0; i < asked.places.size(); ++i) {
+    const Place& p = asked.places[i];
+    if (!p.is_vertex()) refuse("a cloud of points has no faces; give the number of a point");
+    std::complex<double> z = 0;
+    if (asked.are_in_planes())
+      z = asked.in_plane(i);
+    else if (p.vertex < cloud.size()) {
+      const auto& [x, y] = cloud.axes(p.vertex);
+      z = {Eigen::Vector3d::Map(x.data()).dot(asked.in_space(i)),
+           Eigen::Vector3d::Map(y.data()).dot(asked.in_space(i))};
+    }
+    result.push_back({p.vertex, z});
+  }
+  return result;
+}
+
+/// Finds vectors on a triangulation.
+template <class Triangulation>
+class Vector_finder {
+public:
+  using Vertex = typename Triangulation::vertex_descriptor; ///< vertex of the triangulation
+
+  /// prepares the search on a triangulation and the points of its surface.
+  Vector_finder(const Triangulation& t, const std::vector<Point>& points)
+      : t_(t), points_(points), find_(t) {}
+
+  /// returns vertices, and vectors in their polar coordinates. \pre all points are vertices
+  std::vector<std::pair<Vertex, std::complex<double>>> at_vertices(const Asked_vectors& asked) {
+    std::vector<std::pair<Vertex, std::complex<double>>> result;
+    for (std::size_t i = 0; i < asked.places.size(); ++i) {
+      const Vertex v = find_.vertex(asked.places[i].vertex);
+      result.push_back(
+          {v, asked.are_in_planes() ? asked.in_plane(i) : polar(v, tangent(asked, i))});
+    }
+    return result;
+  }
+
+  /// returns vectors in faces of the triangulation.
+  std::vector<IT::Tangent_vector> tangents(const Asked_vectors& asked) {
+    std::vector<IT::Tangent_vector> result;
+    for (std::size_t i = 0; i < asked.places.size(); ++i) result.push_back(tangent(asked, i));
+    return result;
+  }
+
+private:
+  IT::Tangent_vector tangent(const Asked_vectors& asked, std::size_t i) {
+    const Place& p = asked.places[i];
+    if (!asked.are_in_planes()) return in_space(p, asked.in_space(i));
+    const std::complex<double> z = asked.in_plane(i);
+    if (p.is_vertex()) return IT::tangent_vector(t_, find_.vertex(p.vertex), z);
+    return to_intrinsic({point_on_input(t_.input(), p), {z.real(), z.imag()}});
+  }
+
+  // A vector at a vertex keeps its length.
+  IT::Tangent_vector in_space(const Place& p, const Eigen::Vector3d& x) {
+    if (points_.empty())
+      refuse("vectors in space need points, and this surface has lengths alone; give two "
+             "coordinates in the tangent plane");
+    if (!x.allFinite()) refuse("a vector is not finite; give others");
+    const Space_vector v{x[0], x[1], x[2]};
+    if (!p.is_vertex()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
+    const Vertex at = find_.vertex(p.vertex);
+    if (t_.is_inserted(at))
+      refuse("vertex " + std::to_string(p.vertex) +
+             " was inserted; give two coordinates in its tangent plane");
+    IT::Tangent_vector result = tangent_in_space(t_.input(), points_, p, t_.index(at), v);
+    const double length = std::hypot(result.vector[0], result.vector[1]);
+    if (length > 0) result.vector = (x.norm() / length) * result.vector;
+    return to_intrinsic(result);
+  }
+
+  IT::Tangent_vector to_intrinsic(const IT::Tangent_vector& v) const {
+    return *IT::tangent_to_intrinsic(t_, v); // integer coordinates find it always
+  }
+
+  std::complex<double> polar(Vertex v, const IT::Tangent_vector& x) const {
+    const IT::internal::Point_frames<Triangulation> frames(t_);
+    return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
+  }
+
+  const Triangulation& t_;
+  const std::vector<Point>& points_;
+  Place_finder<Triangulation> find_;
+};
+
+} // namespace python
+
+#endif // INTRINSIC_PYTHON_ASKED_VECTORS_H

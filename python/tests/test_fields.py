@@ -1,0 +1,224 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Vectors: closed forms, and bit for bit what the program computes."""
+
+import tempfile
+import tracemalloc
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import intrinsic as it
+import program
+
+CUBE = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+        [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
+         [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+
+
+def grid(n=9):
+    """A square of n by n vertices with a distance of 1."""
+    y, x = np.divmod(np.arange(n * n), n)
+    V = np.column_stack([x, y, 0 * x]).astype(float)
+    i = np.arange(n * n).reshape(n, n)[:-1, :-1].ravel()
+    F = np.column_stack([i, i + 1, i + n + 1, i, i + n + 1, i + n]).reshape(-1, 3)
+    return V, F
+
+
+def axes_of(V, face):
+    """The axes in the plane of vectors at a point of a face: along its first side, and left."""
+    e = V[face[1]] - V[face[0]]
+    e /= np.linalg.norm(e)
+    return np.array([[e[0], e[1]], [-e[1], e[0]]])
+
+
+class Closed_forms(unittest.TestCase):
+    def setUp(self):
+        self.V, self.F = grid()
+        self.s = it.Surface(self.V, self.F)
+        self.point = it.Point(3, (0.2, 0.3, 0.5))
+        self.place = np.array(self.point.barycentric) @ self.V[self.F[3]]
+        self.axes = axes_of(self.V, self.F[3])
+
+    def test_logarithms_in_the_plane_are_displacements(self):
+        s, V = self.s, self.V
+        z, w = s.log_map(40) @ [1, 1j], (V - V[40]) @ [1, 1j, 0]
+        others = np.arange(81) != 40
+        turns = z[others] / w[others]
+        self.assertLess(np.abs(turns - turns[0]).max(), 1e-14)
+        self.assertAlmostEqual(abs(turns[0]), 1, 14)
+        expected = (V - self.place)[:, :2]
+        for method in (None, "exact", "affine"):
+            found = s.log_map(self.point, method=method) @ self.axes
+            self.assertLess(np.abs(found - expected).max(), 1e-12)
+        found = s.log_map(40, method="polar")  # of a coarse mesh
+        self.assertLess(np.abs(np.hypot(*found.T) - np.abs(w)).max(), 1)
+        self.assertEqual(np.isnan(s.log_map(0, max_distance=3)[:, 0]).sum(),
+                         (np.hypot(*V[:, :2].T) > 3).sum())
+
+    def test_transport_in_the_plane_keeps_vectors(self):
+        for points, vectors, expected in (
+                (40, [1, 2, 0], [1, 2, 0]), ([40, self.point], [[1, 2, 0]] * 2, [1, 2, 0]),
+                (self.point, [1, 2], [*([1, 2] @ self.axes), 0]),
+                ([8, 44], [[-1, 1, 0]] * 2, [-1, 1, 0]), (80, [-1, -2, 7], [-1, -2, 0])):
+            field = self.s.transport(points, vectors)
+            error = field.vectors / field.lengths[:, None] - expected / np.linalg.norm(expected)
+            self.assertLess(np.abs(error).max(), 1e-9)
+        field = self.s.transport(40, [0, 2])
+        self.assertLess(np.ptp(field.vectors, axis=0).max(), 1e-9)
+        np.testing.assert_allclose(field.lengths, 2, rtol=1e-12)
+        np.testing.assert_allclose(np.linalg.norm(field.axes, axis=1), 1, rtol=1e-12)
+
+    def test_values_extend_from_the_nearest_point(self):
+        values = self.s.extend([0, self.point], [2, 5])
+        self.assertTrue(2 <= values.min() and values.max() <= 5)
+        np.testing.assert_allclose(self.s.extend([7, 8], [3, 3]), 3, rtol=1e-12)
+
+    def test_signed_distances_from_a_line(self):
+        d = self.s.signed_distance([36, 44])  # eastward, along y = 4
+        np.testing.assert_allclose(d, 4 - self.V[:, 1], atol=1e-9)
+        loop = self.s.signed_distance([[20, 24, 60, 56, 20]])  # counterclockwise
+        self.assertLess(loop[40], -1)
+        self.assertGreater(loop[0], 1)
+        np.testing.assert_array_equal(loop[[20, 22, 24, 56, 60]], 0)
+
+    def test_fields_turn_as_often_as_the_surface_demands(self):
+        for degree in (1, 2, 4, 6):
+            field = it.Surface(*CUBE).direction_field(degree)
+            self.assertEqual((field.index_sum, field.border_turns), (2 * degree, 0))
+            self.assertEqual(field.face_index.sum(), 2 * degree)
+            self.assertEqual(field.singularities.index.sum(), 2 * degree)
+            self.assertEqual(field.vectors.shape, (degree, 8, 3))
+            np.testing.assert_allclose(field.lengths, 1, rtol=1e-12)
+        field = self.s.direction_field(4)
+        self.assertEqual(field.index_sum, 4 + field.border_turns)
+        V, w = self.V, field.singularities.barycentric
+        self.assertTrue(np.allclose((w[:, :, None] * V[self.F[field.singularities.faces]]).sum(1),
+                                    field.singularities.points))
+
+    def test_fixed_directions_stay(self):
+        field = self.s.direction_field(1, fixed=(40, [0, 3, 0]))
+        np.testing.assert_allclose(field.vectors[0][40], [0, 1, 0], atol=1e-9)
+        self.assertGreater(field.vectors[0][:, 1].min(), 0.5)  # corners turn it
+        with self.assertRaisesRegex(ValueError, "vertices only"):
+            self.s.direction_field(1, fixed=([self.point], [[1, 0]]))
+
+    def test_nonmanifold_surfaces_have_a_vector_per_vertex(self):
+        V = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]]
+        s = it.Surface(V, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        np.testing.assert_allclose(np.hypot(*s.log_map(0).T)[[1, 2]], 1, rtol=1e-12)
+        self.assertEqual(s.transport(0, [1, 0]).vectors.shape, (5, 3))
+        with self.assertRaisesRegex(ValueError, "cover"):
+            s.signed_distance([0, 1])
+
+
+class Arguments(unittest.TestCase):
+    def test_bad_ones_are_named(self):
+        s = it.Surface(*grid(4))
+        for message, call in (
+                ("does not exist", lambda: s.log_map(0, method="fast")),
+                ("several points", lambda: s.log_map([0, 1])),
+                (r"p\[?0?\]? is 99|from 0 to 15", lambda: s.log_map(99)),
+                ("positive number", lambda: s.log_map(0, method="affine", time_factor=0)),
+                ("a vector per point", lambda: s.transport([0, 1], [[1, 0]])),
+                ("two coordinates", lambda: s.transport([0], [[1, 0, 0, 0]])),
+                ("finite", lambda: s.transport(0, [np.nan, 0])),
+                ("one number for each", lambda: s.extend([0, 1], [1])),
+                ("degree", lambda: s.direction_field(0)),
+                ("degree", lambda: s.direction_field(1.5)),
+                ("even degree", lambda: s.direction_field(1, align=1)),
+                ("align", lambda: s.direction_field(4, align=-1)),
+                ("curves", lambda: s.signed_distance([])),
+                ("curves", lambda: s.signed_distance([3])),
+                (r"curves\[1\]", lambda: s.signed_distance([[0, 1], [0, 16]]))):
+            with self.assertRaisesRegex(ValueError, message):
+                call()
+
+    def test_any_types_and_strides(self):
+        s = it.Surface(*grid(4))
+        expected = s.transport([0, 15], [[1, 0], [0, 1]]).coordinates
+        for points, vectors in ((np.array([0, 99, 15], dtype=np.uint8)[::2], np.eye(2, dtype="f4")),
+                                ((0, 15), np.asfortranarray(np.eye(2))),
+                                ([0, 15], [[1, 0], [0, 1]])):
+            np.testing.assert_array_equal(s.transport(points, vectors).coordinates, expected)
+
+    def test_nothing_leaks(self):
+        s = it.Surface(*grid(4))
+
+        def work():
+            s.log_map(0)
+            s.transport(0, [1, 0]).vectors
+            s.direction_field(4).singularities
+            s.signed_distance([0, 15])
+            s.extend(0, [1])
+
+        work()
+        tracemalloc.start()
+        before = tracemalloc.take_snapshot()
+        for _ in range(100):
+            work()
+        grown = sum(d.size_diff for d in tracemalloc.take_snapshot().compare_to(before, "filename"))
+        tracemalloc.stop()
+        self.assertLess(grown, 20000)
+
+
+@unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+class As_the_program(unittest.TestCase):
+    MESHES = "elephant.off", "mpi.off", "ellipsoid.off", "double-torus-example.off", "hole.off"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.out = self.folder / "x.txt"
+
+    def run_program(self, command, path, *options):
+        found = program.run(command, path, *options, "-o", self.out)
+        return found, np.genfromtxt(self.out)
+
+    def test_logarithmic_maps(self):
+        for name in self.MESHES:
+            path, V, F = program.mesh(name)
+            s = it.Surface(V, F)
+            for method in ("exact", "affine", "polar"):
+                _, expected = self.run_program("logmap", path, "--method", method, "--source", 3)
+                np.testing.assert_array_equal(s.log_map(3, method=method), expected, name)
+
+    def test_transport(self):
+        (self.folder / "v.txt").write_text("3 0 2\n8 90 1\n")
+        for name in self.MESHES:
+            path, V, F = program.mesh(name)
+            _, expected = self.run_program("transport", path, "--vectors", self.folder / "v.txt")
+            angle = np.array([0.0, 90 * np.pi / 180])
+            field = it.Surface(V, F).transport(
+                [3, 8], np.column_stack([np.cos(angle), np.sin(angle)]) * [[2], [1]])
+            np.testing.assert_array_equal(field.lengths, expected[:, 0], name)
+            np.testing.assert_array_equal(field.coordinates, expected[:, 1:3], name)
+            np.testing.assert_array_equal(field.axes, expected[:, 3:], name)
+
+    def test_direction_fields(self):
+        for name in self.MESHES:
+            path, V, F = program.mesh(name)
+            s = it.Surface(V, F)
+            for degree, align in ((1, None), (4, None), (4, 0.5)):
+                options = ("--align", align) if align is not None else ()
+                found, expected = self.run_program("field", path, "--degree", degree, *options)
+                field = s.direction_field(degree, align=align)
+                np.testing.assert_array_equal(field.coordinates, expected[:, :2], name)
+                found = found["field"]
+                self.assertEqual((len(field.singularities), field.index_sum, field.border_turns),
+                                 (found["singular_faces"], found["index_sum"],
+                                  found["border_turns"]))
+
+    def test_signed_distances(self):
+        for name in self.MESHES:
+            path, V, F = program.mesh(name)
+            _, expected = self.run_program("distance", path, "--method", "heat", "--signed",
+                                           "--curve", "3,8,12")
+            np.testing.assert_array_equal(it.Surface(V, F).signed_distance([3, 8, 12]), expected,
+                                          name)
+
+
+if __name__ == "__main__":
+    unittest.main()

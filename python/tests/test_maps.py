@@ -1,0 +1,250 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Maps, eigenfunctions, deformations: closed forms, and bit for bit what the program computes."""
+
+import doctest
+import tempfile
+import tracemalloc
+import unittest
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+import intrinsic as it
+import program
+from test_fields import CUBE, grid
+
+
+def bent(n=9):
+    """Half a cylinder of radius 1, as wide as half its circumference."""
+    V, F = grid(n)
+    x = V[:, 0] / (n - 1) * np.pi
+    return np.column_stack([np.cos(x), np.sin(x), V[:, 1] / (n - 1) * np.pi]), F
+
+
+def torus(n=12, m=8):
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
+    u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
+    V = np.column_stack([(3 + np.cos(v)) * np.cos(u), (3 + np.cos(v)) * np.sin(u), np.sin(v)])
+    a, b, c, d = ((i + k) % n * m + (j + l) % m for k, l in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+class Closed_forms(unittest.TestCase):
+    def test_flat_surfaces_are_only_turned(self):
+        V, F = grid()
+        d = np.linalg.norm(V[:, None] - V[None], axis=2)
+        for method in ("lscm", "spectral", "conformal"):
+            m = it.Surface(V, F).parametrize(method)
+            uv = m.uv if method != "conformal" else m.layout.uv
+            if method == "conformal":
+                np.testing.assert_allclose(m.u, 0, atol=1e-9)
+                order = np.argsort(m.layout.vertices)
+                uv = uv[order[-81:]]
+            self.assertTrue(m.certificate["locally_injective"])
+            self.assertAlmostEqual(m.distortion["max_quasi_conformal"], 1, 9)
+            found = np.linalg.norm(uv[:, None] - uv[None], axis=2)
+            np.testing.assert_allclose(found, d, atol=1e-9)
+
+    def test_harmonic_maps_go_to_the_unit_disk(self):
+        m = it.Surface(*bent()).parametrize()
+        self.assertEqual((m.status, m.certificate["injective"], m.injective_on_input),
+                         ("done", True, True))
+        self.assertAlmostEqual(np.hypot(*m.uv.T).max(), 1, 14)
+        self.assertGreater(m.distortion["mean_quasi_conformal"], 1.1)
+        self.assertEqual(m.surface._core.number_of_vertices, len(m.uv))
+
+    def test_spheres_become_round_and_tori_flat(self):
+        sphere = it.Surface(*CUBE).uniformize()
+        self.assertEqual((sphere.target, sphere.status), ("sphere", "done"))
+        np.testing.assert_allclose(np.linalg.norm(sphere.positions, axis=1), 1, rtol=1e-12)
+        self.assertTrue(sphere.sphere["injective"])
+        flat = it.Surface(*torus()).uniformize()
+        self.assertEqual((flat.target, flat.status), ("torus", "done"))
+        self.assertLess(flat.residual, 1e-10)
+        self.assertLess(flat.proven_residual, 1e-8)
+        self.assertAlmostEqual(flat.period.real, 0, 9)  # a mirror goes along it
+        self.assertGreaterEqual(abs(flat.period), 1 - 1e-12)
+        self.assertAlmostEqual(sum(flat.u), 0, 9)
+        np.testing.assert_allclose(flat.scale_factors, np.exp(flat.u / 2), rtol=1e-15)
+        # differences across seams are integers in the basis of the translations
+        at = {}
+        for v, uv in zip(flat.layout.vertices, flat.layout.uv):
+            if v >= 0:
+                at.setdefault(v, []).append(uv)
+        copies = [p - ps[0] for ps in at.values() for p in ps]
+        np.testing.assert_allclose(copies, np.round(copies), atol=1e-9)
+
+    def test_cones_of_a_cube(self):
+        found = it.Surface(*CUBE).uniformize(["3/2pi"] * 8)
+        self.assertEqual((found.target, found.status), ("plane", "done"))
+        np.testing.assert_allclose(found.u, 0, atol=1e-9)  # it has these angles
+        self.assertEqual(found.cones, {v: 1.5 * np.pi for v in range(8)})
+        for angles in ([1.5 * np.pi] * 8, ["3pi/2"] * 8, [Fraction(3, 2)] * 8):
+            np.testing.assert_allclose(it.Surface(*CUBE).uniformize(angles).u, 0, atol=1e-9)
+        free = it.Surface(*CUBE).uniformize(cones={0: "free", 3: "free", 5: "free"})
+        self.assertEqual(free.status, "done")
+        np.testing.assert_array_equal(free.u[[0, 3, 5]], 0)
+        self.assertEqual(len(it.Surface(*CUBE).uniformize(cones=8).cones), 8)
+
+    def test_layouts_have_all_faces_in_the_plane(self):
+        found = it.Surface(*bent()).uniformize()
+        layout = found.layout
+        self.assertEqual(set(layout.input_faces), set(range(128)))
+        u, v = layout.uv.T
+        area = sum(u[p] @ np.roll(v[p], -1) - v[p] @ np.roll(u[p], -1) for p in layout.polygons) / 2
+        self.assertAlmostEqual(area, 2 * 8 * np.sin(np.pi / 16) * np.pi, 9)  # it can be developed
+        self.assertEqual(layout.seams.shape, (0, 2))
+        self.assertIsNone(it.Surface(*bent()).uniformize(start="delaunay").layout)
+
+    def test_eigenvalues_of_a_square(self):
+        s = it.Surface(*grid(33))
+        values, functions = s.eigen(4)
+        expected = (np.pi / 32) ** 2 * np.array([0, 1, 1, 2])
+        np.testing.assert_allclose(values, expected, atol=2e-4)
+        M = s.mass()
+        np.testing.assert_allclose(functions.T @ (M @ functions), np.eye(4), atol=1e-10)
+        np.testing.assert_allclose(s.laplacian() @ functions, (M @ functions) * values, atol=1e-12)
+
+    def test_deformations_of_a_square(self):
+        V, F = grid()
+        s = it.Surface(V, F)
+        d = s.deform({0: [0, 0, 2], 8: [0, 0, 2], 80: [0, 0, 2]})
+        np.testing.assert_allclose(d, np.tile([0, 0, 2], (81, 1)), atol=1e-9)
+        rows, border = np.arange(81), (V[:, :2] % 8 == 0).any(axis=1)
+        linear = V[:, :2] @ [[1, 0], [2, 1]]
+        for energy in ("harmonic", "biharmonic"):
+            found = s.deform(rows[border], linear[border], energy=energy)
+            np.testing.assert_array_equal(found[border], linear[border])
+            if energy == "harmonic":
+                np.testing.assert_allclose(found, linear, atol=1e-12)
+
+
+class Arguments(unittest.TestCase):
+    def test_bad_ones_are_named(self):
+        s, cube = it.Surface(*grid(4)), it.Surface(*CUBE)
+        for message, call in (
+                ("does not exist", lambda: s.parametrize("fast")),
+                ("border", lambda: cube.parametrize()),
+                ("does not exist", lambda: s.uniformize(target="cube")),
+                ("does not exist", lambda: s.uniformize(start="end")),
+                ("not both", lambda: cube.uniformize([1] * 8, cones=3)),
+                ("has 2 angles", lambda: cube.uniformize([1, 2])),
+                ("vertex 0 is", lambda: cube.uniformize(["2"] * 8)),
+                ("vertex 1 is -1", lambda: cube.uniformize(cones={1: -1})),
+                ("from 0 to 7", lambda: cube.uniformize(cones={8: 1})),
+                ("no cones", lambda: cube.uniformize(cones=4, target="sphere")),
+                ("Gauss", lambda: cube.uniformize(["pi"] * 8)),
+                ("number of eigenfunctions", lambda: s.eigen(-1)),
+                ("number of eigenfunctions", lambda: s.eigen(2.5)),
+                ("a row for each", lambda: s.deform([0, 1], [[1, 0, 0]])),
+                ("displacements are missing", lambda: s.deform([0])),
+                ("from 0 to 15", lambda: s.deform({16: [1]})),
+                ("energy", lambda: s.deform({0: [1.0]}, energy="none"))):
+            with self.assertRaisesRegex(ValueError, message):
+                call()
+
+    def test_nothing_leaks(self):
+        s = it.Surface(*grid(4))
+
+        def work():
+            s.parametrize()
+            s.uniformize()
+            s.eigen(3)
+            s.deform({0: [0, 0, 1]})
+
+        work()
+        tracemalloc.start()
+        before = tracemalloc.take_snapshot()
+        for _ in range(50):
+            work()
+        grown = sum(d.size_diff for d in tracemalloc.take_snapshot().compare_to(before, "filename"))
+        tracemalloc.stop()
+        self.assertLess(grown, 20000)
+
+
+@unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+class As_the_program(unittest.TestCase):
+    DISKS = "nefertiti.off", "patch-30.off", "mushroom.off"
+    CLOSED = "hand.off", "rotor.off", "anchor.off", "double-torus-example.off"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.out = self.folder / "x.txt"
+
+    def run_program(self, command, path, *options):
+        found = program.run(command, path, *options, "-o", self.out)
+        return found, np.genfromtxt(self.out)
+
+    def test_maps_to_the_plane(self):
+        for name in self.DISKS:
+            path, V, F = program.mesh(name)
+            s = it.Surface(V, F)
+            for method in ("harmonic", "lscm", "spectral"):
+                found, expected = self.run_program("parametrize", path, "--method", method)
+                m, found = s.parametrize(method), found["parametrize"]
+                np.testing.assert_array_equal(m.uv, expected, f"{name} {method}")
+                self.assertEqual(m.injective_on_input, found["injective_on_input"])
+                for key in ("injective", "flipped_faces", "degenerate_faces", "border_is_simple"):
+                    self.assertEqual(m.certificate[key], found[key])
+                self.assertEqual(m.distortion["max_quasi_conformal"], found["max_quasi_conformal"])
+                self.assertEqual((m.rounds, m.inserted_vertices),
+                                 (found["rounds"], found["inserted_vertices"]))
+
+    def test_scale_factors(self):
+        for name in self.DISKS + self.CLOSED:
+            path, V, F = program.mesh(name)
+            s = it.Surface(V, F)
+            for start in ("input", "delaunay"):
+                for cones in (None, 4):
+                    options = ("--start", start) + (() if cones is None else ("--cones", cones))
+                    if cones is None and name in self.CLOSED[2:]:
+                        continue  # no flat metric
+                    found, expected = self.run_program("uniformize", path, *options)
+                    m, found = s.uniformize(cones=cones, start=start), found["conformal"]
+                    np.testing.assert_array_equal(m.u, expected, f"{name} {start} {cones}")
+                    self.assertEqual((m.status, m.iterations, m.flips, m.proven_residual),
+                                     (found["status"], found["iterations"], found["flips"],
+                                      found["proven_residual"]))
+                    self.assertEqual(len(m.cones), found["cones"])
+
+    def test_layouts(self):
+        for name in self.DISKS + self.CLOSED:
+            path, V, F = program.mesh(name)
+            found = program.run("uniformize", path, "--cones", 4, "-o", self.folder / "x.vtp")
+            m, found = it.Surface(V, F).uniformize(cones=4), found["conformal"]
+            for key in ("injective", "flipped_faces", "degenerate_faces"):
+                self.assertEqual(m.certificate[key], found[key], name)
+            self.assertEqual(m.distortion["mean_quasi_conformal"], found["mean_quasi_conformal"])
+
+    def test_eigenfunctions(self):
+        for name in self.DISKS + self.CLOSED:
+            path, V, F = program.mesh(name)
+            found, expected = self.run_program("eigen", path, "--count", 5)
+            values, functions = it.Surface(V, F).eigen(5)
+            np.testing.assert_array_equal(functions, expected, name)
+            np.testing.assert_array_equal(values, found["eigen"]["values"], name)
+
+    def test_deformations(self):
+        (self.folder / "h.txt").write_text("3 0 0 0\n8 1 2 3\n")
+        for name in self.DISKS + self.CLOSED:
+            path, V, F = program.mesh(name)
+            s = it.Surface(V, F)
+            for energy in ("harmonic", "biharmonic"):
+                _, expected = self.run_program("edit", path, "--energy", energy, "--handles",
+                                               self.folder / "h.txt")
+                found = s.deform([3, 8], [[0, 0, 0], [1, 2, 3]], energy=energy)
+                np.testing.assert_array_equal(found, expected, f"{name} {energy}")
+
+
+def load_tests(loader, tests, pattern):
+    """Adds the examples in the manual."""
+    tests.addTests(doctest.DocFileSuite("../../doc/Intrinsic_triangulations/python_fields.md"))
+    return tests
+
+
+if __name__ == "__main__":
+    unittest.main()
