@@ -61,6 +61,13 @@ class Network:
         self.certified = parts["is_certified"]
         self._edges = parts["edges"]
 
+    def __getstate__(self):
+        return self.curves, self.status, self.flips, self.certified
+
+    def __setstate__(self, state):
+        self.curves, self.status, self.flips, self.certified = state
+        self._edges = None  # stay behind: cuts insert the curves again
+
     @property
     def length(self):
         """The length of all curves."""

@@ -128,7 +128,7 @@ class _Curves:
         if curves is None:
             places = self._places(through, "through")
             return Cut(_core.cut_to_disks(self._core, places), users)
-        if isinstance(curves, Network):
+        if isinstance(curves, Network) and curves._edges is not None:
             return Cut(_core.cut_network(self._core, curves._edges), users)
         curves = [curves] if isinstance(curves, Curve) else list(curves)
         for i, curve in enumerate(curves):

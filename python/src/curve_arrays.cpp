@@ -84,6 +84,44 @@ py::dict point_arrays(const IT::Input& input, const Points& coordinates,
   return result;
 }
 
+namespace {
+
+// What a way is made of, for pickle.
+py::tuple state_of(const Way& way) {
+  std::vector<std::uint32_t> halfedges;
+  Points weights;
+  for (const IT::Surface_point& p : way.curve.points) {
+    halfedges.push_back(p.halfedge);
+    weights.push_back(p.weights);
+  }
+  return py::make_tuple(static_cast<int>(way.curve.status), way.is_closed, way.curve.length,
+                        way.curve.length_enclosure.inf(), way.curve.length_enclosure.sup(),
+                        array_of(std::move(halfedges)), array_of(std::move(weights)),
+                        array_of(std::vector<std::uint32_t>(way.curve.faces)));
+}
+
+Way way_of(const py::tuple& state) {
+  const auto numbers = [&](std::size_t i) {
+    const Integers a = state[i].cast<Integers>();
+    return std::vector<std::uint32_t>(a.data(), a.data() + a.size());
+  };
+  Way way;
+  way.curve.status = static_cast<IT::Status>(state[0].cast<int>());
+  way.is_closed = state[1].cast<bool>();
+  way.curve.length = state[2].cast<double>();
+  way.curve.length_enclosure = {state[3].cast<double>(), state[4].cast<double>()};
+  const std::vector<std::uint32_t> halfedges = numbers(5);
+  const Points weights = points_of(state[6].cast<Doubles>());
+  for (std::size_t i = 0; i < halfedges.size(); ++i)
+    way.curve.points.push_back({halfedges[i], weights.at(i)});
+  way.curve.faces = numbers(7);
+  return way;
+}
+
+} // namespace
+
+void bind_way(py::module_& m) { py::class_<Way>(m, "Way").def(py::pickle(&state_of, &way_of)); }
+
 // Keeps one of consecutive points that are in the same place: the last, with the face where the
 // curve goes on.
 static void drop_repetitions(const IT::Input& input, const Points& coordinates, bool is_closed,

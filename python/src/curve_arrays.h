@@ -28,6 +28,9 @@ struct Way {
   bool is_closed = false; ///< then the last of its points is the first one again
 };
 
+/// adds the class to the module: an object that can be pickled, but has no members there.
+void bind_way(py::module_& m);
+
 /// returns the word for how work ended.
 std::string status_name(IT::Status status);
 

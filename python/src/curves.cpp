@@ -264,7 +264,7 @@ void bind_cuts(py::module_& m);
 void bind_traces(py::module_& m);
 
 void bind_curves(py::module_& m) {
-  py::class_<Way>(m, "Way");
+  bind_way(m);
   py::class_<Curve_edges, std::shared_ptr<Curve_edges>>(m, "CurveEdges");
   py::class_<Curve_options>(m, "CurveOptions")
       .def(py::init<bool, bool, bool>(), py::arg("is_shortest"), py::arg("stays_at_points"),

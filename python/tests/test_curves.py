@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Geodesics, isolines and cuts: closed forms, and bit for bit what the program computes."""
 
+import copy
 import doctest
+import pickle
 import tempfile
 import tracemalloc
 import unittest
@@ -214,6 +216,18 @@ class Cuts(unittest.TestCase):
         s = it.Surface(V, F)
         lines = s.isolines(V[:, 0], [0.5]) + s.isolines(V[:, 1], [0.5]) + [s.path(0, 35)]
         self.assertEqual(s.cut(lines).number_of_components, 6)
+
+    def test_curves_can_be_pickled_and_copied(self):
+        V, F = grid(4)
+        s = it.Surface(V, F)
+        network = s.network([[10, 14], [2, 22]])
+        for twin in (pickle.loads(pickle.dumps(network)), copy.deepcopy(network)):
+            np.testing.assert_array_equal(twin[0].points, network[0].points)
+            self.assertEqual(twin[1].bounds, network[1].bounds)
+            self.assertEqual(s.cut(twin).number_of_components, 4)
+            self.assertEqual(s.cut(twin[0]).number_of_components, 2)
+        cut = pickle.loads(pickle.dumps(s.cut(network)))
+        self.assertEqual((cut.interpolation != s.cut(network).interpolation).nnz, 0)
 
     def test_a_torus_becomes_a_disk(self):
         V, F = torus()
