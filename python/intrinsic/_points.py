@@ -13,7 +13,8 @@ class Point(NamedTuple):
     """A place in a face of the user's mesh, which is a triangle.
 
     `barycentric` are the weights of its corners, in the order in which the face lists them; they
-    sum to 1.
+    sum to 1. In a face that was turned around, since it disagreed with its neighbours, the second
+    and the third corner change places, as they do in `Surface.faces`.
     """
 
     face: int

@@ -131,6 +131,15 @@ class Paths(Shapes):
             fins.cut(fins.path(2, 3))
 
 
+    def test_weights_follow_the_corners_of_faces_that_were_turned_around(self):
+        V = np.array(SQUARE[0], dtype=float)
+        s = it.Surface(V, [[0, 1, 2], [0, 3, 2]])
+        np.testing.assert_array_equal(s.faces, SQUARE[1])
+        curve = s.path(it.Point(1, (0.5, 0.3, 0.2)), 1)
+        np.testing.assert_allclose(curve.points[0], [0.5, 0.3, 0.2] @ V[s.faces[1]], atol=1e-15)
+        self.check(s, V, curve)
+
+
 class Traces(Shapes):
     def test_lines_in_a_square_are_straight(self):
         V, F = grid(5)
