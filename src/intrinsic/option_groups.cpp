@@ -460,10 +460,11 @@ void add_uniformize_options(CLI::App& command, Options& options) {
   angles->type_name("FILE");
   command
       .add_option("--cones", u.cones,
-                  "how many vertices have other angles, which are chosen; or a text file: the "
-                  "number of such a vertex and its angle on each line")
+                  "how many vertices have other angles, which are chosen; or, such as 10x, the "
+                  "largest ratio of scales, for as many as are needed; or a text file: the number "
+                  "of such a vertex and its angle on each line")
       ->excludes(angles)
-      ->type_name("NUMBER|FILE");
+      ->type_name("NUMBER|RATIO|FILE");
   command
       .add_option("--start", u.start,
                   "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "

@@ -72,6 +72,9 @@ class Uniformize(Cli_test):
         self.assertEqual([c["angle"] for c in result["cone_angles"]], [1.5 * math.pi] * 8)
         file = self.write("c.txt", "".join(f"{c['vertex']} 3/2pi\n" for c in result["cone_angles"]))
         self.assertEqual(self.scale(mesh, "--cones", file)[1], u)
+        result = self.scale(mesh, "--cones", "20x")[0]["conformal"]
+        self.assertGreaterEqual(result["cones"], 3)
+        self.assertLess(result["max_scale_ratio"], 30)
         _, other = self.scale(mesh, "--cones", file, "--start", "input")
         self.assertLess(max(abs(x - y) for x, y in zip(u, other)), 0.1)
 
@@ -184,7 +187,7 @@ class Uniformize(Cli_test):
         self.assertGreaterEqual(len(result["generators"]), 4)
         for a, *_ in result["generators"]:  # no motion of the group has a fixed point
             self.assertGreater(abs(a), 1)
-        klein = [[2 * x / (1 + x * x + y * y) for x in (x, y)] for x, y in places]
+        klein = [[2 * p[k] / (1 + p[0]**2 + p[1]**2) for k in (0, 1)] for p in places]
         for face in corners:  # straight and counterclockwise in Klein's model
             z = [complex(*klein[c]) for _, c in face]
             self.assertGreater(sum((a.conjugate() * b).imag for a, b in zip(z, z[1:] + z[:1])), 0)

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -40,11 +41,25 @@ bool is_number(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
 
+// The ratio in a word such as 10x or 2.5x; nothing if it is none.
+std::optional<double> ratio_of(const std::string& word) {
+  if (word.size() < 2 || word.back() != 'x') return std::nullopt;
+  const std::string number = word.substr(0, word.size() - 1);
+  if (number.find_first_not_of("0123456789.") != std::string::npos) return std::nullopt;
+  try {
+    return std::stod(number);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
 template <class Ideal>
 IT::Prescribed_angles angles_of(Ideal& ideal, const Uniformize_options& options) {
   if (!options.angles.empty()) return read_angles(options.angles, ideal.number_of_vertices());
   if (!options.cones.empty() && is_number(options.cones))
     return IT::place_cones(ideal, std::stoul(options.cones));
+  if (const std::optional<double> ratio = ratio_of(options.cones))
+    return IT::place_cones_within(ideal, *ratio);
   IT::Prescribed_angles angles = IT::flat_angles(ideal);
   if (options.target == "disk") // the border becomes geodesic
     for (std::size_t v = 0; v < angles.size(); ++v)
@@ -88,7 +103,7 @@ template <class Triangulation>
 std::string target_of(const Triangulation& t, const Uniformize_options& options) {
   const bool has_angles = !options.angles.empty() || !options.cones.empty();
   if (options.target == "disk") {
-    if (is_number(options.cones) && !options.cones.empty())
+    if (!options.cones.empty() && (is_number(options.cones) || ratio_of(options.cones)))
       throw std::runtime_error("--cones " + options.cones +
                                " places cones of flat surfaces; with --target disk, list cones "
                                "with their angles in a file");

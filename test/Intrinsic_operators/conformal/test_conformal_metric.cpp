@@ -267,6 +267,27 @@ TEST(Conformal_metric, ConesArePlacedWithTheCurvatureOfTheSurface) {
   EXPECT_EQ(IT::conformal_metric(disk, IT::place_cones(disk, 2)).status, IT::Status::done);
 }
 
+TEST(Conformal_metric, ConesKeepTheScaleInARange) {
+  const auto number_of_cones = [](Ideal t, double ratio) {
+    const IT::Prescribed_angles angles = IT::place_cones_within(t, ratio);
+    const IT::Conformal_metric m = IT::conformal_metric(t, angles);
+    EXPECT_EQ(m.status, IT::Status::done) << ratio;
+    const auto [least, most] = std::ranges::minmax(m.u);
+    EXPECT_LE(std::exp(most - least), 1.5 * ratio); // the prediction is linear
+    std::size_t cones = 0;
+    for (std::size_t v = 0; v < angles.size(); ++v)
+      if (!angles.is_free(v) && angles.multiple(v) != IT::Multiple_of_pi()) ++cones;
+    return cones;
+  };
+  const meshes::Mesh potato = meshes::potato(3, 1);
+  const Ideal sphere = ideal_delaunay(Shape{potato.points, potato.triangles}.input());
+  const std::size_t few = number_of_cones(sphere, 100);
+  EXPECT_GE(few, 3U);
+  EXPECT_GE(number_of_cones(sphere, 8), few);
+  EXPECT_EQ(number_of_cones(ideal_delaunay(torus(6, 0.3)), 1.5), 0U);
+  EXPECT_EQ(number_of_cones(ideal_delaunay(rough_grid(8, 0.2, 0.5, 5).input()), 20), 0U);
+}
+
 template <class Call>
 void expect_refusal(const Call& call, const std::string& part) {
   try {
@@ -291,6 +312,9 @@ TEST(Conformal_metric, RefusesAnglesThatNoSurfaceHas) {
   expect_refusal(solve(IT::Prescribed_angles(angles)), "vertex 3: its angle is not positive");
   expect_refusal([&] { IT::place_cones(t, 2); }, "place at least 3");
   expect_refusal([&] { IT::place_cones(t, 9); }, "only 8 vertices");
+  expect_refusal([&] { IT::place_cones_within(t, 1); }, "above 1");
+  Ideal bent = ideal_delaunay(rough_torus(4, 0.3, 1).input());
+  expect_refusal([&] { IT::place_cones_within(bent, 1.0001); }, "allow at least");
   Ideal open(grid(3).input());
   expect_refusal([&] { IT::conformal_metric(open, IT::Prescribed_angles(16)); }, "border");
 }

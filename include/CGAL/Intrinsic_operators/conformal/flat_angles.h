@@ -20,6 +20,10 @@ Prescribed_angles flat_angles(const Ideal_surface& surface);
 // Places cones in each component. \throws Invalid_input if that many cannot have its curvature
 void place_cones(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles);
 
+// Places cones until the scale is predicted to stay in a range. \throws Invalid_input if it does
+// not, however many there are
+void place_cones_within(Ideal_surface& surface, double ratio, Prescribed_angles& angles);
+
 } // namespace internal
 
 /*!
@@ -62,6 +66,32 @@ template <IndexedTriangulation Triangulation>
     internal::Ideal_surface_of<Triangulation> surface(t);
     Prescribed_angles angles = internal::flat_angles(surface);
     internal::place_cones(surface, number, angles);
+    return angles;
+  }
+
+/*!
+\brief places as many cones as keep the scale of the surface in a range, and prescribes a full turn
+elsewhere.
+
+Numbers of cones are tried in growing order, with steps of a quarter, for each of which
+`place_cones(t, number)` chooses the cones. The first one is taken for which the linear problem has
+\f$e^{u}\f$ within the range. It predicts the scale of `conformal_metric()`, which is not computed;
+where u is large, that scale differs by more.
+
+\tparam Triangulation see `conformal_metric()`
+\param t the triangulation, which becomes ideal Delaunay with all scale factors 1
+\param ratio of the largest to the least scale \f$e^u\f$ of lengths in each component, free vertices
+  included; above 1
+\return the angles, all of them multiples of pi
+\throws Invalid_input if `t` has a border, or no number of cones is enough
+\complexity a sparse factorization for each number that is tried, and a solution for each cone
+*/
+template <IndexedTriangulation Triangulation>
+  requires internal::Has_horocycles<Triangulation>
+      Prescribed_angles place_cones_within(Triangulation& t, double ratio) {
+    internal::Ideal_surface_of<Triangulation> surface(t);
+    Prescribed_angles angles = internal::flat_angles(surface);
+    internal::place_cones_within(surface, ratio, angles);
     return angles;
   }
 

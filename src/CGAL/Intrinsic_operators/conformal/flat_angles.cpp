@@ -29,6 +29,13 @@ public:
   Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles);
   void place();
 
+  // Whether no cone is needed; the least number of cones that all components can have; the most.
+  bool needs_none() const;
+  long least_number() const;
+  long most_number() const;
+  // The largest difference of u in a component that cones which are placed lead to.
+  double range_of_scale();
+
 private:
   struct Component {
     std::size_t first = 0; // a vertex
@@ -45,6 +52,7 @@ private:
   };
 
   void find_areas(const std::vector<Ideal_face>& faces);
+  static long least_number(const Component& c);
   void expect_possible(const Component& c) const;
   std::vector<Extremes> find_extremes();
   Eigen::VectorXd missing_curvature() const;
@@ -94,14 +102,51 @@ void Cone_placer::find_areas(const std::vector<Ideal_face>& faces) {
     if (is_chosen_[r] == 0) component_[components_.of_row[r]].area += area_[r];
 }
 
+// Of those with other angles; none at all is possible besides if there is no curvature.
+long Cone_placer::least_number(const Component& c) {
+  if (c.has_free) return 0;
+  return c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 ? 1 : 2;
+}
+
+bool Cone_placer::needs_none() const {
+  return std::ranges::all_of(component_,
+                             [](const Component& c) { return c.has_free || c.rest == 0; });
+}
+
+long Cone_placer::least_number() const {
+  long least = 0;
+  for (const Component& c : component_) least = std::max(least, least_number(c));
+  return least;
+}
+
+long Cone_placer::most_number() const {
+  long most = std::numeric_limits<long>::max();
+  for (const Component& c : component_) most = std::min(most, c.vertices);
+  return most;
+}
+
+double Cone_placer::range_of_scale() {
+  const Eigen::VectorXd u = system_->solve(missing_curvature());
+  std::vector<std::array<double, 2>> range(
+      component_.size(),
+      {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+  for (std::size_t r = 0; r < angles_.size(); ++r)
+    if (const std::uint32_t c = components_.of_row[r]; c != Gluing::none) {
+      const double value = u[static_cast<Eigen::Index>(r)];
+      range[c] = {std::min(range[c][0], value), std::max(range[c][1], value)};
+    }
+  double largest = 0;
+  for (const auto& [least, most] : range) largest = std::max(largest, most - least);
+  return largest;
+}
+
 void Cone_placer::expect_possible(const Component& c) const {
   const std::string of = "the component of vertex " + std::to_string(c.first);
   if (c.vertices < number_)
     throw Invalid_input(Element_kind::vertex, c.first,
                         of + " has only " + std::to_string(c.vertices) + " vertices for " +
                             std::to_string(number_) + " cones; place fewer");
-  if (c.has_free) return;
-  const long least = c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 ? 1 : 2;
+  const long least = least_number(c);
   if (number_ >= least || (c.rest == 0 && number_ == 0)) return;
   throw Invalid_input(Element_kind::vertex, c.first,
                       of + " cannot be flat with " + std::to_string(number_) +
@@ -186,6 +231,29 @@ Prescribed_angles flat_angles(const Ideal_surface& surface) {
 
 void place_cones(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles) {
   Cone_placer(surface, number, angles).place();
+}
+
+void place_cones_within(Ideal_surface& surface, double ratio, Prescribed_angles& angles) {
+  if (!(ratio > 1) || !std::isfinite(ratio))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the ratio of scales within which cones are to keep the surface is not a "
+                        "number above 1");
+  const Prescribed_angles flat = angles;
+  const Cone_placer first(surface, 0, angles);
+  const long least = first.least_number(), most = first.most_number();
+  double best = std::numeric_limits<double>::infinity();
+  for (long n = first.needs_none() ? 0 : least; n <= most;
+       n = std::max(least, n + std::max(1L, n / 4))) {
+    angles = flat;
+    Cone_placer placer(surface, static_cast<std::size_t>(n), angles);
+    placer.place();
+    const double range = placer.range_of_scale();
+    if (range <= std::log(ratio)) return;
+    best = std::min(best, range);
+  }
+  throw Invalid_input(Element_kind::none, 0,
+                      "no number of cones keeps scales within a ratio of " + std::to_string(ratio) +
+                          "; allow at least " + std::to_string(std::exp(best)));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
