@@ -252,14 +252,14 @@ class _Maps:
         """Returns the surface, cut open, and the vertex that each of its vertices is a copy of."""
         if cut is None:
             return self, None
-        points, triangles, _ = self._input_triangles("cut open")
+        points, triangles, polygons = self._input_triangles("cut open")
         if isinstance(cut, str):
             if cut != "auto":
                 raise ValueError(f'cut="{cut}" does not exist; give "auto" or an array of edges')
             cut = None
         else:
             cut = _arrays.indices(cut, "cut", (None, 2), count=len(points))
-        faces, original = _core.cut_open(points, triangles, cut)
+        faces, original = _core.cut_open(points, triangles, polygons, cut)
         return self._of_triangles(faces, points[original], "auto"), original
 
 

@@ -156,7 +156,8 @@ std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
 
 // Cuts triangles open along edges, or, without edges, to disks. The corners of the triangles
 // afterwards, and the vertex that each vertex is a copy of.
-py::tuple cut_open(const Doubles& points, const Integers& triangles,
+// \param polygons the face that each triangle is a part of: polygons stay whole
+py::tuple cut_open(const Doubles& points, const Integers& triangles, const Integers& polygons,
                    const std::optional<Integers>& edges) {
   IT::Triangle_soup soup;
   soup.points = points_of(points);
@@ -164,6 +165,9 @@ py::tuple cut_open(const Doubles& points, const Integers& triangles,
   for (std::size_t c = 0; c + 2 < corners.size(); c += 3)
     soup.triangles.push_back({corners[c], corners[c + 1], corners[c + 2]});
   soup.input_faces = soup.triangles.size();
+  expect_size(polygons, soup.triangles.size(), "polygons");
+  soup.polygon_of_triangle = numbers_of(polygons, IT::Gluing::none, "face");
+  if (!soup.triangles.empty()) soup.input_faces = soup.polygon_of_triangle.back() + 1;
   Watch watch;
   IT::Opened_input opened = without_interpreter(watch, [&] {
     const IT::Intrinsic_input in =

@@ -98,6 +98,28 @@ class Closed_forms(unittest.TestCase):
         self.assertEqual(layout.seams.shape, (0, 2))
         self.assertIsNone(it.Surface(*bent()).uniformize(start="delaunay").layout)
 
+    def test_surfaces_with_handles_go_to_the_disk(self):
+        V, F = torus()
+        V2, keep = V + [0, 20, 0], np.arange(1, len(F))  # two tori, glued along a missing face
+        i, j = F[0], F[0][[0, 2, 1]] + len(V)
+        F2 = F[keep, ::-1] + len(V)
+        number = np.arange(2 * len(V))
+        number[j] = i[[0, 2, 1]]
+        used, faces = np.unique(number[np.concatenate([F[keep], F2])], return_inverse=True)
+        s = it.Surface(np.concatenate([V, V2])[used], faces.reshape(-1, 3))
+        found = s.uniformize()
+        self.assertEqual((found.target, found.status), ("disk", "done"))
+        self.assertLess(np.hypot(*found.layout.uv.T).max(), 1)
+        self.assertTrue(found.certificate["locally_injective"])
+
+    def test_edges_to_cut_at(self):
+        m = it.Surface(*CUBE).parametrize("lscm", cut=[[0, 1], [1, 3], [3, 2]])
+        self.assertEqual(len(m.uv), 10)
+        self.assertEqual(sorted(m.original_vertex[8:]), [1, 3])
+        self.assertTrue(m.certificate["locally_injective"])
+        whole = it.Surface(*grid()).parametrize("lscm", cut="auto")  # is a disk
+        np.testing.assert_array_equal(whole.original_vertex, np.arange(81))
+
     def test_eigenvalues_of_a_square(self):
         s = it.Surface(*grid(33))
         values, functions = s.eigen(4)
@@ -127,6 +149,9 @@ class Arguments(unittest.TestCase):
         for message, call in (
                 ("does not exist", lambda: s.parametrize("fast")),
                 ("border", lambda: cube.parametrize()),
+                ("does not exist", lambda: cube.parametrize(cut="all")),
+                ("shape", lambda: cube.parametrize(cut=[0, 1])),
+                ("no edge joins", lambda: cube.parametrize(cut=[[0, 7]])),
                 ("does not exist", lambda: s.uniformize(target="cube")),
                 ("does not exist", lambda: s.uniformize(start="end")),
                 ("not both", lambda: cube.uniformize([1] * 8, cones=3)),
@@ -193,6 +218,18 @@ class As_the_program(unittest.TestCase):
                 self.assertEqual(m.distortion["max_quasi_conformal"], found["max_quasi_conformal"])
                 self.assertEqual((m.rounds, m.inserted_vertices),
                                  (found["rounds"], found["inserted_vertices"]))
+
+    def test_maps_of_surfaces_that_are_cut_open(self):
+        for name in "rotor.off", "double-torus-example.off", "hand.off":
+            path, V, F = program.mesh(name)
+            for method in ("harmonic", "spectral"):
+                found, expected = self.run_program("parametrize", path, "--method", method,
+                                                   "--cut", "auto")
+                m = it.Surface(V, F).parametrize(method, cut="auto")
+                np.testing.assert_allclose(m.uv, expected[:, :2], atol=1e-9, err_msg=name)
+                rows = expected[:len(m.original_vertex), 2]
+                np.testing.assert_array_equal(m.original_vertex, rows, name)
+                self.assertEqual(m.certificate["injective"], found["parametrize"]["injective"])
 
     def test_scale_factors(self):
         for name in self.DISKS + self.CLOSED:
