@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "asked_vectors.h"
+#include "fields.h"
+
+#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
+#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
+#include <CGAL/Intrinsic_operators/vectors/direction_field.h>
+#include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Direction fields and signed distances.
+
+namespace python {
+
+namespace {
+
+py::tuple connection_laplacian(Surface& s, int degree) {
+  return array_of(
+      with_triangulation(s, [&](auto& t) { return IT::connection_laplacian(t, degree); }));
+}
+
+// ---- Direction fields --------------------------------------------------------------------------
+
+// A field of directions, and where it is singular.
+struct Directions {
+  Field field{};
+  std::vector<int> index{};          // of each face of the triangulation
+  std::vector<std::int64_t> faces{}; // the user's, at centres of singular faces
+  std::vector<Point> weights{};
+  std::vector<Point> points{};
+  std::vector<int> singular{}; // their indices
+  std::ptrdiff_t sum = 0;
+  int border_turns = 0;
+};
+
+template <class T>
+IT::Direction_field
+smooth_field(const T& t, const Surface& s, int degree, const std::optional<double>& strength,
+             const std::vector<std::pair<typename T::vertex_descriptor, Complex>>& fixed,
+             Watch& watch) {
+  Watching visitor{&watch, "factorization and solutions"};
+  const auto np = IT::parameters::visitor(std::ref(visitor));
+  if (!strength) return IT::smoothest_direction_field(t, degree, fixed, np);
+  if (degree % 2 != 0)
+    refuse("directions of curvature have no sign; with align, give an even degree: 2 for lines, 4 "
+           "for crosses");
+  if (s.points.empty())
+    refuse("a surface with lengths alone has no directions of curvature; leave align out");
+  return IT::aligned_direction_field(t, degree, IT::principal_directions(t, s.points), *strength,
+                                     fixed, np);
+}
+
+// Finds the centres of the faces with an index other than 0.
+template <class T>
+void add_singularities(const T& t, const std::vector<Point>& points, Directions& d) {
+  for (const auto f : faces(t.mesh())) {
+    const int i = d.index[t.index(f)];
+    if (i == 0) continue;
+    const auto p = IT::locate_on_input(
+        t, {t.numbers().halfedge(halfedge(f, t.mesh())), {1. / 3, 1. / 3, 1. / 3}});
+    if (!p) continue;
+    const std::uint32_t face = t.input().face(p->halfedge);
+    d.faces.push_back(t.input().names().polygon(face));
+    d.weights.push_back(IT::seen_from(t.input(), *p, t.input().halfedge_of_face(face)).weights);
+    d.singular.push_back(i);
+    if (!points.empty()) d.points.push_back(IT::point_in_space(t, *p, points));
+  }
+}
+
+Directions cloud_directions(Surface& s, int degree, const std::optional<double>& strength,
+                            const Asked_vectors& asked, std::size_t neighbors) {
+  if (strength)
+    refuse("align needs curvature, which a cloud of points does not have; leave it out");
+  const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
+  Directions result;
+  result.field.vectors =
+      cloud.smoothest_direction_field(degree, vectors_of_cloud(cloud, asked)).directions();
+  return result;
+}
+
+Directions directions(Surface& s, int degree, const std::optional<double>& strength,
+                      const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
+  return with_triangulation(s, watch, [&](auto& t) {
+    if (is_cloud(t)) {
+      Directions result = cloud_directions(s, degree, strength, asked, neighbors);
+      result.field = cloud_field(t, std::move(result.field.vectors));
+      return result;
+    }
+    if (!asked.are_at_vertices()) refuse("directions can be fixed at vertices only");
+    const IT::Direction_field f =
+        smooth_field(t, s, degree, strength, Vector_finder(t, s.points).at_vertices(asked), watch);
+    const auto singular = IT::singularities(t, f);
+    Directions result{{f.directions(), IT::first_copies_of_rows(t)}, singular.index};
+    result.sum = singular.sum();
+    for (const auto& [h, turns] : singular.turns) result.border_turns += turns;
+    add_singularities(t, s.points, result);
+    return result;
+  });
+}
+
+py::tuple direction_field(Surface& s, int degree, const std::optional<double>& strength,
+                          const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
+                          const py::object& progress) {
+  Watch watch(progress);
+  Directions d =
+      directions(s, degree, strength, Asked_vectors(places_of(places), vectors), neighbors, watch);
+  return py::make_tuple(std::move(d.field), array_of(std::move(d.index)),
+                        array_of(std::move(d.faces)), array_of(std::move(d.weights)),
+                        array_of(std::move(d.points)), array_of(std::move(d.singular)), d.sum,
+                        d.border_turns);
+}
+
+// ---- Signed distances --------------------------------------------------------------------------
+
+// The shortest ways along edges from each vertex of a curve to the next one.
+template <class T>
+std::vector<typename T::halfedge_descriptor> along_edges(const T& t,
+                                                         const std::vector<std::uint32_t>& rows) {
+  Place_finder<T> vertices(t);
+  IT::Edge_path_finder<T> find(t);
+  std::vector<typename T::halfedge_descriptor> curve;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    const auto way = find(vertices.vertex(rows[i]), vertices.vertex(rows[i + 1]));
+    if (way.empty())
+      refuse("no edges lead from vertex " + std::to_string(rows[i]) + " to vertex " +
+             std::to_string(rows[i + 1]) + "; choose different vertices of one component");
+    curve.insert(curve.end(), way.begin(), way.end());
+  }
+  return curve;
+}
+
+py::array_t<double> signed_distance(Surface& s, const std::vector<Integers>& curves,
+                                    double time_factor) {
+  std::vector<std::vector<std::uint32_t>> rows;
+  for (const Integers& c : curves)
+    rows.push_back(numbers_of(c, std::numeric_limits<std::uint32_t>::max(), "vertex"));
+  return array_of(with_triangulation(s, [&](auto& t) {
+    using Method = IT::Signed_heat_distance<std::remove_cvref_t<decltype(t)>>;
+    std::vector<std::vector<typename std::remove_cvref_t<decltype(t)>::halfedge_descriptor>> along;
+    for (const auto& curve : rows) along.push_back(along_edges(t, curve));
+    return s
+        .cached<Method>(Diffusion{time_factor, 0}.key("signed heat"),
+                        [&] { return new Method(t, IT::parameters::time_factor(time_factor)); })
+        .distances(along);
+  }));
+}
+
+} // namespace
+
+void bind_directions(py::module_& m) {
+  m.def("connection_laplacian", &connection_laplacian);
+  m.def("direction_field", &direction_field);
+  m.def("signed_distance", &signed_distance);
+}
+
+} // namespace python
