@@ -213,7 +213,7 @@ Flattened flatten(std::mt19937& random) {
 // whether the vertices of the face's triangle are different, and it could be checked.
 bool expect_projective(const IT::Subdivision_layout& layout, std::size_t f) {
   const std::span<const std::uint32_t> corners = layout.subdivision.face(f);
-  const std::vector<double> values = IT::fields_of_layout(layout).back().values;
+  const std::vector<double> values = IT::fields_of_layout(layout).at(2).values;
   const Eigen::Map<const Eigen::Matrix3Xd> homogeneous(values.data(), 3, layout.weights.size());
   std::map<std::uint32_t, Eigen::Index> place;
   Eigen::Matrix3Xd weights = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(corners.size())),
