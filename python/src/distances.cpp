@@ -45,11 +45,13 @@ struct Batch_visitor {
   bool progress(std::size_t done, std::size_t) { return (*watch)("parts", done); }
 };
 
-// The tables of exact distances.
+// The tables of exact distances, which are kept without windows.
+constexpr const char* exact_tables = "exact distances";
+
 template <class T>
 IT::Polyhedral_distance<T>& search_of(Surface& s, const T& t) {
   return s.cached<IT::Polyhedral_distance<T>>(
-      "exact distances", [&] { return std::make_unique<IT::Polyhedral_distance<T>>(t); });
+      exact_tables, [&] { return std::make_unique<IT::Polyhedral_distance<T>>(t); });
 }
 
 // What observes a heat flow, whose matrices are kept for longer than the call that is observed.
@@ -114,6 +116,7 @@ Found_distances exact_distances(Surface& s, const T& t, const std::vector<Place>
     for (const IT::Surface_point& q : find.points({p})) least = std::min(least, search.distance(q));
     found.values.push_back(least);
   }
+  if (!std::ranges::all_of(*targets, &Place::is_vertex)) s.cache.erase(exact_tables);
   return found;
 }
 
@@ -268,6 +271,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
     found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
   for (const IT::Cell_junction& j : found.cells.junctions)
     found.junctions.push_back(IT::locate_on_input(t, j.point).value());
+  s.cache.erase(exact_tables);
   return found;
 }
 
