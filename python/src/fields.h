@@ -54,7 +54,7 @@ struct Watching {
   /// is called after each step.
   template <class... Step>
   bool progress(const Step&...) {
-    return (*watch)(stage);
+    return (*watch)(stage, 0);
   }
 };
 
