@@ -20,8 +20,8 @@ of them.
 The cut is near the cut locus of that face: it consists of the edges that a tree of shortest ways
 from the face to all others does not cross, without those that dangle. It is longer than that of
 `cut_to_disk()`, but the disk is small: hyperbolic layouts, whose errors grow exponentially with
-the distance from the centre, stay accurate. Fans that meet in a vertex are taken apart. The length
-of a way is that of steps from face to face, each as long as a mean side.
+the distance from the centre, stay accurate. Fans that meet in a vertex are taken apart. A way
+goes through the middles of sides.
 \param s the surface, orientable or not, of any number of components; `is_kept` is not read
 \param through vertices that the cut passes through
 \param centers the number of faces of each component that are tried; that is kept whose farthest

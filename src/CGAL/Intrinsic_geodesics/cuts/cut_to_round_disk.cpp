@@ -26,8 +26,8 @@ namespace {
 class Round_disk_cutter {
 public:
   Round_disk_cutter(const Surface_to_cut& s, std::span<const std::uint32_t> through)
-      : fans_(cut_open(s.gluing, std::vector<char>(s.gluing.glue.size(), 0))), g_(fans_.gluing),
-        is_fixed_(g_.number_of_vertices, 0), is_cut_(g_.glue.size(), 0),
+      : length_(s.length), fans_(cut_open(s.gluing, std::vector<char>(s.gluing.glue.size(), 0))),
+        g_(fans_.gluing), is_fixed_(g_.number_of_vertices, 0), is_cut_(g_.glue.size(), 0),
         distance_(g_.number_of_faces(), infinity), entry_(g_.number_of_faces(), Gluing::none) {
     if (s.length.size() != g_.glue.size())
       throw Invalid_input(Element_kind::none, 0,
@@ -41,13 +41,11 @@ public:
     }
     for (std::size_t v = 0; v < is_fixed_.size(); ++v)
       is_fixed_[v] = is_fixed_[fans_.original_vertex[v]];
-    for (std::size_t h = 0; h < s.length.size(); h += 3)
-      size_.push_back((s.length[h] + s.length[h + 1] + s.length[h + 2]) / 3);
   }
 
   std::vector<char> run(std::size_t centers) {
-    std::vector<char> is_done(size_.size(), 0);
-    for (std::uint32_t f = 0; f < size_.size(); ++f) {
+    std::vector<char> is_done(entry_.size(), 0);
+    for (std::uint32_t f = 0; f < entry_.size(); ++f) {
       if (is_done[f] != 0) continue;
       grow(best_center(f, centers));
       for (const std::uint32_t reached : order_) is_done[reached] = 1;
@@ -61,6 +59,14 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   std::uint32_t partner(std::uint32_t h) const { return Gluing::partner(g_.glue[h]); }
+
+  // The way to the middle of side `h` from that of the side through which a face is entered: half
+  // of the third side. From the first face all sides are at the same distance.
+  double way_through(std::uint32_t f, std::uint32_t h) const {
+    const double *const l = &length_[3 * std::size_t{f}], sum = l[0] + l[1] + l[2];
+    if (entry_[f] == Gluing::none) return sum / 6;
+    return entry_[f] == h ? 0 : (sum - length_[h] - length_[entry_[f]]) / 2;
+  }
 
   // Finds the shortest ways from a face; `order_` has all faces that are reached, the last one is
   // the farthest.
@@ -82,7 +88,7 @@ private:
       for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
         if (g_.glue[h] == Gluing::none) continue;
         const std::uint32_t other = partner(h) / 3;
-        const double next = d + (size_[f] + size_[other]) / 2;
+        const double next = d + way_through(f, h);
         if (!(next < distance_[other])) continue;
         distance_[other] = next;
         entry_[other] = partner(h);
@@ -166,11 +172,11 @@ private:
     return {g_.origin[h], g_.origin[Gluing::next(h)]};
   }
 
-  Opened_surface fans_; // at vertices where fans of faces meet they are taken apart
+  const std::vector<double>& length_; // of each side
+  Opened_surface fans_;               // at vertices where fans of faces meet they are taken apart
   const Gluing& g_;
   std::vector<char> is_fixed_; // per vertex: no end of the cut there is loose
   std::vector<char> is_cut_;   // per side
-  std::vector<double> size_;   // of each face: its mean side
   std::vector<double> distance_;
   std::vector<std::uint32_t> entry_; // of each face: the side through which its way comes
   std::vector<std::uint32_t> order_; // faces that were reached, by distance

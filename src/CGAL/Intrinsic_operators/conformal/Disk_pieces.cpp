@@ -39,6 +39,12 @@ Disk_motion translation_along_axis(double distance) {
   return {std::cosh(distance / 2), std::sinh(distance / 2)};
 }
 
+double place_on_axis(double length, double part) {
+  const double half = std::sinh(length / 2), square = half * half;
+  const double time = 1 + 2 * part * square, norm = std::sqrt(1 + 4 * part * (1 - part) * square);
+  return part * std::sinh(length) / (time + norm);
+}
+
 std::vector<Disk_motion> frames_of_sides(const Surface_to_cut& s) {
   std::vector<Disk_motion> result;
   result.reserve(s.length.size());

@@ -19,6 +19,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The motion along the real axis of Poincaré's disk that moves its centre by a distance.
 Disk_motion translation_along_axis(double distance);
 
+// The place of a point of a side that lies on the positive axis from the centre: in the hyperboloid
+// model on the line between the ends of the side, at a part of it.
+double place_on_axis(double length, double part);
+
 // Hyperbolic triangles, each with corner 0 in the centre of its frame, and side 0 on the positive
 // real axis. For each side the motion that takes the centre to its start and the positive axis to
 // the side. Lengths are hyperbolic ones.

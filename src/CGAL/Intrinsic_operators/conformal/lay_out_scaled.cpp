@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
+#include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -87,13 +88,29 @@ private:
     return result;
   }
 
-  // The input with its lengths scaled: nearly hyperbolic ones where edges are short.
+  // The input with the hyperbolic lengths of its edges, piece by piece.
   Surface_to_cut hyperbolic_input() const {
-    Surface_to_cut s = opened_;
-    const auto factor = [&](std::uint32_t h) { return in_.factors[in_.row[s.gluing.origin[h]]]; };
-    for (std::uint32_t h = 0; h < s.length.size(); ++h)
-      s.length[h] = 2 * std::asinh(s.length[h] * factor(h) * factor(Gluing::next(h)) / 2);
-    return s;
+    const Common_subdivision& s = in_.subdivision;
+    const std::vector<Disk_motion> frames = frames_of_sides(in_.flat);
+    const auto place = [&](std::uint32_t c) {
+      const std::uint32_t h = in_.flat.side[s.intrinsic_halfedge[c]];
+      const double p =
+          along(s, c, s.intrinsic_halfedge[c], &Common_subdivision::Crossing::on_intrinsic);
+      const std::complex<double> z = frames[h](place_on_axis(in_.flat.length[h], p));
+      return Disk_point{z, 1 - std::norm(z)};
+    };
+    std::vector<double> length(in_.start.side.size() / 2, 0);
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+      for (std::uint32_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c)
+        if (const std::uint32_t e = s.side[c].input_edge; e != Common_subdivision::none) {
+          const std::uint32_t next = c + 1 == s.face_begin[f + 1] ? s.face_begin[f] : c + 1;
+          length[e] += place(c).distance(place(next)) / 2; // pieces on both sides of the edge
+        }
+    Surface_to_cut result = opened_;
+    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
+      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
+        result.length[side] = length[h / 2];
+    return result;
   }
 
   std::vector<char> edges_to_cut() const {
@@ -143,9 +160,8 @@ private:
   }
 
   // Where corner `c` is along a halfedge that it lies on, if it is the point of an edge.
-  double along(std::uint32_t c, std::uint32_t halfedge,
-               Common_subdivision::Edge_point Common_subdivision::Crossing::*on) const {
-    const Common_subdivision& s = layout_.subdivision;
+  static double along(const Common_subdivision& s, std::uint32_t c, std::uint32_t halfedge,
+                      Common_subdivision::Edge_point Common_subdivision::Crossing::*on) {
     if (s.corner[c] < s.vertices.size()) return 0;
     const double p = (s.crossings[s.corner[c] - s.vertices.size()].*on).parameter;
     return halfedge % 2 == 0 ? p : 1 - p;
@@ -159,7 +175,7 @@ private:
     const double x = (l[0] * l[0] + l[2] * l[2] - l[1] * l[1]) / (2 * l[0]);
     const std::complex<double> apex(x, std::sqrt(std::max(0., l[2] * l[2] - x * x)));
     const std::array<std::complex<double>, 4> z{0, l[0], apex, 0};
-    const double p = along(c, h, &Common_subdivision::Crossing::on_input);
+    const double p = along(layout_.subdivision, c, h, &Common_subdivision::Crossing::on_input);
     return (1 - p) * z[side - first] + p * z[side - first + 1];
   }
 
@@ -167,7 +183,7 @@ private:
   std::complex<double> place_on_torus(std::uint32_t c, const Flat_layout& torus) const {
     const std::uint32_t h = layout_.subdivision.intrinsic_halfedge[c], side = in_.flat.side[h];
     const std::vector<std::uint32_t>& origin = torus.surface.gluing.origin;
-    const double p = along(c, h, &Common_subdivision::Crossing::on_intrinsic);
+    const double p = along(layout_.subdivision, c, h, &Common_subdivision::Crossing::on_intrinsic);
     return (1 - p) * point(torus.positions, origin[side]) +
            p * point(torus.positions, origin[Gluing::next(side)]);
   }

@@ -175,7 +175,7 @@ private:
     p.turn.resize(p.vertex.size());
     std::vector<std::uint32_t> partner = partners(uncut_);
     for (std::uint32_t c = 0; c < p.vertex.size(); ++c) {
-      p.place.push_back(frames[side(c)](place_on_axis(c)));
+      p.place.push_back(frames[side(c)](place_on_axis(in_.flat.length[side(c)], along_side(c))));
       if (partner[c] == none) continue;
       if (is_intrinsic(c))
         p.turn[c] =
@@ -226,14 +226,6 @@ private:
     if (!is_crossing(c)) return 0;
     const double p = r.crossings[r.corner[c] - r.vertices.size()].on_intrinsic.parameter;
     return r.intrinsic_halfedge[c] % 2 == 0 ? p : 1 - p;
-  }
-  // The same in Poincaré's disk, the side on the positive axis from the centre. The point is on the
-  // line between the ends of the side in the hyperboloid model.
-  double place_on_axis(std::uint32_t c) const {
-    const double p = along_side(c), l = in_.flat.length[side(c)], half = std::sinh(l / 2);
-    const double time = 1 + 2 * p * half * half,
-                 norm = std::sqrt(1 + 4 * p * (1 - p) * half * half);
-    return p * std::sinh(l) / (time + norm);
   }
 
   void compute_weights() {
