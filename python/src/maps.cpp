@@ -79,6 +79,7 @@ py::tuple parametrize(Surface& s, const std::string& method) {
   IT::Injective_map map = with_triangulation(s, [&](auto& t) {
     IT::Injective_map result = map_of(t, method);
     distortion = IT::measure_distortion(t, result.uv);
+    if (result.inserted > 0) s.cache.clear(); // it was of the surface before
     return result;
   });
   return py::make_tuple(array_of(std::move(map.uv)), program::name(map.status),
