@@ -105,7 +105,8 @@ def _curves(curves, count):
 
 class _Fields:
     def _cloud_neighbors(self):
-        return getattr(self, "_neighbors", None) or 30
+        """Returns how many neighbors of each point are triangulated, if it is a cloud of points."""
+        return self.report["domain"].get("neighbors", 30) if self._is_cloud() else 30
 
     def log_map(self, p, *, method=None, time_factor=1.0, max_distance=np.inf, progress=None):
         """Returns the logarithmic map of a point: for each vertex the vector at `p` along the

@@ -15,10 +15,22 @@ from intrinsic._points import is_point
 # ---- Files ---------------------------------------------------------------------------------------
 
 
+def _polygon(triangles):
+    """Returns the corners of the polygon that triangles make up."""
+    sides = {(int(t[k]), int(t[(k + 1) % 3])) for t in triangles for k in range(3)}
+    after = {i: j for i, j in sides if (j, i) not in sides}
+    corners = [int(triangles[0][0])]
+    while after[corners[-1]] != corners[0]:
+        corners.append(after[corners[-1]])
+    return corners
+
+
 def read_polygon_mesh(filename):
     """Returns the points of a mesh file, of shape (n, 3), and its faces as a list of lists."""
     surface = intrinsic.read(filename)
-    return surface.points, [list(map(int, face)) for face in surface.polygons]
+    triangles, polygons = _core.input_triangles(surface._core)
+    parts = np.split(triangles, np.flatnonzero(np.diff(polygons)) + 1)
+    return surface.points, [_polygon(part) for part in parts]
 
 
 def read_mesh(filename):
