@@ -12,6 +12,8 @@
 from ._curve import Curve, Cut, Network
 from ._distances import FarthestPoints, Voronoi
 from ._points import Point
-from ._surface import Surface
+from ._subdivision import CommonSubdivision
+from ._surface import Surface, load, points, read
 
-__all__ = ["Curve", "Cut", "FarthestPoints", "Network", "Point", "Surface", "Voronoi"]
+__all__ = ["CommonSubdivision", "Curve", "Cut", "FarthestPoints", "Network", "Point", "Surface",
+           "Voronoi", "load", "points", "read"]

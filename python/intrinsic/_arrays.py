@@ -5,6 +5,13 @@
 import numpy as np
 
 
+def expect_word(x, name, words):
+    """Checks that an option is one of some words."""
+    if x not in words:
+        offered = ", ".join(f'"{word}"' for word in words)
+        raise ValueError(f"{name}={x!r} does not exist; give {offered}")
+
+
 def numbers(x, name, shape=None):
     """Returns finite numbers of any type as a C-contiguous array of doubles.
 
@@ -84,17 +91,20 @@ def points(x, name):
     return a
 
 
-def polygons(x, name):
-    """Returns the corners of all faces, and where those of each face begin, and one entry more."""
+def polygons(x, name, count):
+    """Returns the corners of all faces, and where those of each face begin, and one entry more.
+
+    `count` is how many vertices there are.
+    """
     try:
         a = np.asarray(x)
         is_array = a.ndim == 2 and a.dtype.kind != "O"
     except ValueError:  # faces of different sizes
         is_array = False
     if is_array:
-        corners = indices(a, name)
+        corners = indices(a, name, count=count)
         return corners.ravel(), np.arange(len(corners) + 1) * corners.shape[1]
-    faces = [indices(face, f"{name}[{i}]", (None,)) for i, face in enumerate(x)]
+    faces = [indices(face, f"{name}[{i}]", (None,), count) for i, face in enumerate(x)]
     begins = np.zeros(len(faces) + 1, dtype=np.int64)
     np.cumsum([len(face) for face in faces], out=begins[1:])
     return np.concatenate([np.zeros(0, dtype=np.int64), *faces]), begins

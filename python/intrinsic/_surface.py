@@ -1,30 +1,81 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The class `Surface`."""
+"""The class `Surface`, and how surfaces come from files."""
 
+import json
+import os
 import threading
+
+import numpy as np
 
 from . import _arrays, _core
 from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
 from ._maps import _Maps
+from ._points import place_arrays
+from ._subdivision import CommonSubdivision
+
+_DOMAINS = ("auto", "manifold", "orientation-cover", "tufted", "closed")
+_ARITHMETICS = ("exact", "double")
+_MOLLIFICATIONS = ("automatic", "none", "lengths", "squared")
+_POLYGONS = ("fan", "planar")
 
 
 class Surface(_Distances, _Curves, _Fields, _Maps):
-    """A surface and an intrinsic triangulation of it. It never changes: methods return new ones.
+    """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
-    `V` are the vertices, of shape (n, 3), or (n, 2) in the plane. `F` are the faces: an array of
-    shape (m, k), or a list of faces with different numbers of corners.
+    A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is
+    computed by matrices flips edges behind the scenes, once. Vertices keep their numbers, and
+    those that are inserted follow them; all results are in the units of the vertices.
+
+    Parameters:
+        V: vertices, of shape (n, 3), or (n, 2) in the plane; of any type of numbers. With
+            `lengths` it may be None, or the number of vertices.
+        F: faces, of shape (m, k), or a list of faces with different numbers of corners.
+        lengths: for an abstract surface, the lengths of the sides of triangles, of shape (m, 3):
+            from each corner to the next. They need not fit into space.
+        glue: with `lengths`, which sides are glued, of shape (m, 3, 2): the other face and its
+            side, or -1. By default, sides with the same ends are.
+        domain: what is made of faces: "manifold", or a cover if that cannot be:
+            "orientation-cover", "tufted"; "closed" is the first of them without border.
+        arithmetic: "exact", or "double", which is not faster by much.
+        mollification: of faces without area: "automatic", "none", "lengths" or "squared".
+        polygons: what is made of polygons that are not planar: "fan" or "planar".
+
+    Raises:
+        ValueError: names the element and the remedy.
+
+    >>> s = Surface([[0, 0, 0], [2, 0, 0], [1, .2, 0], [1, -.2, 0]], [[0, 1, 2], [1, 0, 3]])
+    >>> s.delaunay().faces.tolist()
+    [[2, 3, 1], [3, 2, 0]]
+    >>> round(s.mass().sum(), 12)
+    0.4
     """
 
-    def __init__(self, V, F, *, domain="auto", arithmetic="exact", mollification="automatic"):
-        points = _arrays.points(V, "V")
-        corners, begins = _arrays.polygons(F, "F")
-        self._set(_core.build(points, corners, begins, domain, arithmetic, mollification))
+    def __init__(self, V, F, *, lengths=None, glue=None, domain="auto", arithmetic="exact",
+                 correspondence="integer", mollification="automatic", polygons="fan"):
+        _arrays.expect_word(correspondence, "correspondence", ("integer",))
+        _arrays.expect_word(domain, "domain", _DOMAINS)
+        _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
+        _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
+        _arrays.expect_word(polygons, "polygons", _POLYGONS)
+        exact = arithmetic == "exact"
+        if lengths is None:
+            if glue is not None:
+                raise ValueError("glue needs lengths; give them, or leave glue out")
+            points = _arrays.points(V, "V")
+            corners, begins = _arrays.polygons(F, "F", len(points))
+            if len(begins) == 1:
+                raise ValueError("F has no faces; give some, or make a surface of points alone "
+                                 "with intrinsic.points(V)")
+            self._set(_core.build(points, corners, begins, domain, exact, mollification, polygons))
+            return
+        self._set(_core.build_abstract(*_abstract_arrays(V, F, lengths, glue), domain, exact,
+                                       mollification))
 
     def _set(self, core):
-        self._core = core  # for the functions of _core, on the triangulation as it is
+        self._core = core  # for functions of _core on the triangulation as it is
         self._delaunay = None
         self._lock = threading.Lock()
 
@@ -40,31 +91,305 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
             return self._core
         with self._lock:
             if self._delaunay is None:
-                self._delaunay = _core.delaunay(self._core, None)
+                self._delaunay = _core.delaunay(self._core, None, None, None)
             return self._delaunay
 
-    def delaunay(self, *, progress=None):
-        """Returns the surface with edges flipped until all are Delaunay."""
-        return Surface._of(_core.delaunay(self._core, progress))
+    # ---- Better triangulations ------------------------------------------------------------------
+
+    def delaunay(self, *, keep=None, progress=None):
+        """Returns the surface with edges flipped until all are Delaunay.
+
+        Parameters:
+            keep: edges that are not flipped: pairs of vertices, of shape (k, 2); or a number:
+                edges at which faces are folded by more degrees.
+            progress: called about ten times in a second with what is being done and a number, such
+                as ("flipping to Delaunay", 1234). What it raises ends the work, as Ctrl-C does.
+        """
+        return Surface._of(_core.delaunay(self._core, *_kept(keep), progress))
+
+    def refine(self, *, min_angle=25, size=None, max_circumradius=None, max_insertions=None,
+               order="first-come", conforming=False, keep=None, odt_length=None, progress=None):
+        """Returns the Delaunay triangulation with vertices inserted until faces meet criteria.
+
+        Parameters:
+            min_angle: least angle of faces in degrees; up to 30 refinement always ends. Faces that
+                cannot have it are in `statistics["refine"]`.
+            size: largest length of edges: a number, or one for each vertex of the input.
+            max_circumradius: of faces.
+            max_insertions: cap on their number.
+            order: "first-come", "largest-first" or "worst-first".
+            conforming: whether kept edges that are not Delaunay are split.
+            keep, progress: see `delaunay()`.
+            odt_length: moves the inserted vertices, and inserts more until edges are so long.
+        """
+        _arrays.expect_word(order, "order", ("first-come", "largest-first", "worst-first"))
+        sizes, longest = None, size
+        if size is not None and np.ndim(size) > 0:
+            sizes, longest = _arrays.numbers(size, "size", (self.number_of_input_vertices,)), None
+            if len(sizes) and not sizes.min() > 0:
+                raise ValueError(f"size[{sizes.argmin()}] is {sizes.min()}; give positive lengths")
+        return Surface._of(_core.refine(self._core, min_angle, sizes, longest, max_circumradius,
+                                        max_insertions, order, conforming, *_kept(keep),
+                                        odt_length or 0., progress))
+
+    def adapt(self, source=0, *, heat_time=0, tolerance=0.01, max_vertices=100000, min_angle=25,
+              keep=None, progress=None):
+        """Returns the surface refined where a function with a pole at a vertex needs it.
+
+        The function is the harmonic Green's function of vertex `source`, or if `heat_time` is
+        positive, its heat kernel at that time, in squares of the mean edge. `tolerance` is the
+        error in the L2 norm, in units of the root of the area, or of the norm of the kernel.
+        """
+        source = int(_arrays.indices(source, "source", (), count=self.number_of_input_vertices))
+        return Surface._of(_core.adapt(self._core, source, heat_time, tolerance, max_vertices,
+                                       min_angle, *_kept(keep), progress))
+
+    # ---- The triangulation ----------------------------------------------------------------------
+
+    @property
+    def number_of_vertices(self):
+        """How many vertices there are, those that were inserted included."""
+        return self._core.number_of_vertices
+
+    @property
+    def number_of_faces(self):
+        """How many triangles there are; on a cover, those of all sheets."""
+        return self._core.number_of_faces
+
+    @property
+    def number_of_input_vertices(self):
+        """How many vertices the user's mesh has."""
+        return self._core.number_of_input_vertices
+
+    @property
+    def number_of_input_faces(self):
+        """How many faces the user's mesh has."""
+        return self._core.number_of_input_faces
 
     @property
     def faces(self):
-        """The vertices of the faces, of shape (m, 3)."""
+        """The vertices of the triangles, of shape (m, 3) and type int64."""
         return _core.faces(self._core)
 
     @property
     def lengths(self):
-        """The lengths of the sides of faces, of shape (m, 3): from each corner to the next."""
+        """The lengths of the sides of triangles, of shape (m, 3): from each corner to the next."""
         return _core.lengths(self._core)
 
+    @property
+    def glue(self):
+        """The triangle and the side that each side is glued to, of shape (m, 3, 2); -1: none."""
+        return _core.glue(self._core)
+
+    @property
+    def points(self):
+        """The places of all vertices in space, of shape (n, 3); None if there are only lengths."""
+        return None if self._core.points is None else _core.positions(self._core)
+
+    @property
+    def report(self):
+        """What the input is and what was done to it, a dict as in statistics."""
+        return json.loads(_core.report(self._core))
+
+    @property
+    def statistics(self):
+        """What was found and done, a dict with the keys of `intrinsic --stats`."""
+        return json.loads(_core.statistics(self._core))
+
+    @property
+    def certificate(self):
+        """How sure it is that the triangulation is Delaunay: "exact", "interval" or "none"."""
+        return self.statistics["certificate"]
+
+    # ---- Matrices -------------------------------------------------------------------------------
+
     def laplacian(self):
-        """Returns the cotangent Laplacian of the Delaunay triangulation, positive semidefinite."""
+        """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix.
+
+        It is positive semidefinite and has a row for each vertex. Before `delaunay()` it is that
+        of the Delaunay triangulation all the same, which has no negative weights inside.
+        """
         return _arrays.sparse(_core.laplacian(self._flipped()), symmetric=True)
 
     def mass(self, kind="lumped"):
-        """Returns the mass matrix: "lumped", "galerkin" or "voronoi"."""
+        """Returns the mass matrix, a csr_matrix: "lumped", "galerkin" or "voronoi".
+
+        The sum of its entries is the area. The triangulation is that of `laplacian()`.
+        """
+        _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))
         return _arrays.sparse(_core.mass(self._flipped(), kind), symmetric=True)
 
+    # ---- The input and the triangulation --------------------------------------------------------
+
+    def to_input(self, u, how="l2"):
+        """Takes values at the vertices of the triangulation, (n,) or (n, k), to those of the input.
+
+        `how` is "l2": the nearest function there, which keeps integrals; or "pointwise".
+        """
+        return self._transfer(u, how, True, self.number_of_vertices)
+
+    def from_input(self, u, how="l2"):
+        """Takes values at the vertices of the input to those of the triangulation."""
+        return self._transfer(u, how, False, self.number_of_input_vertices)
+
+    def _transfer(self, u, how, to_input, size):
+        _arrays.expect_word(how, "how", ("l2", "pointwise"))
+        values = _arrays.numbers(u, "u")
+        if values.ndim not in (1, 2) or len(values) != size:
+            raise ValueError(f"u has the shape {values.shape}; give a row for each of the {size} "
+                             "vertices")
+        result = _core.transfer(self._core, values, to_input, how == "l2")
+        return result[:, 0] if values.ndim == 1 else result
+
+    def locate(self, points, *, on="triangulation"):
+        """Finds where points of the input are on the triangulation, or the other way round.
+
+        Parameters:
+            points: vertices of the input, and `Point`s on its faces; on="input": `Point`s on the
+                faces of the triangulation.
+            on: "triangulation" or "input".
+
+        Returns: their faces, of shape (k,), and barycentric coordinates there, (k, 3).
+        """
+        _arrays.expect_word(on, "on", ("triangulation", "input"))
+        if on == "triangulation":
+            return _core.locate(self._core, place_arrays(
+                points, "points", self.number_of_vertices, self.number_of_input_faces))
+        faces, weights, vertices = place_arrays(points, "points", 0, self.number_of_faces)
+        return _core.locate_on_input(self._core, faces, weights)
+
+    def common_subdivision(self):
+        """Returns the coarsest mesh in which edges of the input and of the triangulation are paths.
+        """
+        return CommonSubdivision(_core.common_subdivision(self._core))
+
+    # ---- Keeping and showing --------------------------------------------------------------------
+
+    def save(self, path):
+        """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it."""
+        _core.save(self._core, os.fspath(path))
+
+    def __reduce__(self):
+        core = self._core
+        return _restored, (_core.dump(core), core.is_exact, core.name, core.is_flipped, core.points)
+
+    def __copy__(self):
+        return Surface._of(_core.copy(self._core))
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
+
+    def copy(self):
+        """Returns a surface with its own lock and cache, for another thread."""
+        return self.__copy__()
+
+    def html(self, *, megabytes=30):
+        """Returns a page for browsers that shows the triangulation on the surface."""
+        return _core.page(self._core, megabytes)
+
+    def show(self, path=None, *, open_browser=True):
+        """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
+        import tempfile
+        import webbrowser
+
+        if path is None:
+            handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
+            os.close(handle)
+        with open(path, "w", encoding="utf-8") as page:
+            page.write(self.html())
+        if open_browser:
+            webbrowser.open("file://" + os.path.abspath(path))
+        return path
+
+    def _repr_html_(self):
+        if self._core.points is None:
+            return None
+        import html
+
+        page = html.escape(self.html(megabytes=8), quote=True)
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
+
+    def to_pyvista(self):
+        """Returns the common subdivision as a pyvista.PolyData, if PyVista is installed."""
+        return self.common_subdivision().to_pyvista()
+
     def __repr__(self):
-        return f"<intrinsic.Surface: {self._core.number_of_vertices} vertices, " \
-               f"{self._core.number_of_faces} faces>"
+        return f"<intrinsic.Surface: {self.number_of_vertices} vertices, " \
+               f"{self.number_of_faces} faces>"
+
+
+def _kept(keep):
+    """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None."""
+    if keep is None:
+        return None, None
+    if np.ndim(keep) == 0:
+        return None, float(_arrays.numbers(keep, "keep", ()))
+    return _arrays.indices(keep, "keep", (None, 2)), None
+
+
+def _abstract_arrays(V, F, lengths, glue):
+    faces = _arrays.indices(F, "F", (None, 3))
+    points = None
+    if V is None:
+        vertices = int(faces.max()) + 1 if faces.size else 0
+    elif np.ndim(V) == 0:
+        vertices = int(_arrays.indices(V, "V", ()))
+    else:
+        points = _arrays.points(V, "V")
+        vertices = len(points)
+    faces = _arrays.indices(faces, "F", count=vertices)
+    lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))
+    if lengths.size and lengths.min() < 0:
+        at = tuple(int(i) for i in np.argwhere(lengths < 0)[0])
+        raise ValueError(f"lengths[{at[0]}, {at[1]}] is {lengths[at]}; give lengths from 0")
+    if glue is not None:
+        glue = _arrays.indices(glue, "glue", (len(faces), 3, 2))
+        if glue.size and not (-1 <= glue.min() and glue[..., 0].max() < len(faces)
+                              and glue[..., 1].max() < 3):
+            raise ValueError(f"glue has a side that does not exist; give faces below {len(faces)} "
+                             "and sides from 0 to 2, or -1 for both")
+    return vertices, faces, lengths, glue, points
+
+
+def _restored(contents, exact, name, is_flipped, points):
+    return Surface._of(_core.restore(contents, exact, name, is_flipped, points))
+
+
+def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="fan",
+         neighbors=None, progress=None):
+    """Reads a mesh (OFF, OBJ, PLY, STL, TS), points (XYZ, PWN) or a triangulation (IDT).
+
+    Options are those of `Surface`; `domain` may also be "points", which ignores faces, with
+    `neighbors` of each point.
+    """
+    _arrays.expect_word(domain, "domain", _DOMAINS + ("points",))
+    _arrays.expect_word(polygons, "polygons", _POLYGONS)
+    if arithmetic is not None:
+        _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
+    if mollification is not None:
+        _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
+    path = os.fspath(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"{path} does not exist")
+    return Surface._of(_core.read(path, domain, arithmetic, mollification, polygons, neighbors,
+                                  progress))
+
+
+def load(path):
+    """Reads what `Surface.save()` has written."""
+    return read(path)
+
+
+def points(P, *, neighbors=30, arithmetic="exact", mollification="automatic"):
+    """Makes a surface of points near a surface in space, of shape (n, 3).
+
+    The nearest `neighbors` of each point are triangulated around it; the union of the triangles is
+    covered. Matrices have a row for each point.
+    """
+    _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
+    _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
+    neighbors = int(_arrays.indices(neighbors, "neighbors", ()))
+    if neighbors < 2:
+        raise ValueError(f"neighbors is {neighbors}; give two at least")
+    return Surface._of(_core.points(_arrays.points(P, "P"), neighbors, arithmetic == "exact",
+                                    mollification))

@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_PYTHON_SURFACE_H
 #define INTRINSIC_PYTHON_SURFACE_H
 
+#include "../../src/intrinsic/load.h"
 #include "Watch.h"
 #include "arrays.h"
 
@@ -39,15 +40,18 @@ Predicates of exact triangulations sharpen what is stored, so that reading needs
 `with_triangulation()`.
 */
 struct Surface {
-  /// takes a triangulation.
+  /// takes a triangulation and what is known of its input.
   template <class Triangulation>
-  explicit Surface(Triangulation t)
-      : triangulation(std::make_unique<Triangulation>(std::move(t))) {}
+  explicit Surface(program::Loaded<Triangulation> l)
+      : loaded(std::make_unique<program::Loaded<Triangulation>>(std::move(l))) {}
 
-  /// The triangulation.
-  std::variant<std::unique_ptr<Exact>, std::unique_ptr<Double>> triangulation;
+  /// The triangulation, as the program `intrinsic` has it.
+  std::variant<std::unique_ptr<program::Loaded<Exact>>, std::unique_ptr<program::Loaded<Double>>>
+      loaded;
   /// A point per vertex of the user's, in its units; empty for an abstract metric.
   std::vector<Point> points;
+  /// What messages and statistics call the surface: its file, if it has one.
+  std::string name = "the surface";
   /// Whether edges were flipped until they are Delaunay, but for those that are kept.
   bool is_flipped = false;
 
@@ -140,7 +144,16 @@ template <class Function>
 auto with_triangulation(Surface& s, Watch& watch, const Function& function) {
   return without_interpreter(watch, [&] {
     const Surface_lock lock(s);
-    return std::visit([&](auto& t) { return function(*t); }, s.triangulation);
+    return std::visit([&](auto& loaded) { return function(loaded->triangulation); }, s.loaded);
+  });
+}
+
+/// does the same with all that is known of the triangulation, `program::Loaded`.
+template <class Function>
+auto with_loaded(Surface& s, Watch& watch, const Function& function) {
+  return without_interpreter(watch, [&] {
+    const Surface_lock lock(s);
+    return std::visit([&](auto& loaded) { return function(*loaded); }, s.loaded);
   });
 }
 
@@ -151,8 +164,14 @@ auto with_triangulation(Surface& s, const Function& function) {
   return with_triangulation(s, watch, function);
 }
 
-/// adds the functions on surfaces to the module.
+/// adds the functions that make surfaces of arrays and files.
 void bind_surface(py::module_& m);
+/// adds those that flip, refine and measure.
+void bind_improve(py::module_& m);
+/// adds those that read triangulations, and their matrices.
+void bind_queries(py::module_& m);
+/// adds those on common subdivisions.
+void bind_subdivision(py::module_& m);
 /// adds those on distances.
 void bind_distances(py::module_& m);
 /// adds those on curves.

@@ -4,12 +4,17 @@
 #ifndef INTRINSIC_PYTHON_WATCH_H
 #define INTRINSIC_PYTHON_WATCH_H
 
+#include "../../src/intrinsic/support/progress.h"
+
 #include <pybind11/pybind11.h>
 
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <exception>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace python {
 
@@ -20,7 +25,7 @@ Python handle signals, so that Ctrl-C ends the work, and calls the user's functi
 Visitors of the library call it and end the work if it returns false. After that, `rethrow()` throws
 what Python raised: `with_triangulation()` does so.
 */
-class Watch {
+class Watch final : public program::Progress {
 public:
   /// \param progress called with the name of a stage and how far that is, a whole number; or `None`
   explicit Watch(pybind11::object progress = pybind11::none()) : progress_(std::move(progress)) {}
@@ -30,7 +35,7 @@ public:
   \param stage what is being done, such as "flips", of which there are
   \param count so many
   */
-  bool operator()(const char* stage, std::uint64_t count = 0) {
+  bool operator()(const char* stage, std::uint64_t count) {
     if (error_) return false;
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return true;
@@ -45,15 +50,28 @@ public:
     return !error_;
   }
 
-  /// throws what ended the work, if anything did. It is called with the interpreter's lock.
+  /// does the same, with the number at which a text starts.
+  bool show(const char* stage, const std::string& detail = {}) override {
+    return (*this)(stage, std::strtoull(detail.c_str(), nullptr, 10));
+  }
+
+  /// keeps a message until the work ends.
+  void warn(const std::string& message) override { warnings_.push_back(message); }
+
+  /// throws what ended the work, if anything did, and gives warnings. It is called with the
+  /// interpreter's lock.
   void rethrow() {
     if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+    for (const std::string& w : std::exchange(warnings_, {}))
+      if (PyErr_WarnEx(PyExc_RuntimeWarning, w.c_str(), 1) != 0)
+        throw pybind11::error_already_set();
   }
 
 private:
   pybind11::object progress_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::exception_ptr error_;
+  std::vector<std::string> warnings_;
 };
 
 } // namespace python

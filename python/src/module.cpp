@@ -3,21 +3,44 @@
 
 #include "Surface.h"
 
+#include <array>
+#include <cstddef>
 #include <exception>
-#include <new>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace python {
 
 namespace {
 
+// Options in messages of the program, as Python has them.
+std::string in_python(std::string message) {
+  static constexpr std::array<std::array<std::string_view, 2>, 7> names{{
+      {"--arithmetic exact", "arithmetic=\"exact\""},
+      {"--domain points", "intrinsic.points(V)"},
+      {"--arithmetic", "arithmetic"},
+      {"--mollification", "mollification"},
+      {"--domain", "domain"},
+      {"--neighbors", "neighbors"},
+      {"--source", "source"}}};
+  for (const auto& [option, name] : names)
+    for (std::size_t i; (i = message.find(option)) != std::string::npos;)
+      message.replace(i, option.size(), name);
+  return message;
+}
+
 // Errors that name what is wrong with an argument become `ValueError`. pybind11 does the rest:
-// `std::bad_alloc` becomes `MemoryError`, other exceptions `RuntimeError`.
+// `std::bad_alloc` becomes `MemoryError`.
 void translate(std::exception_ptr e) {
   try {
     if (e) std::rethrow_exception(e);
   } catch (const IT::Invalid_input& error) {
-    PyErr_SetString(PyExc_ValueError, error.what());
+    PyErr_SetString(PyExc_ValueError, in_python(error.what()).c_str());
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    PyErr_SetString(PyExc_RuntimeError, in_python(error.what()).c_str());
   }
 }
 
@@ -27,6 +50,9 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "What the package intrinsic has compiled; use the package instead.";
   py::register_exception_translator(translate);
   bind_surface(m);
+  bind_improve(m);
+  bind_queries(m);
+  bind_subdivision(m);
   bind_distances(m);
   bind_curves(m);
   bind_fields(m);

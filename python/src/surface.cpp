@@ -3,66 +3,60 @@
 
 #include "Surface.h"
 
-#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace python {
 
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
+using program::Options;
 using Surface_ptr = std::shared_ptr<Surface>;
 
-// ---- Building ----------------------------------------------------------------------------------
-
-IT::Mollification mollification_of(const std::string& name) {
-  if (name == "none") return IT::Mollification::none;
-  if (name == "lengths") return IT::Mollification::lengths;
-  if (name == "squared") return IT::Mollification::squared_lengths;
-  if (name == "automatic") return IT::Mollification::automatic;
-  refuse("mollification=\"" + name +
-         "\" does not exist; give \"automatic\", \"none\", \"lengths\" or \"squared\"");
+// Options with the names that the program has; `_surface.py` checks the words.
+Options options_of(const std::string& name, const std::string& domain,
+                   const std::string& mollification, const std::string& polygons) {
+  Options options;
+  options.input = name;
+  options.domain = domain;
+  options.mollification = mollification;
+  options.polygons = polygons;
+  return options;
 }
 
-IT::Domain_kind domain_of(const std::string& name) {
-  if (name == "auto") return IT::Domain_kind::automatic;
-  if (name == "manifold") return IT::Domain_kind::manifold;
-  if (name == "orientation-cover") return IT::Domain_kind::orientation_cover;
-  if (name == "tufted") return IT::Domain_kind::tufted_cover;
-  if (name == "closed") return IT::Domain_kind::closed;
-  refuse("domain=\"" + name + "\" does not exist; give \"auto\", \"manifold\", "
-         "\"orientation-cover\", \"tufted\" or \"closed\"");
-}
-
-bool is_exact(const std::string& arithmetic) {
-  if (arithmetic == "exact" || arithmetic == "double") return arithmetic == "exact";
-  refuse("arithmetic=\"" + arithmetic + "\" does not exist; give \"exact\" or \"double\"");
-}
-
-Surface_ptr surface_of(IT::Intrinsic_input input, bool exact, std::vector<Point> points) {
-  auto s = exact ? std::make_shared<Surface>(Exact(std::move(input)))
-                 : std::make_shared<Surface>(Double(std::move(input)));
+template <class Triangulation>
+Surface_ptr surface_of(program::Loaded<Triangulation> loaded, const Options& options) {
+  std::vector<Point> points = program::input_points(loaded);
+  if (loaded.scaled_points().empty()) points.clear();
+  auto s = std::make_shared<Surface>(std::move(loaded));
   s->points = std::move(points);
+  s->name = options.input;
   return s;
 }
 
-// The faces, as spans of corners.
+Surface_ptr surface_of(program::Mesh_file file, const Options& options, bool exact) {
+  return exact ? surface_of(program::build<Exact>(std::move(file), options), options)
+               : surface_of(program::build<Double>(std::move(file), options), options);
+}
+
+// A range of the faces in arrays.
 class Faces {
 public:
+  // \param corners the corners of all faces
+  // \param begins where those of each face begin, and their number
   Faces(const Integers& corners, const Integers& begins)
       : corners_(corners.data(), static_cast<std::size_t>(corners.size())),
         begins_(begins.data(), static_cast<std::size_t>(begins.size())) {}
@@ -71,9 +65,9 @@ public:
     const Faces* faces;
     std::size_t f;
     std::span<const std::int64_t> operator*() const {
-      const auto begin = static_cast<std::size_t>(faces->begins_[f]);
-      return faces->corners_.subspan(begin,
-                                     static_cast<std::size_t>(faces->begins_[f + 1]) - begin);
+      const auto begin = static_cast<std::size_t>(faces->begins_[f]),
+                 end = static_cast<std::size_t>(faces->begins_[f + 1]);
+      return faces->corners_.subspan(begin, end - begin);
     }
     Iterator& operator++() {
       ++f;
@@ -82,113 +76,168 @@ public:
     bool operator==(const Iterator&) const = default;
   };
   Iterator begin() const { return {this, 0}; }
-  Iterator end() const { return {this, begins_.empty() ? 0 : begins_.size() - 1}; }
+  Iterator end() const { return {this, begins_.size() - 1}; }
 
 private:
   std::span<const std::int64_t> corners_, begins_;
 };
 
 Surface_ptr build(const Doubles& points, const Integers& corners, const Integers& begins,
-                  const std::string& domain, const std::string& arithmetic,
-                  const std::string& mollification) {
-  const bool exact = is_exact(arithmetic);
-  const IT::Domain_kind kind = domain_of(domain);
-  const IT::Mollification m = mollification_of(mollification);
-  std::vector<Point> p = points_of(points);
+                  const std::string& domain, bool exact, const std::string& mollification,
+                  const std::string& polygons) {
+  const Options options = options_of("the surface", domain, mollification, polygons);
+  const std::vector<Point> p = points_of(points);
   const Faces faces(corners, begins);
   Watch watch;
   return without_interpreter(watch, [&] {
-    IT::Domain made = IT::make_domain(IT::triangle_soup(p, faces), kind, m);
-    return surface_of(std::move(made.input), exact, std::move(p));
+    const program::Surface_choice choice = program::surface_of(options);
+    return surface_of(program::mesh_of(IT::triangle_soup(p, faces, choice.polygons), choice),
+                      options, exact);
   });
 }
 
-// ---- Flipping ----------------------------------------------------------------------------------
-
-Surface_ptr copy(Surface& s) {
-  return with_triangulation(s, [&](auto& t) {
-    auto result = std::make_shared<Surface>(t);
-    result->points = s.points;
-    result->is_flipped = s.is_flipped;
-    return result;
+Surface_ptr points(const Doubles& points, std::size_t neighbors, bool exact,
+                   const std::string& mollification) {
+  Options options = options_of("the points", "points", mollification, "fan");
+  options.neighbors = neighbors;
+  IT::Triangle_soup soup;
+  soup.points = points_of(points);
+  Watch watch;
+  return without_interpreter(watch, [&] {
+    return surface_of(program::mesh_of(std::move(soup), program::surface_of(options)), options,
+                      exact);
   });
 }
 
-struct Flip_watch {
-  Watch* watch;
-  bool progress(const IT::Flip_to_delaunay_result& r) { return (*watch)("flips", r.flips); }
-};
+// ---- Lengths -----------------------------------------------------------------------------------
 
-Surface_ptr delaunay(Surface& s, const py::object& progress) {
+// The square of the length of each edge; both sides of an edge must agree.
+// \param reversed the faces that were turned around: their side `k` was side `2 - k`
+std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const Doubles& lengths,
+                                    const std::vector<char>& reversed) {
+  std::vector<double> length(mesh.number_of_edges(), -1);
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+    const auto sides = mesh.sides(IT::Gluing_map::Face{f});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t side = reversed[f] != 0 ? 2 - k : k;
+      const double l = lengths.data()[3 * std::size_t{f} + side];
+      double& known = length[sides[k].index / 2];
+      if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
+        refuse("lengths[" + std::to_string(f) + ", " + std::to_string(side) + "] is " +
+               std::to_string(l) + ", but the other side of that edge has the length " +
+               std::to_string(known) + "; give both sides of an edge one length");
+      if (known < 0) known = l;
+    }
+  }
+  for (double& l : length) l *= l;
+  return length;
+}
+
+// The gluing of the sides that `glue` names, or that have the same ends.
+IT::Gluing gluing_of(std::uint32_t vertices, const std::vector<std::array<std::uint32_t, 3>>& faces,
+                     const std::optional<Integers>& glue, std::vector<char>& reversed) {
+  if (!glue) return IT::oriented_gluing_from_triangles(vertices, faces, reversed);
+  reversed.assign(faces.size(), 0);
+  IT::Gluing g{vertices, {}, {}};
+  for (const auto& f : faces) g.origin.insert(g.origin.end(), f.begin(), f.end());
+  for (std::size_t h = 0; h < g.origin.size(); ++h) {
+    const std::int64_t f = glue->data()[2 * h], side = glue->data()[2 * h + 1];
+    g.glue.push_back(f < 0 ? IT::Gluing::none : static_cast<std::uint32_t>(3 * f + side));
+  }
+  return g;
+}
+
+Surface_ptr build_of_lengths(std::uint32_t vertices, const Integers& corners,
+                             const Doubles& lengths, const std::optional<Integers>& glue,
+                             std::vector<Point> points, const std::string& domain, bool exact,
+                             const std::string& mollification) {
+  const Options options = options_of("the surface", domain, mollification, "fan");
+  std::vector<std::array<std::uint32_t, 3>> faces(static_cast<std::size_t>(corners.shape(0)));
+  for (std::size_t c = 0; c < 3 * faces.size(); ++c)
+    faces[c / 3][c % 3] = static_cast<std::uint32_t>(corners.data()[c]);
+  Watch watch;
+  return without_interpreter(watch, [&] {
+    std::vector<char> reversed;
+    const IT::Gluing g = gluing_of(vertices, faces, glue, reversed);
+    IT::Gluing_map mesh(g);
+    std::vector<double> squares = squared_lengths(mesh, lengths, reversed);
+    const program::Surface_choice choice = program::surface_of(options);
+    program::Mesh_file file;
+    file.polygons = faces.size();
+    IT::Domain made = IT::make_domain(
+        IT::Intrinsic_input(std::move(mesh), std::move(squares), choice.mollification),
+        choice.kind);
+    file.input = std::move(made.input);
+    file.domain = std::move(made.report);
+    Surface_ptr s = surface_of(std::move(file), options, exact);
+    s->points = std::move(points); // of pictures only
+    return s;
+  });
+}
+
+Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,
+                           const std::optional<Integers>& glue,
+                           const std::optional<Doubles>& points, const std::string& domain,
+                           bool exact, const std::string& mollification) {
+  return build_of_lengths(vertices, corners, lengths, glue,
+                          points ? points_of(*points) : std::vector<Point>(), domain, exact,
+                          mollification);
+}
+
+// ---- Files -------------------------------------------------------------------------------------
+
+Surface_ptr read(const std::string& path, const std::string& domain,
+                 const std::optional<std::string>& arithmetic,
+                 const std::optional<std::string>& mollification, const std::string& polygons,
+                 std::optional<std::size_t> neighbors, const py::object& progress) {
+  Options options = options_of(path, domain, mollification.value_or("automatic"), polygons);
+  options.arithmetic = arithmetic.value_or("exact");
+  options.is_arithmetic_given = arithmetic.has_value();
+  options.is_mollification_given = mollification.has_value();
+  options.neighbors = neighbors;
   Watch watch(progress);
-  Surface_ptr result = copy(s);
-  Flip_watch visitor{&watch};
-  with_triangulation(*result, watch, [&](auto& t) {
-    IT::flip_to_delaunay(t, IT::parameters::visitor(std::ref(visitor)));
-  });
-  result->is_flipped = true;
-  return result;
-}
-
-// ---- Reading -----------------------------------------------------------------------------------
-
-// Rows of matrices: the user's vertices, then those that were inserted.
-std::size_t number_of_vertices(Surface& s) {
-  return with_triangulation(s, [](auto& t) -> std::size_t { return t.number_of_vertices(); });
-}
-
-std::size_t number_of_faces(Surface& s) {
-  return with_triangulation(s, [](auto& t) -> std::size_t { return num_faces(t.mesh()); });
-}
-
-std::size_t number_of_input_vertices(Surface& s) {
-  return with_triangulation(s, [](auto& t) -> std::size_t { return t.input().number_of_rows(); });
-}
-
-// Polygons of the user's mesh.
-std::size_t number_of_input_faces(Surface& s) {
-  return with_triangulation(s, [](auto& t) -> std::size_t {
-    const IT::Input& input = t.input();
-    const std::vector<std::uint32_t>& polygon = input.names().polygon_of_triangle;
-    return polygon.empty() ? input.number_of_faces() : std::size_t{polygon.back()} + 1;
+  return without_interpreter(watch, [&] {
+    Surface_ptr s;
+    program::with_loaded<IT::Integer_coordinates>(
+        options, watch, [&](auto& loaded) { s = surface_of(std::move(loaded), options); });
+    return s;
   });
 }
 
-py::array_t<std::int64_t> faces(Surface& s) {
-  return array_of(with_triangulation(s, [](auto& t) {
-    std::vector<std::array<std::int64_t, 3>> rows;
-    for (const auto f : faces(t.mesh())) {
-      const auto sides = t.mesh().sides(f);
-      rows.push_back({});
-      for (std::size_t k = 0; k < 3; ++k) rows.back()[k] = t.input_vertex(t.mesh().source(sides[k]));
-    }
-    return rows;
-  }));
+void save(Surface& s, const std::string& path) {
+  with_triangulation(s, [&](const auto& t) {
+    IT::write_intrinsic_triangulation(std::filesystem::path(path), t);
+  });
 }
 
-py::array_t<double> lengths(Surface& s) {
-  return array_of(with_triangulation(s, [](auto& t) {
-    std::vector<Point> rows;
-    for (const auto f : faces(t.mesh())) {
-      const auto sides = t.mesh().sides(f);
-      rows.push_back({});
-      for (std::size_t k = 0; k < 3; ++k) rows.back()[k] = t.length(edge(sides[k], t.mesh()));
-    }
-    return rows;
-  }));
+// The contents of a file.
+py::bytes dump(Surface& s) {
+  return with_triangulation(s, [](const auto& t) {
+    std::ostringstream out;
+    IT::write_intrinsic_triangulation(out, t);
+    return out.str();
+  });
 }
 
-py::tuple laplacian(Surface& s) {
-  return array_of(with_triangulation(s, [](auto& t) { return IT::cotangent_laplacian(t); }));
-}
-
-py::tuple mass(Surface& s, const std::string& kind) {
-  return array_of(with_triangulation(s, [&](auto& t) -> Matrix {
-    if (kind == "lumped") return IT::lumped_mass_matrix(t);
-    if (kind == "galerkin") return IT::galerkin_mass_matrix(t);
-    if (kind == "voronoi") return IT::voronoi_mass_matrix(t);
-    refuse("kind=\"" + kind + "\" does not exist; give \"lumped\", \"galerkin\" or \"voronoi\"");
-  }));
+// What `dump()` has written. An abstract metric may have points for pictures.
+Surface_ptr restore(const std::string& contents, bool exact, const std::string& name,
+                    bool is_flipped, const std::optional<Doubles>& points) {
+  std::vector<Point> p;
+  if (points) p = points_of(*points);
+  Watch watch;
+  Surface_ptr s = without_interpreter(watch, [&] {
+    std::istringstream in(contents);
+    Options options;
+    options.input = name;
+    const auto restored = [&](auto triangulation) {
+      return surface_of(program::stored(std::move(triangulation)), options);
+    };
+    return exact ? restored(IT::read_intrinsic_triangulation<Exact>(in, name))
+                 : restored(IT::read_intrinsic_triangulation<Double>(in, name));
+  });
+  s->is_flipped = is_flipped;
+  if (points) s->points = std::move(p);
+  return s;
 }
 
 } // namespace
@@ -196,17 +245,19 @@ py::tuple mass(Surface& s, const std::string& kind) {
 void bind_surface(py::module_& m) {
   py::class_<Surface, Surface_ptr>(m, "Surface")
       .def_readonly("is_flipped", &Surface::is_flipped)
-      .def_property_readonly("number_of_vertices", &number_of_vertices)
-      .def_property_readonly("number_of_faces", &number_of_faces)
-      .def_property_readonly("number_of_input_vertices", &number_of_input_vertices)
-      .def_property_readonly("number_of_input_faces", &number_of_input_faces);
+      .def_readonly("name", &Surface::name)
+      .def_property_readonly("is_exact", [](const Surface& s) { return s.loaded.index() == 0; })
+      .def_property_readonly("points", [](const Surface& s) -> py::object {
+        if (s.points.empty()) return py::none();
+        return array_of(std::vector<Point>(s.points));
+      });
   m.def("build", &build);
-  m.def("copy", &copy);
-  m.def("delaunay", &delaunay);
-  m.def("faces", &faces);
-  m.def("lengths", &lengths);
-  m.def("laplacian", &laplacian);
-  m.def("mass", &mass);
+  m.def("points", &points);
+  m.def("build_abstract", &build_abstract);
+  m.def("read", &read);
+  m.def("save", &save);
+  m.def("dump", &dump);
+  m.def("restore", &restore);
 }
 
 } // namespace python

@@ -30,8 +30,7 @@ struct Adaptive_progress {
   Progress* line = nullptr;
   /// is called after every estimate
   bool progress(const IT::Adaptive_refinement_round& round) {
-    line->show("refining adaptively", std::to_string(round.vertices) + " vertices");
-    return true;
+    return line->show("refining adaptively", std::to_string(round.vertices) + " vertices");
   }
 };
 

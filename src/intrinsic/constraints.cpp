@@ -19,15 +19,8 @@ namespace {
 
 using Halfedge = IT::Gluing_map::Halfedge;
 
-// The surface that edges are of: a mesh file, or the input of a stored triangulation.
-struct Surface {
-  const IT::Gluing_map& mesh;
-  const std::vector<Point>& points;
-  const IT::Input_names& names;
-};
-
 // Diagonals of polygons are not edges of the file.
-bool is_diagonal(const Surface& s, std::uint32_t e) {
+bool is_diagonal(const Surface_with_edges& s, std::uint32_t e) {
   if (s.names.polygon_of_triangle.empty()) return false;
   std::uint32_t f = s.mesh.face(Halfedge{2 * e}).index, g = s.mesh.face(Halfedge{2 * e + 1}).index;
   if (f == IT::Gluing::none || g == IT::Gluing::none) return false;
@@ -40,7 +33,7 @@ bool is_diagonal(const Surface& s, std::uint32_t e) {
 
 // The unit normal of a face; NaN if it has no area. It scales sides to length 1, so that no square
 // underflows.
-Point normal(const Surface& s, IT::Gluing_map::Face f) {
+Point normal(const Surface_with_edges& s, IT::Gluing_map::Face f) {
   std::array<Point, 2> side{};
   const std::array<Halfedge, 3> sides = s.mesh.sides(f);
   for (unsigned i = 0; i < 2; ++i) {
@@ -70,7 +63,13 @@ double fold(const Point& n, const Point& m) {
   return std::atan2(std::hypot(cross[0], cross[1], cross[2]), cosine) * (180 / std::numbers::pi);
 }
 
-void constrain_sharp_edges(const Surface& s, double angle, Constraints& c) {
+std::pair<std::uint32_t, std::uint32_t> ordered(std::uint32_t i, std::uint32_t j) {
+  return {std::min(i, j), std::max(i, j)};
+}
+
+} // namespace
+
+void mark_sharp_edges(const Surface_with_edges& s, double angle, std::vector<char>& is_marked) {
   const IT::Gluing_map& mesh = s.mesh;
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const IT::Gluing_map::Face f = mesh.face(Halfedge{2 * e}), g = mesh.face(Halfedge{2 * e + 1});
@@ -78,45 +77,51 @@ void constrain_sharp_edges(const Surface& s, double angle, Constraints& c) {
     Point n = normal(s, g);
     if (mesh.is_reversed({e}))
       for (double& x : n) x = -x;
-    if (fold(normal(s, f), n) > angle) c.is_constrained[e] = 1;
+    if (fold(normal(s, f), n) > angle) is_marked[e] = 1;
   }
 }
 
-std::pair<std::uint32_t, std::uint32_t> ordered(std::uint32_t i, std::uint32_t j) {
-  return {std::min(i, j), std::max(i, j)};
-}
-
-// The edges between the vertices that the lines of a file name.
-void constrain_listed_edges(const Surface& s, const Options& options, Constraints& c) {
+Edge_finder::Edge_finder(const Surface_with_edges& s) {
   const IT::Gluing_map& mesh = s.mesh;
-  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> edges;
-  edges.reserve(mesh.number_of_edges());
+  edges_.reserve(mesh.number_of_edges());
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const Halfedge inner{mesh.face(Halfedge{2 * e}).index == IT::Gluing::none ? 2 * e + 1 : 2 * e};
     if (!is_diagonal(s, e))
-      edges.push_back(
+      edges_.push_back(
           {ordered(s.names.row(mesh.source(inner).index), s.names.row(mesh.target(inner).index)),
            e});
   }
-  std::sort(edges.begin(), edges.end());
+  std::sort(edges_.begin(), edges_.end());
+}
+
+bool Edge_finder::mark(std::uint32_t i, std::uint32_t j, std::vector<char>& is_marked) const {
+  auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(ordered(i, j), 0U));
+  const bool is_found = edge != edges_.end() && edge->first == ordered(i, j);
+  for (; edge != edges_.end() && edge->first == ordered(i, j); ++edge) is_marked[edge->second] = 1;
+  return is_found;
+}
+
+namespace {
+
+// The edges between the vertices that the lines of a file name.
+void constrain_listed_edges(const Surface_with_edges& s, const Options& options, Constraints& c) {
+  const Edge_finder edges(s);
   Text_lines lines(options.constraints);
   while (lines.next()) {
     lines.expect_words(2, "the numbers of two vertices");
-    const std::size_t n = s.names.number_of_rows(mesh.number_of_vertices());
+    const std::size_t n = s.names.number_of_rows(s.mesh.number_of_vertices());
     const std::uint32_t i = lines.element(0, "vertex", n), j = lines.element(1, "vertex", n);
-    auto edge = std::lower_bound(edges.begin(), edges.end(), std::pair(ordered(i, j), 0U));
-    if (edge == edges.end() || edge->first != ordered(i, j))
+    if (!edges.mark(i, j, c.is_constrained))
       lines.refuse("no edge of " + options.input + " joins vertices " + std::to_string(i) +
                    " and " + std::to_string(j) + "; constrain a path of edges");
-    for (; edge != edges.end() && edge->first == ordered(i, j); ++edge)
-      c.is_constrained[edge->second] = 1;
   }
 }
 
 // \pre options ask for constraints
-void constrain(const Surface& s, const Options& options, Constraints& c) {
+void constrain(const Surface_with_edges& s, const Options& options, Constraints& c) {
+  c.is_asked_for = true;
   c.is_constrained.assign(s.mesh.number_of_edges(), 0);
-  if (options.sharp_angle) constrain_sharp_edges(s, *options.sharp_angle, c);
+  if (options.sharp_angle) mark_sharp_edges(s, *options.sharp_angle, c.is_constrained);
   if (!options.constraints.empty()) constrain_listed_edges(s, options, c);
   c.count =
       static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));

@@ -5,12 +5,11 @@
 #define INTRINSIC_DELAUNAY_H
 
 #include "accuracy.h"
-#include "adaptive.h"
+#include "improve.h"
 #include "load.h"
 #include "matrices.h"
 #include "options.h"
 #include "output_files.h"
-#include "refine.h"
 #include "statistics.h"
 #include "support/progress.h"
 #include "view.h"
@@ -34,20 +33,6 @@
 #include <vector>
 
 namespace program {
-
-/// returns one point per vertex of the mesh file, in its order and units.
-template <class Triangulation>
-std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
-  const Triangulation& t = loaded.triangulation;
-  const std::vector<Point>& scaled = loaded.scaled_points();
-  std::vector<Point> points(t.input().number_of_rows());
-  for (std::uint32_t v = 0; v < scaled.size(); ++v) {
-    Point& p = points[t.input_vertex({v})];
-    p = scaled[v];
-    for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
-  }
-  return points;
-}
 
 /// extracts the common subdivision, and reports it. \throws std::runtime_error
 template <class Triangulation>
@@ -134,23 +119,6 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
                 [&](std::ostream& out) { write_view(out, s, points, options, json, {}); });
 }
 
-/// flips to Delaunay and refines, as options say, and measures.
-template <class Triangulation>
-Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
-                         Progress& progress) {
-  Triangulation& t = loaded.triangulation;
-  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
-    std::cerr << options.input << ": " << edges << " edges were shortened where " << options.metric
-              << " violates the triangle inequality\n";
-  const auto improve = [&](Json& json, const auto& constrained) {
-    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
-      if (options.adaptive.is_asked_for)
-        return refine_adaptively(t, constrained, options, json, progress);
-    if (options.refines) refine(t, constrained, options, json, progress);
-  };
-  return flip_and_measure(loaded, !options.no_flip, options, progress, improve);
-}
-
 /// flips to Delaunay, refines and writes files, as options say.
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
@@ -179,7 +147,7 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
 /// runs the command with a correspondence
 template <class Correspondence>
 void run_delaunay_with(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress_line progress(options.logs_progress);
   with_loaded<Correspondence>(options, progress,
                               [&](auto& loaded) { delaunay(loaded, options, progress); });
 }

@@ -13,7 +13,7 @@
 namespace program {
 
 void run_info(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress_line progress(options.logs_progress);
   with_loaded(options, progress, [&](auto& loaded) {
     Json json = flip_and_measure(loaded, false, options, progress);
     Stopwatch watch;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "load.h"
+#include "support/file_formats.h"
 
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,10 @@ Surface_choice surface_of(const Options& options) {
   return {
       mollification_of(options), domain_of(options), options.domain == "points", options.neighbors,
       options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
+}
+
+bool is_triangulation_file(const std::string& path) {
+  return is_file_of(Contents::triangulation, path);
 }
 
 std::size_t number_of_polygons(const IT::Input_definition& input) {

@@ -7,8 +7,8 @@
 #include "constraints.h"
 #include "metric.h"
 #include "options.h"
+#include "sizes.h"
 #include "support/Cut.h"
-#include "support/file_formats.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
 #include "support/read_mesh.h"
@@ -52,6 +52,7 @@ struct Loaded {
   IT::Polygon_report polygons{};                 ///< what was made of its polygons
   std::optional<IT::Point_cloud_report> cloud{}; ///< if it was made of points
   Cut cut{};                                     ///< if it was cut open
+  std::vector<double> sizes{};                   ///< wanted lengths at vertices, or none
 
   /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
   const std::vector<Point>& scaled_points() const {
@@ -61,13 +62,25 @@ struct Loaded {
   }
 };
 
+/// returns one point per vertex of the mesh file, in its order and units.
+template <class Triangulation>
+std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
+  const Triangulation& t = loaded.triangulation;
+  const std::vector<Point>& scaled = loaded.scaled_points();
+  std::vector<Point> points(t.input().number_of_rows());
+  for (std::uint32_t v = 0; v < scaled.size(); ++v) {
+    Point& p = points[t.input_vertex({v})];
+    p = scaled[v];
+    for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
+  }
+  return points;
+}
+
 /// returns which surface options ask for.
 Surface_choice surface_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
-inline bool is_triangulation_file(const std::string& path) {
-  return is_file_of(Contents::triangulation, path);
-}
+bool is_triangulation_file(const std::string& path);
 
 /// returns the number of faces of the user's mesh of which an input has parts.
 std::size_t number_of_polygons(const IT::Input_definition& input);
@@ -94,14 +107,10 @@ inline std::vector<Point> points_of_copies(std::vector<Point> points, const Cut&
   return points;
 }
 
-/// builds the intrinsic triangulation of a mesh file.
+/// builds the intrinsic triangulation of a mesh.
 template <class Triangulation>
-Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
-                                const Cutter& cut_open) {
+Loaded<Triangulation> build(Mesh_file file, const Options& options, const Cutter& cut_open = {}) {
   Stopwatch watch;
-  progress.show("reading");
-  Mesh_file file = read_mesh(options.input, surface_of(options));
-  progress.show("building");
   if (cut_open.prepare) cut_open.prepare(file);
   Constraints constraints = constraints_of(file, options);
   const IT::Polygon_report polygons = file.input.planar_polygons.report;
@@ -135,7 +144,7 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
           points[t.input().names().vertices.user(static_cast<std::uint32_t>(v))]);
       for (double& x : loaded.points.back()) x = std::ldexp(x, t.metric().scale_exponent());
     }
-    loaded.seconds = {file.seconds, watch.lap() - file.seconds};
+    loaded.seconds = {file.seconds, watch.lap()};
     describe(loaded);
     if (cut.is_cut()) loaded.facts = facts;
     loaded.cut = std::move(cut);
@@ -144,6 +153,21 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
     loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
     return loaded;
   });
+}
+
+/// builds the intrinsic triangulation of a mesh file.
+template <class Triangulation>
+Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
+                                const Cutter& cut_open) {
+  Stopwatch watch;
+  progress.show("reading");
+  Mesh_file file = read_mesh(options.input, surface_of(options));
+  const double seconds = watch.lap() - file.seconds; // of matching edges
+  progress.show("building");
+  Loaded<Triangulation> loaded = build<Triangulation>(std::move(file), options, cut_open);
+  loaded.seconds.build += seconds;
+  loaded.sizes = read_sizes(options, loaded.triangulation.input().number_of_rows());
+  return loaded;
 }
 
 /// restores edges to be kept that were flipped away before the triangulation was stored.
@@ -160,28 +184,34 @@ void restore_constrained_edges(Loaded<Triangulation>& loaded, const Options& opt
                            "not come back; start from the mesh");
 }
 
+/// returns what is known of a triangulation that was stored.
+template <class Triangulation>
+Loaded<Triangulation> stored(Triangulation t) {
+  Loaded<Triangulation> loaded{std::move(t), {}, {}, {}, {}, {}};
+  describe(loaded);
+  const auto& input = loaded.triangulation.input();
+  loaded.facts.polygons = number_of_polygons(input);
+  loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
+  if constexpr (Triangulation::has_correspondence && !Triangulation::Metric::is_exact)
+    loaded.points = input.metric().points();
+  return loaded;
+}
+
 /// reads an intrinsic triangulation from its file.
 template <class Triangulation>
 Loaded<Triangulation> load_triangulation(const Options& options, Progress& progress) {
   Stopwatch watch;
   progress.show("reading");
-  Loaded<Triangulation> loaded{
-      IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input)),
-      {},
-      {},
-      {},
-      {},
-      {}};
-  loaded.seconds.read = watch.lap();
-  describe(loaded);
+  auto t = IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input));
+  const double seconds = watch.lap();
+  Loaded<Triangulation> loaded = stored(std::move(t));
+  loaded.seconds.read = seconds;
   const auto& input = loaded.triangulation.input();
-  loaded.facts.polygons = number_of_polygons(input);
-  loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
   if constexpr (Triangulation::has_correspondence) {
-    if (!Triangulation::Metric::is_exact) loaded.points = input.metric().points();
     loaded.constraints = constraints_of(input, options);
     restore_constrained_edges(loaded, options);
   }
+  loaded.sizes = read_sizes(options, input.number_of_rows());
   return loaded;
 }
 

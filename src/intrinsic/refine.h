@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iostream>
 #include <numbers>
 #include <string>
 #include <type_traits>
@@ -46,8 +45,8 @@ struct Refinement_progress : IT::Refinement_visitor {
   }
   /// is called while refining
   bool progress(const IT::Refinement_counts& counts) {
-    line->show("refining", std::to_string(counts.inserted_vertices()) + " vertices inserted");
-    return true;
+    return line->show("refining",
+                      std::to_string(counts.inserted_vertices()) + " vertices inserted");
   }
 };
 
@@ -57,8 +56,7 @@ struct Odt_progress {
   Progress* line = nullptr;
   /// is called while vertices are moved
   bool progress(const IT::Odt_result& r) {
-    line->show("moving vertices", "iteration " + std::to_string(r.iterations));
-    return true;
+    return line->show("moving vertices", std::to_string(r.iterations) + " iterations");
   }
 };
 
@@ -114,13 +112,14 @@ double minimum_angle_without(
 
 /// refines the triangulation and reports it.
 template <class Triangulation, class Constrained>
-void refine(Triangulation& t, const Constrained& constrained, const Options& options, Json& json,
-            Progress& progress) {
+void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const Options& options,
+            Json& json, Progress& progress) {
+  Triangulation& t = loaded.triangulation;
   json["quality_before"] = quality_json(quality_of(t, check(t, constrained)));
   Stopwatch watch;
   Refinement_progress visitor;
   visitor.line = &progress;
-  visitor.sizes = Sizes(read_sizes(options, t.input().number_of_rows()));
+  visitor.sizes = Sizes(loaded.sizes);
   progress.show("refining");
   const Refinement_criteria& criteria = options.refinement;
   const auto result =
@@ -138,10 +137,10 @@ void refine(Triangulation& t, const Constrained& constrained, const Options& opt
   std::array<std::size_t, 4> reasons{};
   for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
   if (result.status == IT::Status::stalled)
-    std::cerr << options.input << ": no vertex could be inserted for " << reasons[2]
-              << " faces that do not meet the criteria: "
-              << (t.input().names().sheets > 1 ? "copies of it come too close to other vertices\n"
-                                               : "rounding hides its place\n");
+    progress.warn(options.input + ": no vertex could be inserted for " +
+                  std::to_string(reasons[2]) + " faces that do not meet the criteria: " +
+                  (t.input().names().sheets > 1 ? "copies of it come too close to other vertices"
+                                                : "rounding hides its place"));
   json["refine"] = {{"status", name(result.status)},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", counts.inserted_vertices()},

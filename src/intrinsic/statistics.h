@@ -26,6 +26,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -193,8 +194,7 @@ struct Delaunay_progress {
   Progress* line = nullptr;
   /// is called while flipping
   bool progress(const IT::Flip_to_delaunay_result& result) {
-    line->show("flipping to Delaunay", std::to_string(result.flips) + " flips");
-    return true;
+    return line->show("flipping to Delaunay", std::to_string(result.flips) + " flips");
   }
 };
 
@@ -260,7 +260,8 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   const IT::Predicate_statistics statistics = t.metric().statistics();
   progress.show("verifying");
   const Delaunay_check checked = check(t, constrained);
-  if (has_constraints(options)) json["constraints"] = constraints_json(loaded.constraints, checked);
+  if (loaded.constraints.is_asked_for)
+    json["constraints"] = constraints_json(loaded.constraints, checked);
   json["delaunay"] = delaunay_json(result, statistics, checked);
   json["certificate"] = certificate(is_exact, statistics.probable_zero, checked);
   json["quality"] = quality_json(quality_of(t, checked));
@@ -273,21 +274,14 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   return json;
 }
 
-/// the same, with the edges that options keep.
-template <class Triangulation, class Improve>
-Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
-                      Progress& progress, const Improve& improve) {
-  const auto constrain = [&](Json&) {
-    return marked_edges(loaded.triangulation, loaded.constraints);
-  };
-  return flip_and_measure(loaded, flip, options, progress, constrain, improve);
-}
-
-/// loads, flips if the options say so, and measures.
+/// flips if the options say so, and measures.
 template <class Triangulation>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
                       Progress& progress) {
-  return flip_and_measure(loaded, flip, options, progress, [](Json&, const auto&) {});
+  const auto constrain = [&](Json&) {
+    return marked_edges(loaded.triangulation, loaded.constraints);
+  };
+  return flip_and_measure(loaded, flip, options, progress, constrain, [](Json&, const auto&) {});
 }
 
 /// prints statistics for people.

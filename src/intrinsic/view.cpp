@@ -5,8 +5,6 @@
 #include "support/messages.h"
 #include "three_js.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -61,9 +59,9 @@ std::string description(const Json& json) {
 
 } // namespace
 
-void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed& viewed) {
+IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
+                                const std::vector<Point>& points, const Options& options,
+                                const Json& json, const Viewed& viewed) {
   if (three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
@@ -88,7 +86,13 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   constexpr std::size_t many = 1000; // curves, which would cover the surface
   view.curve_width = viewed.curves.size() > many ? 1 : viewed.curve_width;
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
-  const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
+  return IT::write_html_view(out, s, points, view);
+}
+
+void write_view(std::ostream& out, const IT::Common_subdivision& s,
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                const Viewed& viewed) {
+  const IT::Html_view_report report = write_page(out, s, points, options, json, viewed);
   if (!report.is_complete())
     std::cerr << options.view << ": " << report.description()
               << "; --view-limit allows a larger page, and -o writes all to a file\n";

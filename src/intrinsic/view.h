@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <array>
@@ -37,6 +38,14 @@ struct Viewed {
 };
 
 /*!
+\brief writes the page that shows the intrinsic triangulation, and says on standard error what it
+leaves out; see `write_page()`.
+*/
+void write_view(std::ostream& out, const IT::Common_subdivision& s,
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                const Viewed& viewed);
+
+/*!
 \brief writes the page that shows the intrinsic triangulation.
 \param out the file
 \param s the common subdivision
@@ -44,10 +53,11 @@ struct Viewed {
 \param options the options
 \param json the statistics
 \param viewed what else is shown
+\return what the page leaves out
 */
-void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed& viewed);
+IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
+                                const std::vector<Point>& points, const Options& options,
+                                const Json& json, const Viewed& viewed);
 
 } // namespace program
 

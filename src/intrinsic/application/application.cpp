@@ -501,7 +501,7 @@ void append_fields(std::vector<IT::Subdivision_field>& fields, const std::string
 void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,
                      const Solver<IT::Euclidean_traits<double>>& approximate) {
   expect_writable_results(options);
-  Progress progress(options.logs_progress);
+  Progress_line progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(
       options, progress,
       [&](auto& loaded) {

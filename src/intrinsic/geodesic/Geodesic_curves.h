@@ -39,8 +39,7 @@ struct Shortening_progress : IT::Shortening_visitor {
   Progress* line = nullptr;
   /// is called while shortening
   bool progress(const IT::Shortening_result& r) {
-    line->show("shortening", std::to_string(r.flips) + " flips");
-    return true;
+    return line->show("shortening", std::to_string(r.flips) + " flips");
   }
 };
 

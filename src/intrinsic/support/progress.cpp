@@ -20,25 +20,29 @@ static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler r
 
 const char* current_stage() { return stage_now; }
 
-Progress::Progress(bool logs)
+Progress_line::Progress_line(bool logs)
     : logs_(logs), is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
 
-Progress::~Progress() {
+Progress_line::~Progress_line() {
   if (is_shown_) std::cerr << "\r\033[K" << std::flush;
 }
 
-void Progress::show(const char* stage, const std::string& detail) {
+bool Progress_line::show(const char* stage, const std::string& detail) {
   using namespace std::chrono_literals;
   const auto now = Clock::now();
   if (logs_) log(stage, detail, now);
   stage_now = stage;
-  if (logs_ || !is_terminal_ || now - start_ < 1s || (is_shown_ && now - last_ < 100ms)) return;
+  if (logs_ || !is_terminal_ || now - start_ < 1s || (is_shown_ && now - last_ < 100ms))
+    return true;
   std::cerr << '\r' << stage << (detail.empty() ? "" : ": ") << detail << "\033[K" << std::flush;
   is_shown_ = true;
   last_ = now;
+  return true;
 }
 
-void Progress::log(const char* stage, const std::string& detail, Clock::time_point now) {
+void Progress_line::warn(const std::string& message) { std::cerr << message << '\n'; }
+
+void Progress_line::log(const char* stage, const std::string& detail, Clock::time_point now) {
   using namespace std::chrono_literals;
   if (stage == stage_now && now - last_ < 1s) return;
   last_ = now;

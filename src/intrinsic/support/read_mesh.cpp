@@ -71,13 +71,17 @@ Mesh_file mesh_of_faces(IT::Triangle_soup soup, const Surface_choice& choice) {
 
 } // namespace
 
+Mesh_file mesh_of(IT::Triangle_soup soup, const Surface_choice& choice) {
+  return soup.triangles.empty() ? mesh_of_points(soup, choice)
+                                : mesh_of_faces(std::move(soup), choice);
+}
+
 Mesh_file read_mesh(const std::string& path, const Surface_choice& choice) {
   Stopwatch watch;
   IT::Triangle_soup soup = IT::read_triangle_soup(path, choice.polygons, faces_for(choice));
   const double seconds = watch.lap();
   return naming_file(path, [&] {
-    Mesh_file file = soup.triangles.empty() ? mesh_of_points(soup, choice)
-                                            : mesh_of_faces(std::move(soup), choice);
+    Mesh_file file = mesh_of(std::move(soup), choice);
     file.seconds = seconds;
     return file;
   });

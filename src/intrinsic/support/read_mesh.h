@@ -55,6 +55,10 @@ struct Mesh_file {
   std::uint32_t vertex(IT::Gluing_map::Vertex v) const { return input.names.row(v.index); }
 };
 
+/// makes the chosen surface of triangles, or of points if there are none.
+/// \throws Invalid_input naming the element and the remedy
+Mesh_file mesh_of(IT::Triangle_soup soup, const Surface_choice& choice);
+
 /// reads a file of a mesh or of points, and makes the chosen surface.
 /// \throws Invalid_input naming the file, the element and the remedy
 Mesh_file read_mesh(const std::string& path, const Surface_choice& choice);

@@ -1,0 +1,214 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces are values: kept, copied, used by threads, interrupted, without leaks."""
+
+import copy
+import doctest
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+import tracemalloc
+import unittest
+
+import intrinsic as it
+import numpy as np
+from support import PART, Module_test, bumpy
+
+V, F = bumpy()
+
+
+class Values(Module_test):
+    def assert_same(self, a, b):
+        self.assertTrue((a.faces == b.faces).all())
+        self.assertTrue((a.lengths == b.lengths).all())
+        self.assertTrue((a.glue == b.glue).all())
+        self.assertTrue((a.points == b.points).all())
+        self.assertEqual((a.laplacian() != b.laplacian()).nnz, 0)
+
+    def test_copies_and_pickles(self):
+        for arithmetic in ("exact", "double"):
+            s = it.Surface(V, F, arithmetic=arithmetic)
+            for t in (s, s.delaunay(keep=[[0, 1]]), s.refine(min_angle=28)):
+                for other in (copy.copy(t), copy.deepcopy(t), t.copy(),
+                              pickle.loads(pickle.dumps(t))):
+                    self.assert_same(t, other)
+        t.save(self.path("t.idt"))
+        self.assert_same(t, it.load(self.path("t.idt")))
+
+    def test_methods_change_nothing(self):
+        s = it.Surface(V, F)
+        before = s.faces, s.lengths
+        for work in (s.delaunay, s.refine, s.adapt, s.laplacian, s.mass):
+            work()
+        self.assertTrue((s.faces == before[0]).all() and (s.lengths == before[1]).all())
+        self.assertGreater(s.statistics["delaunay"]["non_delaunay_edges"], 0)
+        self.assertEqual(s.delaunay().statistics["delaunay"]["non_delaunay_edges"], 0)
+
+    def test_kept_edges_and_sizes(self):
+        s = it.Surface(V, F)
+        t = s.delaunay(keep=[[0, 13]])
+        corners = np.sort(np.stack([t.faces, np.roll(t.faces, -1, axis=1)], axis=2), axis=2)
+        self.assertTrue((corners == [0, 13]).all(axis=2).any())
+        self.assertEqual(t.statistics["constraints"]["input_edges"], 1)
+        r = s.refine(min_angle=0, size=0.5)
+        self.assertLessEqual(r.lengths.max(), 0.5)
+        size = np.where(V[:, 0] < 5, 0.4, 100)
+        r = s.refine(min_angle=0, size=size)
+        self.assertLessEqual(r.statistics["refine"]["max_relative_edge_length"], 1)
+        self.assertEqual(len(r.points), r.number_of_vertices)
+
+    def test_transfer_and_places(self):
+        s = it.Surface(V, F)
+        t = s.refine(min_angle=25)
+        u = V @ [1, 2, 0] + 3
+        for how in ("l2", "pointwise"):
+            up = t.from_input(u, how)
+            self.assertEqual(up.shape, (t.number_of_vertices,))
+            self.assertEqual(t.to_input(np.column_stack([up, up]), how).shape, (len(V), 2))
+        self.assertAlmostEqual((t.mass("galerkin") @ t.from_input(u)).sum(), _integral(u), 6)
+        points = [it.Point(f, w) for f, w in zip(range(50), np.random.default_rng(2).dirichlet(
+            [1, 1, 1], 50))]
+        faces, weights = t.locate(points)
+        back, again = t.locate([it.Point(f, w) for f, w in zip(faces, weights)], on="input")
+        there = (V[F[back]] * again[:, :, None]).sum(axis=1)
+        here = np.array([w @ V[F[f]] for f, w in points])
+        self.assertLess(abs(there - here).max(), 1e-9)
+        faces, weights = t.locate(np.arange(len(V)))
+        self.assertTrue((t.faces[faces, weights.argmax(axis=1)] == np.arange(len(V))).all())
+        c = t.common_subdivision()
+        self.assertLess(abs(c.P_input @ V - c.V).max(), 1e-12)
+        triangles, polygon = c.triangles()
+        self.assertEqual(len(triangles), (np.diff(c.begins) - 2).sum())
+        self.assertTrue((c.input_face[polygon] < len(F)).all())
+
+    def test_points_and_soups(self):
+        P = np.random.default_rng(3).normal(size=(300, 3))
+        P /= np.linalg.norm(P, axis=1)[:, None]
+        s = it.points(P, neighbors=20)
+        self.assertEqual(s.laplacian().shape, (300, 300))
+        self.assertLess(abs(s.mass().sum() - 4 * np.pi), 0.5)
+        self.assertEqual(s.report["domain"]["kind"], "points")
+        three = it.Surface([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]],
+                           [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        self.assertEqual(three.report["domain"]["kind"], "tufted")
+        self.assertEqual(three.mass().shape, (5, 5))
+
+    def test_pages(self):
+        page = it.Surface(V, F).delaunay().html()
+        self.assertIn("<html", page)
+        self.assertIn("iframe", it.Surface(V, F)._repr_html_())
+        path = it.Surface(V, F).show(self.path("page.html"), open_browser=False)
+        self.assertGreater(os.path.getsize(path), 1000)
+
+
+def _integral(u):
+    """The integral over the faces of the function with values at vertices."""
+    area = np.linalg.norm(np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]]), axis=1) / 2
+    return (u[F].mean(axis=1) * area).sum()
+
+
+class Work(Module_test):
+    def test_progress(self):
+        calls = []
+        s = it.Surface(*bumpy(60))
+        s.refine(min_angle=32, size=0.05, max_insertions=30000,
+                 progress=lambda stage, count: calls.append((stage, count)))
+        self.assertTrue(calls)
+        self.assertTrue(all(isinstance(n, int) for _, n in calls))
+
+        def stop(stage, count):
+            raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            s.refine(min_angle=32, size=0.01, progress=stop)
+        self.assertEqual(s.delaunay().certificate, "exact")  # nothing is spoilt
+
+    def test_interrupts(self):
+        s = it.Surface(*bumpy(40))
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            s.refine(min_angle=30, size=0.002)
+        self.assertLess(time.monotonic() - start, 30)
+        timer.join()
+
+    def test_threads(self):
+        s, t = it.Surface(V, F), it.Surface(V, F).delaunay()
+        expected = s.laplacian()
+        failures = []
+
+        def work(k):
+            try:
+                mine = it.Surface(V + k, F)
+                for _ in range(5):
+                    mine.refine(min_angle=20)
+                    if (s.laplacian() != expected).nnz or (t.laplacian() != expected).nnz:
+                        failures.append("another matrix")
+                    t.common_subdivision()
+                    s.delaunay()
+            except Exception as error:
+                failures.append(repr(error))
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(failures, [])
+
+    def test_nothing_leaks(self):
+        points, faces = bumpy(4)
+
+        def everything():
+            s = it.Surface(points, faces)
+            t = s.refine(min_angle=20, keep=[[0, 1]])
+            t.laplacian(), t.mass(), t.faces, t.lengths, t.glue, t.points, t.statistics, s.report
+            t.common_subdivision(), t.to_input(np.ones(t.number_of_vertices)), t.locate([0, 3])
+            pickle.loads(pickle.dumps(t)), s.adapt(0, max_vertices=20)
+            for bad in ([[0, 1, 99]], [[0, 0, 1]]):
+                try:
+                    it.Surface(points, bad)
+                except ValueError:
+                    pass
+
+        for _ in range(20):
+            everything()
+        tracemalloc.start()
+        before, resident = tracemalloc.take_snapshot(), _resident()
+        for _ in range(300):
+            everything()
+        after = tracemalloc.take_snapshot()
+        tracemalloc.stop()
+        growth = sum(d.size_diff for d in after.compare_to(before, "filename")
+                     if "tracemalloc" not in d.traceback[0].filename)
+        self.assertLess(growth, 100_000)
+        self.assertLess(_resident() - resident, 8_000_000)  # one page for each of the calls is more
+
+    def test_import_is_fast_and_takes_no_scipy(self):
+        code = ("import sys, time, numpy; t = time.perf_counter(); import intrinsic; "
+                "print(time.perf_counter() - t, any(m.startswith('scipy') for m in sys.modules))")
+        times = []
+        for _ in range(3):
+            seconds, has_scipy = subprocess.run([sys.executable, "-c", code], check=True, text=True,
+                                                capture_output=True).stdout.split()
+            times.append(float(seconds))
+            self.assertEqual(has_scipy, "False")
+        self.assertLess(min(times), 0.15)
+
+    def test_examples_in_the_documentation(self):
+        for module in (it, sys.modules["intrinsic._surface"]):
+            self.assertEqual(doctest.testmod(module).failed, 0)
+
+
+def _resident():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+if __name__ == "__main__":
+    unittest.main()
