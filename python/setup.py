@@ -39,6 +39,7 @@ class Build(build_ext):
         shutil.copy(built, target)
 
 
-version = re.search(r"VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text().split("project(")[1])
+project = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1]
+version = re.search(r"VERSION ([0-9.]+)", project)
 setup(version=version[1], packages=find_packages(include=["intrinsic*"]),
       ext_modules=[Extension("intrinsic._core", [])], cmdclass={"build_ext": Build})

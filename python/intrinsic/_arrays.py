@@ -111,7 +111,7 @@ def polygons(x, name, count):
 
 
 def sparse(parts, symmetric=False):
-    """Returns a matrix of scipy, stored by rows, of what `_core` gives; without a copy if it can."""
+    """Returns a matrix of scipy, stored by rows, of what `_core` gives."""
     from scipy.sparse import csc_matrix, csr_matrix
 
     data, columns, begins, shape, has_rows = parts

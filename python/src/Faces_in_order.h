@@ -28,9 +28,8 @@ public:
   explicit Faces_in_order(const Triangulation& t) {
     const IT::Element_names& names = t.input().names().faces;
     for (const Face f : faces(t.mesh())) order_.push_back(f);
-    std::sort(order_.begin(), order_.end(), [&](Face f, Face g) {
-      return names.user(t.index(f)) < names.user(t.index(g));
-    });
+    std::sort(order_.begin(), order_.end(),
+              [&](Face f, Face g) { return names.user(t.index(f)) < names.user(t.index(g)); });
     number_.resize(t.numbers().face_capacity(t.mesh()), -1);
     for (std::size_t i = 0; i < order_.size(); ++i)
       number_[t.index(order_[i])] = static_cast<std::int64_t>(i);

@@ -26,8 +26,8 @@
 namespace python {
 
 /// The triangulation of a surface with exact arithmetic.
-using Exact =
-    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>;
+using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                          IT::Integer_coordinates>;
 /// The triangulation of a surface with doubles.
 using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                            IT::Integer_coordinates>;

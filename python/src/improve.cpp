@@ -59,8 +59,8 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
                std::to_string(keep.ends[i]) + " and " + std::to_string(keep.ends[i + 1]) +
                "; give a path of edges");
   }
-  c.count = static_cast<std::size_t>(
-      std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
+  c.count =
+      static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
   return c;
 }
 
@@ -69,9 +69,8 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
 template <class Triangulation>
 const Json& improve(Surface& s, program::Loaded<Triangulation>& loaded, const Options& options,
                     Watch& watch) {
-  return s.cached<Json>("statistics", [&] {
-    return new Json(program::improve_and_measure(loaded, options, watch));
-  });
+  return s.cached<Json>(
+      "statistics", [&] { return new Json(program::improve_and_measure(loaded, options, watch)); });
 }
 
 // \param is_improved whether the copy will be, so that other statistics hold
@@ -157,8 +156,7 @@ const Json& statistics(Surface& s, program::Loaded<Triangulation>& loaded, Watch
 
 std::string statistics_text(Surface& s) {
   Watch watch;
-  return with_loaded(s, watch,
-                     [&](auto& loaded) { return statistics(s, loaded, watch).dump(); });
+  return with_loaded(s, watch, [&](auto& loaded) { return statistics(s, loaded, watch).dump(); });
 }
 
 std::string report_text(Surface& s) {
@@ -184,10 +182,10 @@ std::string page(Surface& s, double megabytes) {
     options.view = "the page";
     options.view_limit = megabytes;
     std::ostringstream out;
-    const IT::Html_view_report report =
-        program::write_page(out, d, IT::positions(d, s.points, input), options,
-                            statistics(s, loaded, watch), {});
-    if (!report.is_complete()) watch.warn(report.description() + "; megabytes allows a larger page");
+    const IT::Html_view_report report = program::write_page(
+        out, d, IT::positions(d, s.points, input), options, statistics(s, loaded, watch), {});
+    if (!report.is_complete())
+      watch.warn(report.description() + "; megabytes allows a larger page");
     return out.str();
   });
 }

@@ -63,9 +63,8 @@ py::array_t<std::int64_t> faces_of(Surface& s) {
 }
 
 py::array_t<double> lengths(Surface& s) {
-  return of_sides<double>(s, [](auto& t, IT::Gluing_map::Halfedge h) -> double {
-    return t.length(edge(h, t.mesh()));
-  });
+  return of_sides<double>(
+      s, [](auto& t, IT::Gluing_map::Halfedge h) -> double { return t.length(edge(h, t.mesh())); });
 }
 
 // For each side, the face and the side that it is glued to; -1 on the border.
@@ -128,8 +127,8 @@ struct Faces_and_weights {
               const IT::Surface_point& p) {
     face.push_back(f);
     weights.push_back({0, 0, 0});
-    const auto first = static_cast<std::size_t>(
-        std::find(sides.begin(), sides.end(), p.halfedge) - sides.begin());
+    const auto first =
+        static_cast<std::size_t>(std::find(sides.begin(), sides.end(), p.halfedge) - sides.begin());
     for (std::size_t k = 0; k < 3; ++k) weights.back()[(first + k) % 3] = p.weights[k];
   }
   py::tuple arrays() && {
@@ -140,46 +139,50 @@ struct Faces_and_weights {
 // Where places on the user's mesh are on the triangulation; on a cover, on the first sheet.
 py::tuple locate(Surface& s, const Place_arrays& arrays) {
   const std::vector<Place> places = places_of(arrays);
-  return with_triangulation(s, [&](auto& t) {
-           const Faces_in_order order(t);
-           Place_finder find(t);
-           Faces_and_weights result;
-           std::vector<IT::Surface_point> copies;
-           for (const Place& place : places) {
-             copies.clear();
-             find.append(place, copies);
-             const auto f = t.mesh().face(IT::Gluing_map::Halfedge{copies.front().halfedge});
-             const auto [i, j, k] = t.mesh().sides(f);
-             result.append(order[t.index(f)], {i.index, j.index, k.index}, copies.front());
-           }
-           return result;
-         })
+  return with_triangulation(
+             s,
+             [&](auto& t) {
+               const Faces_in_order order(t);
+               Place_finder find(t);
+               Faces_and_weights result;
+               std::vector<IT::Surface_point> copies;
+               for (const Place& place : places) {
+                 copies.clear();
+                 find.append(place, copies);
+                 const auto f = t.mesh().face(IT::Gluing_map::Halfedge{copies.front().halfedge});
+                 const auto [i, j, k] = t.mesh().sides(f);
+                 result.append(order[t.index(f)], {i.index, j.index, k.index}, copies.front());
+               }
+               return result;
+             })
       .arrays();
 }
 
 // Where places in faces of the triangulation are on the user's mesh.
 py::tuple locate_on_input(Surface& s, const Integers& faces, const Doubles& weights) {
   const std::vector<Point> w = points_of(weights);
-  return with_triangulation(s, [&](auto& t) {
-           const Faces_in_order order(t);
-           const IT::Input& input = t.input();
-           const IT::Input_names& names = input.names();
-           Faces_and_weights result;
-           for (std::size_t i = 0; i < w.size(); ++i) {
-             const auto f = order.order()[static_cast<std::size_t>(faces.data()[i])];
-             const auto p =
-                 IT::locate_on_input(t, IT::Surface_point{t.mesh().halfedge(f).index, w[i]});
-             if (!p) {
-               result.append(-1, {0, 0, 0}, {0, {0, 0, 0}});
-               continue;
-             }
-             const std::uint32_t g = input.face(p->halfedge), h = input.halfedge_of_face(g);
-             const std::uint32_t sheets = names.polygon_of_triangle.empty() ? names.sheets : 1;
-             result.append(names.polygon(g) / sheets,
-                           {h, input.next(h), input.next(input.next(h))}, *p);
-           }
-           return result;
-         })
+  return with_triangulation(
+             s,
+             [&](auto& t) {
+               const Faces_in_order order(t);
+               const IT::Input& input = t.input();
+               const IT::Input_names& names = input.names();
+               Faces_and_weights result;
+               for (std::size_t i = 0; i < w.size(); ++i) {
+                 const auto f = order.order()[static_cast<std::size_t>(faces.data()[i])];
+                 const auto p =
+                     IT::locate_on_input(t, IT::Surface_point{t.mesh().halfedge(f).index, w[i]});
+                 if (!p) {
+                   result.append(-1, {0, 0, 0}, {0, {0, 0, 0}});
+                   continue;
+                 }
+                 const std::uint32_t g = input.face(p->halfedge), h = input.halfedge_of_face(g);
+                 const std::uint32_t sheets = names.polygon_of_triangle.empty() ? names.sheets : 1;
+                 result.append(names.polygon(g) / sheets,
+                               {h, input.next(h), input.next(input.next(h))}, *p);
+               }
+               return result;
+             })
       .arrays();
 }
 

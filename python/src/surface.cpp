@@ -205,9 +205,8 @@ Surface_ptr read(const std::string& path, const std::string& domain,
 }
 
 void save(Surface& s, const std::string& path) {
-  with_triangulation(s, [&](const auto& t) {
-    IT::write_intrinsic_triangulation(std::filesystem::path(path), t);
-  });
+  with_triangulation(
+      s, [&](const auto& t) { IT::write_intrinsic_triangulation(std::filesystem::path(path), t); });
 }
 
 // The contents of a file.

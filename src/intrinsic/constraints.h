@@ -23,15 +23,15 @@ struct Constraints {
   IT::Gluing_map mesh; ///< the mesh as it was read; empty if no edge is kept, or it was stored
   std::vector<char> is_constrained; ///< per edge of it, or of the input that is stored
   std::size_t count = 0;
-  bool is_stored = false; ///< whether edges are those of the input of a stored triangulation
+  bool is_stored = false;    ///< whether edges are those of the input of a stored triangulation
   bool is_asked_for = false; ///< whether edges were to be kept, even if there are none
 };
 
 /// The surface that edges are of: a mesh file, or the input of a triangulation.
 struct Surface_with_edges {
-  const IT::Gluing_map& mesh;      ///< its connectivity
+  const IT::Gluing_map& mesh;       ///< its connectivity
   const std::vector<Point>& points; ///< a point per vertex, or none
-  const IT::Input_names& names;    ///< what the user calls its elements
+  const IT::Input_names& names;     ///< what the user calls its elements
 };
 
 /// marks the edges that are folded by more than an angle in degrees, but for diagonals of polygons.

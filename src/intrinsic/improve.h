@@ -40,11 +40,12 @@ Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
 
 /// The triangulations for which improve.cpp has compiled this function, as several programs and the
 /// Python module need it.
-using Exact_triangulation =
-    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>;
+using Exact_triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                        IT::Integer_coordinates>;
 /// With doubles.
-using Double_triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
-                                                         IT::Integer_coordinates>;
+using Double_triangulation =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                IT::Integer_coordinates>;
 
 extern template Json improve_and_measure(Loaded<Exact_triangulation>&, const Options&, Progress&);
 extern template Json improve_and_measure(Loaded<Double_triangulation>&, const Options&, Progress&);
