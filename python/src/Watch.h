@@ -35,7 +35,7 @@ public:
   \param stage what is being done, such as "flips", of which there are
   \param count so many
   */
-  bool operator()(const char* stage, std::uint64_t count) {
+  bool operator()(const char* stage, std::uint64_t count = 0) {
     if (error_) return false;
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return true;
