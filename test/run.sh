@@ -17,6 +17,7 @@ bash "$root/cmake/install_dependencies.sh" \
 
 cd -- "$root"
 cmake --preset release \
-  -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=ON -DINTRINSIC_TRIANGULATIONS_BUILD_EXAMPLES=ON
+  -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=ON -DINTRINSIC_TRIANGULATIONS_BUILD_EXAMPLES=ON \
+  -DINTRINSIC_TRIANGULATIONS_BUILD_PYTHON=ON
 cmake --build --preset release --parallel "$(nproc)"
 ctest --preset release --output-on-failure --parallel "$(nproc)" "$@"
