@@ -8,9 +8,9 @@ import unittest
 import intrinsic as it
 from support import PART, Module_test, mesh
 
-# Manifold, with border, with many ties, of polygons, with three faces at an edge, with one side.
-MESHES = ("elephant.off", "cheese.off", "bunny00.off", "camel.off", "hand.off", "oni.pmp.off",
-          "eight.off", "cube_quad.off", "nefertiti.off", "anchor_dense.off", "fandisk.off")
+# Manifold, with border, of polygons, with ties, of several components, of slivers.
+MESHES = ("camel.off", "fandisk.off", "cube_quad.off", "eight.off", "mech-holes-shark.off",
+          "hedra.off")
 
 
 def without_times(statistics):
@@ -49,7 +49,7 @@ class Program(Module_test):
                 self.assertEqual(t.certificate, expected["certificate"])
 
     def test_refined_triangulations(self):
-        for path in list(self.some_meshes())[:4]:
+        for path in list(self.some_meshes())[1:4]:
             for options, arguments in (
                     ({"min_angle": 25}, ["--min-angle", 25]),
                     ({"min_angle": 20, "keep": 60.}, ["--min-angle", 20, "--sharp-angle", 60]),
@@ -67,7 +67,7 @@ class Program(Module_test):
                     self.assertEqual(without_times(statistics), without_times(expected))
 
     def test_common_subdivisions_and_transfer(self):
-        for path in list(self.some_meshes())[:3]:
+        for path in list(self.some_meshes())[:2]:
             with self.subTest(path=path):
                 self.run_program("refine", path, "--interpolation", "p.mtx",
                                  "--input-interpolation", "q.mtx", "-o", "s.off")

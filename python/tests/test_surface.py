@@ -4,6 +4,7 @@
 
 import copy
 import doctest
+import gc
 import os
 import pickle
 import signal
@@ -178,10 +179,12 @@ class Work(Module_test):
 
         for _ in range(20):
             everything()
+        gc.collect()
         tracemalloc.start()
         before, resident = tracemalloc.take_snapshot(), _resident()
         for _ in range(300):
             everything()
+        gc.collect()
         after = tracemalloc.take_snapshot()
         tracemalloc.stop()
         growth = sum(d.size_diff for d in after.compare_to(before, "filename")
