@@ -63,4 +63,4 @@ class Module_test(unittest.TestCase):
 
     def assert_same_file(self, a, b):
         with open(self.path(a), "rb") as first, open(self.path(b), "rb") as second:
-            self.assertEqual(first.read(), second.read())
+            self.assertTrue(first.read() == second.read(), f"{a} and {b} differ")

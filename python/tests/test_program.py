@@ -42,7 +42,9 @@ class Program(Module_test):
                 t = s.delaunay()
                 for surface in (s, t):  # flipped behind the scenes, or before
                     self.assert_same_matrix(surface.laplacian(), self.read_matrix("l.mtx"))
-                    self.assert_same_matrix(surface.mass("galerkin"), self.read_matrix("m.mtx"))
+                    mass, expected_mass = surface.mass("galerkin"), self.read_matrix("m.mtx")
+                    difference = abs(mass - expected_mass)  # areas of slivers may round otherwise
+                    self.assertEqual((difference > 1e-12 * expected_mass).nnz, 0)
                 t.save(self.path("t.idt"))
                 self.assert_same_file("t.idt", "p.idt")
                 self.assertEqual(without_times(t.statistics), without_times(expected))
@@ -78,9 +80,9 @@ class Program(Module_test):
                 with open(self.path("s.off"), encoding="ascii") as file:
                     rows = [line.split() for line in file if line[:1] not in "#\n"][2:]
                 points = [[float(x) for x in row] for row in rows[:len(c.V)]]
-                self.assertEqual(points, c.V.tolist())
-                polygons = [[int(x) for x in row[1:]] for row in rows[len(c.V):]]
-                self.assertEqual(polygons, [p.tolist() for p in c.polygons])
+                self.assertTrue(points == c.V.tolist())
+                polygons = [[int(x) for x in row[1:1 + int(row[0])]] for row in rows[len(c.V):]]
+                self.assertTrue(polygons == [p.tolist() for p in c.polygons])
 
     def test_stored_triangulations(self):
         self.run_program("refine", PART, "-o", "p.idt")
