@@ -45,7 +45,8 @@ class Program(Module_test):
                 for surface in (s, t):  # flipped behind the scenes, or before
                     self.assert_same_matrix(surface.laplacian(), self.read_matrix("l.mtx"))
                     mass, expected_mass = surface.mass("galerkin"), self.read_matrix("m.mtx")
-                    difference = abs(mass - expected_mass)  # areas of slivers may round otherwise
+                    # this command keeps no correspondence: areas of slivers are rounded otherwise
+                    difference = abs(mass - expected_mass)
                     self.assertEqual((difference > 1e-12 * expected_mass).nnz, 0)
                 self.assertEqual(without_times(t.statistics), without_times(expected))
                 self.assertEqual(t.certificate, expected["certificate"])
