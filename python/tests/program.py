@@ -32,11 +32,11 @@ def mesh(name):
     words = re.sub(r"#.*", "", path.read_text()).split()
     vertices, faces = int(words[1]), int(words[2])
     V = np.array(words[4:4 + 3 * vertices], dtype=float).reshape(-1, 3)
-    rest, F = words[4 + 3 * vertices:], []
+    begin, F = 4 + 3 * vertices, []
     for _ in range(faces):
-        sides = int(rest[0])
-        F.append([int(v) for v in rest[1:1 + sides]])
-        rest = rest[1 + sides:]
+        end = begin + 1 + int(words[begin])
+        F.append([int(v) for v in words[begin + 1:end]])
+        begin = end
     return path, V, F
 
 
