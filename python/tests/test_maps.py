@@ -240,8 +240,6 @@ class As_the_program(unittest.TestCase):
                     options = ("--start", start) + (() if cones is None else ("--cones", cones))
                     if cones is None and name in self.CLOSED[2:]:
                         continue  # no flat metric
-                    if (cones, name, start) == (None, "hand.off", "delaunay"):
-                        continue  # takes long, in the program as well
                     found, expected = self.run_program("uniformize", path, *options)
                     m, found = s.uniformize(cones=cones, start=start), found["conformal"]
                     np.testing.assert_array_equal(m.u, expected, f"{name} {start} {cones}")
