@@ -35,8 +35,8 @@ struct Enclosed_ideal_face {
   std::array<Interval_nt<false>, 3> lambda;
 };
 
-// Whether all factors are positive and finite, and so are products of two lambda lengths of flips,
-// each with two factors.
+// Whether all factors are so near 1 that predicates, of degree four in lambda lengths with two
+// factors each, neither overflow nor underflow.
 bool are_in_range(std::span<const double> factors);
 
 // The components of a surface by its rows.
