@@ -10,6 +10,9 @@ import json
 import os
 import re
 import subprocess
+import tempfile
+import tracemalloc
+import unittest
 from pathlib import Path
 
 import numpy as np
@@ -71,3 +74,33 @@ def surface(path):
     rows = lines[begin + 1:]
     V = np.array([words[:3] for words in rows[:vertices]], dtype=float)
     return V, np.array([words[1:4] for words in rows[vertices:vertices + faces]], dtype=int)
+
+
+class Comparison(unittest.TestCase):
+    """Has a folder of its own for what the program writes."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.out = self.folder / "x.txt"
+
+    def run_program(self, command, path, *options):
+        """Runs a command that writes numbers, and returns its statistics and these."""
+        found = run(command, path, *options, "-o", self.out)
+        return found, np.genfromtxt(self.out)
+
+
+def grown_memory(work, rounds, before=1):
+    """The bytes that Python holds more after a function was called so often, and before that."""
+    for _ in range(before):
+        work()
+    tracemalloc.start()
+    try:
+        first = tracemalloc.take_snapshot()
+        for _ in range(rounds):
+            work()
+        last = tracemalloc.take_snapshot()
+    finally:
+        tracemalloc.stop()
+    return sum(d.size_diff for d in last.compare_to(first, "filename"))

@@ -5,10 +5,7 @@
 import copy
 import doctest
 import pickle
-import tempfile
-import tracemalloc
 import unittest
-from pathlib import Path
 
 import numpy as np
 
@@ -284,29 +281,13 @@ class Arguments(unittest.TestCase):
             s.cut(network)
             s.cut(s.isolines(V[:, 0], 2) + [s.trace(1, [0, 1, 1], 2)])
 
-        for _ in range(3):
-            work()
-        tracemalloc.start()
-        try:
-            before = tracemalloc.take_snapshot()
-            for _ in range(20):
-                work()
-            after = tracemalloc.take_snapshot()
-        finally:
-            tracemalloc.stop()
-        grown = sum(d.size_diff for d in after.compare_to(before, "filename"))
-        self.assertLess(grown, 50_000)
+        self.assertLess(program.grown_memory(work, 20, before=3), 50_000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
-class Same_as_the_program(unittest.TestCase):
+class Same_as_the_program(program.Comparison):
     names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
              "cross_quad.off")
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
     def expect_curves(self, path, network, *options):
         out = self.folder / "curves.obj"

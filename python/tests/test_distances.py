@@ -4,7 +4,6 @@
 
 import doctest
 import tempfile
-import tracemalloc
 import unittest
 from pathlib import Path
 
@@ -205,29 +204,13 @@ class Arguments(unittest.TestCase):
             s.voronoi([0, 8])
             s.farthest_points(3)
 
-        for _ in range(5):
-            work()
-        tracemalloc.start()
-        try:
-            before = tracemalloc.take_snapshot()
-            for _ in range(100):
-                work()
-            after = tracemalloc.take_snapshot()
-        finally:
-            tracemalloc.stop()
-        grown = sum(d.size_diff for d in after.compare_to(before, "filename"))
-        self.assertLess(grown, 50_000)
+        self.assertLess(program.grown_memory(work, 100, before=5), 50_000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
-class Same_as_the_program(unittest.TestCase):
+class Same_as_the_program(program.Comparison):
     names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
              "cross_quad.off")
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
     def test_distances(self):
         for name in self.names:

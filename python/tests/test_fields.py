@@ -2,10 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Vectors: closed forms, and bit for bit what the program computes."""
 
-import tempfile
-import tracemalloc
 import unittest
-from pathlib import Path
 
 import numpy as np
 
@@ -153,29 +150,12 @@ class Arguments(unittest.TestCase):
             s.signed_distance([0, 15])
             s.extend(0, [1])
 
-        work()
-        tracemalloc.start()
-        before = tracemalloc.take_snapshot()
-        for _ in range(100):
-            work()
-        grown = sum(d.size_diff for d in tracemalloc.take_snapshot().compare_to(before, "filename"))
-        tracemalloc.stop()
-        self.assertLess(grown, 20000)
+        self.assertLess(program.grown_memory(work, 100), 20000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
-class As_the_program(unittest.TestCase):
+class As_the_program(program.Comparison):
     MESHES = "elephant.off", "mpi.off", "ellipsoid.off", "double-torus-example.off", "hole.off"
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "x.txt"
-
-    def run_program(self, command, path, *options):
-        found = program.run(command, path, *options, "-o", self.out)
-        return found, np.genfromtxt(self.out)
 
     def test_logarithmic_maps(self):
         for name in self.MESHES:

@@ -3,11 +3,8 @@
 """Maps, eigenfunctions, deformations: closed forms, and bit for bit what the program computes."""
 
 import doctest
-import tempfile
-import tracemalloc
 import unittest
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 
@@ -179,30 +176,13 @@ class Arguments(unittest.TestCase):
             s.eigen(3)
             s.deform({0: [0, 0, 1]})
 
-        work()
-        tracemalloc.start()
-        before = tracemalloc.take_snapshot()
-        for _ in range(50):
-            work()
-        grown = sum(d.size_diff for d in tracemalloc.take_snapshot().compare_to(before, "filename"))
-        tracemalloc.stop()
-        self.assertLess(grown, 20000)
+        self.assertLess(program.grown_memory(work, 50), 20000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
-class As_the_program(unittest.TestCase):
+class As_the_program(program.Comparison):
     DISKS = "nefertiti.off", "patch-30.off", "mushroom.off"
     CLOSED = "hand.off", "rotor.off", "anchor.off", "double-torus-example.off"
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "x.txt"
-
-    def run_program(self, command, path, *options):
-        found = program.run(command, path, *options, "-o", self.out)
-        return found, np.genfromtxt(self.out)
 
     def test_maps_to_the_plane(self):
         for name in self.DISKS:
