@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "curve_arrays.h"
+#include "../../src/intrinsic/status_name.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -33,30 +34,6 @@ std::array<std::int64_t, 3> corners_from(const IT::Input& input, std::uint32_t h
 }
 
 } // namespace
-
-std::string status_name(IT::Status status) {
-  switch (status) {
-  case IT::Status::done:
-    return "done";
-  case IT::Status::stopped:
-    return "stopped";
-  case IT::Status::contracted:
-    return "contracted";
-  case IT::Status::cap:
-    return "cap";
-  case IT::Status::stalled:
-    return "stalled";
-  case IT::Status::cancelled:
-    return "cancelled";
-  case IT::Status::inaccurate:
-    return "inaccurate";
-  case IT::Status::border:
-    return "border";
-  case IT::Status::not_traceable:
-    break;
-  }
-  return "not_traceable";
-}
 
 py::dict point_arrays(const IT::Input& input, const Points& coordinates,
                       const std::vector<IT::Surface_point>& points,
@@ -156,7 +133,7 @@ py::dict curve_arrays(const IT::Input& input, const Points& coordinates, Way way
   result["bounds"] =
       py::make_tuple(way.curve.length_enclosure.inf(), way.curve.length_enclosure.sup());
   result["is_closed"] = way.is_closed;
-  result["status"] = status_name(way.curve.status);
+  result["status"] = program::name(way.curve.status);
   result["way"] = std::move(way);
   return result;
 }

@@ -31,9 +31,6 @@ struct Way {
 /// adds the class to the module: an object that can be pickled, but has no members there.
 void bind_way(py::module_& m);
 
-/// returns the word for how work ended.
-std::string status_name(IT::Status status);
-
 /*!
 \brief returns points of the input as arrays: `points` in space (none without coordinates),
 `faces` of the user, `corners`, the vertices whose weights are `barycentric`, and `vertices` of the

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../../src/intrinsic/status_name.h"
 #include "Curve_edges.h"
 #include "Surface.h"
 #include "curve_arrays.h"
@@ -251,7 +252,7 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
   }
   py::dict result;
   result["curves"] = list;
-  result["status"] = status_name(found.shortening.status);
+  result["status"] = program::name(found.shortening.status);
   result["flips"] = found.shortening.flips;
   result["is_certified"] = py::cast(found.is_certified);
   result["edges"] = found.edges;

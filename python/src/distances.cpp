@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../../src/intrinsic/status_name.h"
 #include "Surface.h"
 #include "curve_arrays.h"
 #include "places.h"
@@ -171,7 +172,7 @@ py::tuple distance(Surface& s, const Place_arrays& sources,
     return method.is_exact ? exact_distances(s, t, from, asked, method.maximum, watch)
                            : heat_distances(s, t, from, asked, method.time_factor, watch);
   });
-  return py::make_tuple(array_of(std::move(found.values)), status_name(found.status),
+  return py::make_tuple(array_of(std::move(found.values)), program::name(found.status),
                         found.reached);
 }
 
@@ -198,7 +199,7 @@ std::string fill_array(Surface& s, const std::vector<std::vector<Place>>& sets,
     throw py::value_error("out must be a writable array in C order");
   const std::span<Number> numbers(out.mutable_data(), static_cast<std::size_t>(out.size()));
   Watch watch(progress);
-  return status_name(with_triangulation(
+  return program::name(with_triangulation(
       s, watch, [&](const auto& t) { return fill(s, t, sets, method, threads, numbers, watch); }));
 }
 
@@ -297,7 +298,7 @@ py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std:
   result["boundaries"] = boundaries;
   result["junctions"] = point_arrays(*found.input, s.points, found.junctions);
   result["cells_at_junctions"] = junctions;
-  result["status"] = status_name(found.cells.status);
+  result["status"] = program::name(found.cells.status);
   return result;
 }
 
