@@ -42,57 +42,65 @@
 
 using namespace CGAL::Intrinsic_triangulations;
 
-#if defined CASE_ConnectedTriangulation
+namespace case_ConnectedTriangulation {
 // Integers have no angles to transport vectors by.
-// case ConnectedTriangulation: satisfaction of .ConnectedTriangulation<
+// error: satisfaction of .ConnectedTriangulation<
 void misuse(const Integer_only_triangulation<>& t) { connection_laplacian(t); }
+} // namespace case_ConnectedTriangulation
 
-#elif defined CASE_CorrespondingTriangulation
+namespace case_CorrespondingTriangulation {
 // Correspondence alone does not answer queries where no values are stored.
-// case CorrespondingTriangulation: satisfaction of .CorrespondingTriangulation<
+// error: satisfaction of .CorrespondingTriangulation<
 void misuse(const Integer_only_triangulation<>& t) { common_subdivision(t); }
+} // namespace case_CorrespondingTriangulation
 
-#elif defined CASE_CurveCoordinates
+namespace case_CurveCoordinates {
 // Directions are no curves.
-// case CurveCoordinates: satisfaction of .CurveCoordinates<
+// error: satisfaction of .CurveCoordinates<
 void misuse(const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Signposts>& t) {
   edge_crossings(t, t.correspondence());
 }
+} // namespace case_CurveCoordinates
 
-#elif defined CASE_FaceNorm
+namespace case_FaceNorm {
 // A norm is of a vector in a face, not of a vector alone.
-// case FaceNorm: satisfaction of .FaceNorm<
+// error: satisfaction of .FaceNorm<
 void misuse() {
   scale_by_norm(Gluing_map(), [](Plane_vector<double>) { return 1.0; });
 }
+} // namespace case_FaceNorm
 
-#elif defined CASE_FaceRange
+namespace case_FaceRange {
 // Points are no faces.
-// case FaceRange: satisfaction of .FaceRange<
+// error: satisfaction of .FaceRange<
 void misuse(const std::vector<std::array<double, 3>>& points) {
   triangle_soup(points, std::vector<int>{0, 1, 2});
 }
+} // namespace case_FaceRange
 
-#elif defined CASE_Factorization
+namespace case_Factorization {
 // A matrix is not factored yet.
-// case Factorization: satisfaction of .Factorization<
+// error: satisfaction of .Factorization<
 void misuse(internal::Diffusion<Eigen::SparseMatrix<double>>* flow);
+} // namespace case_Factorization
 
-#elif defined CASE_FieldNumber
+namespace case_FieldNumber {
 // Degrees of polynomials have no quotient.
-// case FieldNumber: satisfaction of .FieldNumber<
+// error: satisfaction of .FieldNumber<
 void misuse(const Expression_degree& length) {
   apex(length, length, length, Expression_degree::area());
 }
+} // namespace case_FieldNumber
 
-#elif defined CASE_GeodesicTriangulation
+namespace case_GeodesicTriangulation {
 // A triangulation without a metric does not compare angles, nor take flips back.
-// case GeodesicTriangulation: satisfaction of .GeodesicTriangulation<
+// error: satisfaction of .GeodesicTriangulation<
 void misuse(Integer_only_triangulation<>& t) { insert_geodesic(t, {}, {}); }
+} // namespace case_GeodesicTriangulation
 
-#elif defined CASE_IntrinsicCorrespondence
+namespace case_IntrinsicCorrespondence {
 // An observer that is told after a flip only cannot know what was there before.
-// case IntrinsicCorrespondence: satisfaction of .IntrinsicCorrespondence<
+// error: satisfaction of .IntrinsicCorrespondence<
 struct Hears_too_late {
   template <class Triangulation>
   void after(const Triangulation&, const Flip&) {}
@@ -101,18 +109,20 @@ template <class Triangulation, class Correspondence>
   requires IntrinsicCorrespondence<Correspondence, Triangulation>
 void use(Correspondence&) {}
 void misuse(Hears_too_late& correspondence) { use<Intrinsic_triangulation<>>(correspondence); }
+} // namespace case_IntrinsicCorrespondence
 
-#elif defined CASE_Has_horocycles
+namespace case_Has_horocycles {
 // Euclid's lengths have no factors of vertices.
-// case Has_horocycles: satisfaction of .Has_horocycles<
+// error: satisfaction of .Has_horocycles<
 void misuse(Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>>& t,
             const Prescribed_angles& angles) {
   conformal_metric(t, angles);
 }
+} // namespace case_Has_horocycles
 
-#elif defined CASE_IntrinsicMetric
+namespace case_IntrinsicMetric {
 // A metric that decides nothing.
-// case IntrinsicMetric: satisfaction of .IntrinsicMetric<
+// error: satisfaction of .IntrinsicMetric<
 struct Lengths_only {
   using FT = double;
   struct Scope {};
@@ -121,81 +131,95 @@ struct Lengths_only {
 template <IntrinsicMetric Metric>
 void use(Metric&) {}
 void misuse(Lengths_only& metric) { use(metric); }
+} // namespace case_IntrinsicMetric
 
-#elif defined CASE_EuclideanMetric
+namespace case_EuclideanMetric {
 // An ideal hyperbolic metric has no lengths.
-// case EuclideanMetric: EuclideanMetric<
+// error: EuclideanMetric<
 using Hyperbolic = Intrinsic_triangulation<Gluing_map, Ideal_hyperbolic_traits<double>>;
 double misuse(const Hyperbolic& t) { return t.length(Gluing_map::Edge{0}); }
+} // namespace case_EuclideanMetric
 
-#elif defined CASE_IndexedTriangulation
+namespace case_IndexedTriangulation {
 // A mesh has no numbers of elements.
-// case IndexedTriangulation: satisfaction of .IndexedTriangulation<
+// error: satisfaction of .IndexedTriangulation<
 template <IndexedTriangulation Triangulation>
 void use(const Triangulation&) {}
 void misuse(const Gluing_map& mesh) { use(mesh); }
+} // namespace case_IndexedTriangulation
 
-#elif defined CASE_IntrinsicTriangulation
+namespace case_IntrinsicTriangulation {
 // What has neither a mesh nor a metric has no Delaunay triangulation.
-// case IntrinsicTriangulation: satisfaction of .IntrinsicTriangulation<
+// error: satisfaction of .IntrinsicTriangulation<
 struct Nothing {};
 void misuse(const Nothing& nothing) { is_delaunay(nothing); }
+} // namespace case_IntrinsicTriangulation
 
-#elif defined CASE_IntrinsicTriangulationTraits
+namespace case_IntrinsicTriangulationTraits {
 // A number type is not yet a traits class.
-// case IntrinsicTriangulationTraits: satisfaction of .IntrinsicTriangulationTraits<
+// error: satisfaction of .IntrinsicTriangulationTraits<
 void misuse(Intrinsic_triangulation<Gluing_map, double>*);
+} // namespace case_IntrinsicTriangulationTraits
 
-#elif defined CASE_MeasuredTriangulation
+namespace case_MeasuredTriangulation {
 // A triangulation that stores no lengths has no cotangents.
-// case MeasuredTriangulation: satisfaction of .MeasuredTriangulation<
+// error: satisfaction of .MeasuredTriangulation<
 void misuse(const Integer_only_triangulation<>& t) { cotangent_laplacian(t); }
+} // namespace case_MeasuredTriangulation
 
-#elif defined CASE_MutableDeltaComplex
+namespace case_MutableDeltaComplex {
 // A list of gluings cannot be flipped.
-// case MutableDeltaComplex: satisfaction of .MutableDeltaComplex<
+// error: satisfaction of .MutableDeltaComplex<
 void misuse(Intrinsic_triangulation<Gluing, Euclidean_traits<double>>*);
+} // namespace case_MutableDeltaComplex
 
-#elif defined CASE_NormalCoordinates
+namespace case_NormalCoordinates {
 // A list of numbers is not read by edges.
-// case NormalCoordinates: satisfaction of .NormalCoordinates<
+// error: satisfaction of .NormalCoordinates<
 void misuse(const Input& input) { corner_coordinates(input, std::vector<int>(3), 0); }
+} // namespace case_NormalCoordinates
 
-#elif defined CASE_NumberedComplex
+namespace case_NumberedComplex {
 // Connectivity without lengths has no geodesics.
-// case NumberedComplex: satisfaction of .NumberedComplex<
+// error: satisfaction of .NumberedComplex<
 void misuse(const Gluing_map& mesh) { angle_at_source(mesh, 0); }
+} // namespace case_NumberedComplex
 
-#elif defined CASE_NumberedTriangles
+namespace case_NumberedTriangles {
 // A mesh gives halfedges, no numbers.
-// case NumberedTriangles: satisfaction of .NumberedTriangles<
+// error: satisfaction of .NumberedTriangles<
 void misuse(const Gluing_map& mesh) { sides_of_face(mesh, 0); }
+} // namespace case_NumberedTriangles
 
-#elif defined CASE_NumberedTriangulation
+namespace case_NumberedTriangulation {
 // A mesh has places, but no input that it was built from.
-// case NumberedTriangulation: satisfaction of .NumberedTriangulation<
+// error: satisfaction of .NumberedTriangulation<
 void misuse(const Gluing_map& mesh) { point_in_space(mesh, Surface_point{}, mesh); }
+} // namespace case_NumberedTriangulation
 
-#elif defined CASE_PointRange
+namespace case_PointRange {
 // Coordinates that are not in points are no points.
-// case PointRange: satisfaction of .PointRange<
+// error: satisfaction of .PointRange<
 void misuse(const std::vector<std::array<int, 3>>& faces) {
   triangle_soup(std::vector<double>(9), faces);
 }
+} // namespace case_PointRange
 
-#elif defined CASE_QueriedTriangulation
+namespace case_QueriedTriangulation {
 // A mesh is on no other surface.
-// case QueriedTriangulation: satisfaction of .QueriedTriangulation<
+// error: satisfaction of .QueriedTriangulation<
 void misuse(const Gluing_map& mesh) { locate_on_input(mesh, Surface_point{}); }
+} // namespace case_QueriedTriangulation
 
-#elif defined CASE_ReadableFaceGraph
+namespace case_ReadableFaceGraph {
 // A soup of triangles has no halfedges.
-// case ReadableFaceGraph: satisfaction of .ReadableFaceGraph<
+// error: satisfaction of .ReadableFaceGraph<
 void misuse(const Triangle_soup& soup) { euler_characteristic(soup); }
+} // namespace case_ReadableFaceGraph
 
-#elif defined CASE_RefinableMetric
+namespace case_RefinableMetric {
 // A metric that only flips.
-// case RefinableMetric: satisfaction of .RefinableMetric<
+// error: satisfaction of .RefinableMetric<
 struct Only_flips : Euclidean_metric<double> {
   using Euclidean_metric::Euclidean_metric;
   bool insert_in_face(const Vertex_star&, const std::array<double, 3>&) = delete;
@@ -203,42 +227,47 @@ struct Only_flips : Euclidean_metric<double> {
 template <RefinableMetric Metric>
 void use(Metric&) {}
 void misuse(Only_flips& metric) { use(metric); }
+} // namespace case_RefinableMetric
 
-#elif defined CASE_RefinableTriangulation
+namespace case_RefinableTriangulation {
 // A triangulation whose edges flip, but whose vertices stay, cannot be refined.
-// case RefinableTriangulation: satisfaction of .RefinableTriangulation<
+// error: satisfaction of .RefinableTriangulation<
 void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
+} // namespace case_RefinableTriangulation
 
-#elif defined CASE_ScalableSurface
+namespace case_ScalableSurface {
 // A soup of triangles has no metric between its faces.
-// case ScalableSurface: satisfaction of .ScalableSurface<
+// error: satisfaction of .ScalableSurface<
 void misuse(const Triangle_soup& soup) {
   scale_conformally(soup, [](int) { return 0.0; });
 }
+} // namespace case_ScalableSurface
 
-#elif defined CASE_SignpostDirections
+namespace case_SignpostDirections {
 // Curves have no directions.
-// case SignpostDirections: satisfaction of .SignpostDirections<
+// error: satisfaction of .SignpostDirections<
 void misuse(
     const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>& t) {
   trace_edges(t, t.correspondence());
 }
+} // namespace case_SignpostDirections
 
-#elif defined CASE_TriangleRange
+namespace case_TriangleRange {
 // Numbers of vertices that are not in triples are no triangles.
-// case TriangleRange: satisfaction of .TriangleRange<
+// error: satisfaction of .TriangleRange<
 void misuse() { gluing_from_triangles(3, std::vector<int>{0, 1, 2}); }
+} // namespace case_TriangleRange
 
-#elif defined CASE_VertexFactors
+namespace case_VertexFactors {
 // A factor is of a vertex, not of a face.
-// case VertexFactors: satisfaction of .VertexFactors<
+// error: satisfaction of .VertexFactors<
 void misuse(const Gluing_map& mesh) {
   scale_conformally(mesh, [](Gluing_map::Face) { return 0.0; });
 }
+} // namespace case_VertexFactors
 
-#elif defined CASE_WritableFaceGraph
+namespace case_WritableFaceGraph {
 // A constant mesh is not built.
-// case WritableFaceGraph: satisfaction of .WritableFaceGraph<
+// error: satisfaction of .WritableFaceGraph<
 void misuse(const Gluing_map& mesh) { copy_gluing_map(mesh, mesh); }
-
-#endif
+} // namespace case_WritableFaceGraph

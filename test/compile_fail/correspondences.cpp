@@ -10,35 +10,39 @@
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-#if defined CASE_No_correspondence
+namespace case_No_correspondence {
 // Queries say what to do where there is no correspondence.
-// case No_correspondence at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
+// error at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
 bool misuse(const IT::Intrinsic_triangulation<>& t) {
   return IT::locate_on_input(t, IT::Surface_point()) ? true : false;
 }
+} // namespace case_No_correspondence
 
-#elif defined CASE_subdivision_without_correspondence
+namespace case_subdivision_without_correspondence {
 // What uses the result of a query that is refused says so after what to do.
-// case subdivision_without_correspondence at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
-int misuse(const IT::Intrinsic_triangulation<>& t) {
+// error at once: a triangulation without correspondence does not store where edges run on the input; use Integer_coordinates
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+int misuse(const Triangulation& t) {
   const auto subdivision = IT::common_subdivision(t);
   for (const auto e : edges(t.mesh()))
     if (IT::trace_edge(t, e).points.empty()) return 1;
   return static_cast<int>(subdivision.number_of_faces());
 }
+} // namespace case_subdivision_without_correspondence
 
-#elif defined CASE_read_signposts
+namespace case_read_signposts {
 // Files say what to do where a correspondence cannot be restored.
-// case read_signposts at once of templates: files hold integer coordinates, from which signposts are not made; read with Integer_coordinates
+// error at once: files hold integer coordinates, from which signposts are not made; read with Integer_coordinates
 void misuse(std::istream& file) {
   using Triangulation =
       IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Signposts>;
   IT::read_intrinsic_triangulation<Triangulation>(file, "file.idt");
 }
+} // namespace case_read_signposts
 
-#elif defined CASE_correspondence_without_moves
+namespace case_correspondence_without_moves {
 // An observer is told of all moves.
-// case correspondence_without_moves of templates: the third argument of Intrinsic_triangulation is a model of IntrinsicCorrespondence
+// error: the third argument of Intrinsic_triangulation is a model of IntrinsicCorrespondence
 struct Hears_of_flips {
   template <class Triangulation>
   void start(const Triangulation&) {}
@@ -52,5 +56,4 @@ struct Hears_of_flips {
 void misuse(const IT::Intrinsic_input& input) {
   IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Hears_of_flips> t(input);
 }
-
-#endif
+} // namespace case_correspondence_without_moves

@@ -22,70 +22,79 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-#if defined CASE_mesh_is_flipped
+namespace case_mesh_is_flipped {
 // Meshes have no metric of their own. What is done with the result is wrong only because of that.
-// case mesh_is_flipped at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
+// error at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
 bool misuse(Mesh& mesh) {
   const auto result = IT::flip_to_delaunay(mesh);
   return result.status == IT::Status::done;
 }
+} // namespace case_mesh_is_flipped
 
-#elif defined CASE_mesh_has_no_laplacian
+namespace case_mesh_has_no_laplacian {
 // Operators are those of a triangulation.
-// case mesh_has_no_laplacian at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
+// error at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
 void misuse(const Mesh& mesh) { IT::cotangent_laplacian(mesh); }
+} // namespace case_mesh_has_no_laplacian
 
-#elif defined CASE_mesh_has_no_map
+namespace case_mesh_has_no_map {
 // Maps are those of a triangulation.
-// case mesh_has_no_map at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
+// error at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
 void misuse(const Mesh& mesh) { IT::harmonic_map(mesh); }
+} // namespace case_mesh_has_no_map
 
-#elif defined CASE_mesh_has_no_direction_field
+namespace case_mesh_has_no_direction_field {
 // Fields are those of a triangulation.
-// case mesh_has_no_direction_field at once: build one of the mesh, Corresponding_triangulation t\(
+// error at once: build one of the mesh, Corresponding_triangulation t\(
 void misuse(const Mesh& mesh) { IT::smoothest_direction_field(mesh, 4); }
+} // namespace case_mesh_has_no_direction_field
 
-#elif defined CASE_mesh_is_not_interpolated
+namespace case_mesh_is_not_interpolated {
 // Values are interpolated on a triangulation.
-// case mesh_is_not_interpolated at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
+// error at once: build one of the mesh, Corresponding_triangulation t\(mesh\)
 void misuse(const Mesh& mesh) {
   IT::interpolate_harmonically(mesh, std::vector<std::uint32_t>{0}, Eigen::VectorXd::Zero(1));
 }
+} // namespace case_mesh_is_not_interpolated
 
-#elif defined CASE_domain_is_no_input
-// case domain_is_no_input at once: for a Domain or Point_cloud pass its input
+namespace case_domain_is_no_input {
+// error at once: for a Domain or Point_cloud pass its input
 void misuse(IT::Domain& domain) { IT::Corresponding_triangulation t(domain); }
+} // namespace case_domain_is_no_input
 
-#elif defined CASE_file_is_no_mesh
+namespace case_file_is_no_mesh {
 // Files are read first.
-// case file_is_no_mesh at once: read_triangle_soup\(name\)
+// error at once: read_triangle_soup\(name\)
 void misuse() { IT::Corresponding_triangulation t("mesh.off"); }
+} // namespace case_file_is_no_mesh
 
-#elif defined CASE_forgotten_OpenMesh_adaptor
+namespace case_forgotten_OpenMesh_adaptor {
 // OpenMesh meshes are known to BGL by a header; a class without one stands for them here.
-// case forgotten_OpenMesh_adaptor at once: include CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h
+// error at once: include CGAL/Intrinsic_triangulations/connectivity/adaptors/OpenMesh_adaptor.h
 struct OpenMesh_mesh {};
 void misuse(const OpenMesh_mesh& mesh) { IT::Corresponding_triangulation t(mesh); }
+} // namespace case_forgotten_OpenMesh_adaptor
 
-#elif defined CASE_forgotten_Polyhedron_3_adaptor
+namespace case_forgotten_Polyhedron_3_adaptor {
 // BGL knows a polyhedron, but its elements have no numbers without ids.
-// case forgotten_Polyhedron_3_adaptor at once: for a Polyhedron_3 Polyhedron_3_adaptor.h
+// error at once: for a Polyhedron_3 Polyhedron_3_adaptor.h
 void misuse(const CGAL::Polyhedron_3<Kernel>& mesh) { IT::Corresponding_triangulation t(mesh); }
+} // namespace case_forgotten_Polyhedron_3_adaptor
 
-#elif defined CASE_map_of_mesh_edges
+namespace case_map_of_mesh_edges {
 // Edges of the mesh are not those of the triangulation.
-// case map_of_mesh_edges at once of templates: constrained_input_edges\(t, mesh, map\) makes one of a map from edges of your mesh
+// error at once: constrained_input_edges\(t, mesh, map\) makes one of a map from edges of your mesh
 void misuse(Mesh& mesh) {
   IT::Corresponding_triangulation t(mesh);
   const auto map = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   IT::flip_to_delaunay(t, IT::parameters::edge_is_constrained_map(map));
 }
+} // namespace case_map_of_mesh_edges
 
-#elif defined CASE_source_is_no_vertex_of_triangulation
+namespace case_source_is_no_vertex_of_triangulation {
 // Sources are on the triangulation, whose mesh is another one than the user's.
-// case source_is_no_vertex_of_triangulation at once of templates: a vertex of the user's mesh is vertex_on_intrinsic
+// error at once: a vertex of the user's mesh is vertex_on_intrinsic
 void misuse(const IT::Corresponding_triangulation& t) {
   IT::Heat_distance(t).distances(Mesh::Vertex_index(0));
 }
-
-#endif
+} // namespace case_source_is_no_vertex_of_triangulation

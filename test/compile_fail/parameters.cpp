@@ -11,63 +11,70 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<>;
 
-#if defined CASE_const_triangulation
+namespace case_const_triangulation {
 // Algorithms change the triangulation.
-// case const_triangulation at once: const here: pass one that is not
+// error at once: const here: pass one that is not
 void misuse(const IT::Corresponding_triangulation& t) { IT::flip_to_delaunay(t); }
+} // namespace case_const_triangulation
 
-#elif defined CASE_misspelled_parameter
+namespace case_misspelled_parameter {
 // The name that is nearest to a wrong one is not another one of an angle.
-// case misspelled_parameter at once: did you mean .minimum_angle.
+// error at once: did you mean .minimum_angle.
 void misuse(Triangulation& t) { IT::delaunay_refine(t, IT::parameters::min_angle(30)); }
+} // namespace case_misspelled_parameter
 
-#elif defined CASE_number_of_flips_without_name
+namespace case_number_of_flips_without_name {
 // A number is no range of edges.
-// case number_of_flips_without_name at once: maximum_number.1000
+// error at once: maximum_number.1000
 void misuse(Triangulation& t) { IT::flip_to_delaunay(t, 1000); }
+} // namespace case_number_of_flips_without_name
 
-#elif defined CASE_option_without_name
+namespace case_option_without_name {
 // Options have names.
-// case option_without_name at once: parameters::minimum_angle
+// error at once: parameters::minimum_angle
 void misuse(IT::Corresponding_triangulation& t) { IT::delaunay_refine(t, 25); }
+} // namespace case_option_without_name
 
-#elif defined CASE_shortest_when_shortening
+namespace case_shortest_when_shortening {
 // Only functions that look for paths can look for the shortest; others keep what they start from.
-// case shortest_when_shortening at once of templates: (Unknown_parameter = [^;]*shortest|expect_name<[^,]*shortest)
+// error at once: (Unknown_parameter = [^;]*shortest|expect_name<[^,]*shortest)
 void misuse(IT::Curve_network<Triangulation>& network) {
   IT::shorten_curves(network, IT::parameters::shortest(true));
 }
+} // namespace case_shortest_when_shortening
 
-#elif defined CASE_unknown_parameter
+namespace case_unknown_parameter {
 // Rounds are a matter of adaptive refinement. The compiler names the parameter.
-// case unknown_parameter at once of templates: (Unknown_parameter = [^;]*maximum_rounds|expect_name<[^,]*maximum_rounds)
+// error at once: (Unknown_parameter = [^;]*maximum_rounds|expect_name<[^,]*maximum_rounds)
 void misuse(Triangulation& t) {
   IT::delaunay_refine(t, IT::parameters::minimum_angle(30).maximum_rounds(3));
 }
+} // namespace case_unknown_parameter
 
-#elif defined CASE_unknown_parameter_of_cgal
+namespace case_unknown_parameter_of_cgal {
 // A triangulation knows its points. The compiler names CGAL's parameter, also before one that is known.
-// case unknown_parameter_of_cgal at once of templates: (Unknown_parameter = [^;]*point_t|expect_name<[^,]*point_t)
+// error at once: (Unknown_parameter = [^;]*point_t|expect_name<[^,]*point_t)
 void misuse(Triangulation& t) {
   IT::flip_to_delaunay(t, CGAL::parameters::vertex_point_map(1).maximum_number(3));
 }
+} // namespace case_unknown_parameter_of_cgal
 
-#elif defined CASE_visitor_without_base
+namespace case_visitor_without_base {
 // A visitor has all that refinement calls, by its base.
-// case visitor_without_base at once of templates: a visitor of refinement derives from Refinement_visitor
+// error at once: a visitor of refinement derives from Refinement_visitor
 struct Progress {
   bool progress(std::size_t) { return true; }
 };
 void misuse(IT::Corresponding_triangulation& t) {
   IT::delaunay_refine(t, IT::parameters::minimum_angle(25).visitor(Progress()));
 }
+} // namespace case_visitor_without_base
 
-#elif defined CASE_visitor_without_progress
+namespace case_visitor_without_progress {
 // A visitor of flips has what they call.
-// case visitor_without_progress at once of templates: a visitor of flip_to_delaunay.. derives from Flip_to_delaunay_visitor
+// error at once: a visitor of flip_to_delaunay.. derives from Flip_to_delaunay_visitor
 struct Counter {
   std::size_t flips = 0;
 };
 void misuse(Triangulation& t) { IT::flip_to_delaunay(t, IT::parameters::visitor(Counter())); }
-
-#endif
+} // namespace case_visitor_without_progress
