@@ -20,10 +20,13 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# g++ takes an eighth of its time to free memory between the many templates of a source; 2 to 3 GiB are enough without.
+# g++ takes an eighth of its time to free memory between the many templates of a source; 2 to 3 GiB
+# are enough without.
+set(keep_memory_flags "")
 cmake_host_system_information(RESULT memory_in_MiB QUERY TOTAL_PHYSICAL_MEMORY)
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 math(EXPR memory_in_MiB "${memory_in_MiB} / ${cores}")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory_in_MiB GREATER 4000)
-  add_compile_options("SHELL:--param ggc-min-expand=1000" "SHELL:--param ggc-min-heapsize=4000000")
+  set(keep_memory_flags "--param ggc-min-expand=1000 --param ggc-min-heapsize=4000000")
+  add_compile_options("SHELL:${keep_memory_flags}")
 endif()
