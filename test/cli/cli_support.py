@@ -3,6 +3,7 @@
 """What the tests of the program `intrinsic` share: running it, and reading what it writes."""
 
 import argparse
+import atexit
 import importlib.util
 import json
 import math
@@ -17,8 +18,8 @@ import unittest
 
 TIME_LIMIT = 60  # seconds, for machines that are slow or busy
 
-REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "benchmark",
-                      "study", "report.py")
+HERE = os.path.dirname(os.path.abspath(__file__))
+REPORT = os.path.join(HERE, "..", "..", "benchmark", "study", "report.py")
 # Debian's packages pandas and matplotlib are not for a Python that is found before its own.
 REPORT_PYTHON = (sys.executable
                  if all(importlib.util.find_spec(m) for m in ("pandas", "matplotlib"))
@@ -43,6 +44,27 @@ class Run:
 
     def json(self):
         return json.loads(self.out)
+
+
+class Report_run:
+    """One run of the script that makes a page of the results of a study, by a process that has
+    loaded it, and all that it said."""
+
+    worker = None
+
+    def __init__(self, arguments, directory):
+        if not Report_run.worker:
+            Report_run.worker = subprocess.Popen(
+                [REPORT_PYTHON, os.path.join(HERE, "report_worker.py"), os.path.dirname(REPORT)],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+            atexit.register(Report_run.worker.communicate)
+        with tempfile.TemporaryDirectory() as said:
+            out, err = os.path.join(said, "out"), os.path.join(said, "err")
+            request = dict(arguments=arguments, directory=directory, out=out, err=err)
+            print(json.dumps(request), file=self.worker.stdin, flush=True)
+            self.code = int(self.worker.stdout.readline())
+            with open(out, encoding="utf-8") as out, open(err, encoding="utf-8") as err:
+                self.out, self.err = out.read(), err.read()
 
 
 class Cli_test(unittest.TestCase):
@@ -95,8 +117,7 @@ class Cli_test(unittest.TestCase):
         return self.write(name, "\n".join(lines) + "\n")
 
     def make_report(self, *arguments):
-        """Runs the script that makes a page of the results of a study."""
-        return Run(REPORT_PYTHON, [REPORT, *arguments], self.directory)
+        return Report_run(arguments, self.directory)
 
     def read_matrix(self, name):
         """Rows, columns and entries of a file in Matrix Market format; those of symmetric matrices on both sides."""
