@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -95,6 +96,26 @@ TYPED_TEST(AddGeodesics, TellsWhereVerticesAreNotConnected) {
       network, {{{at(0), at(1)}, false, false}, {{at(1), at(n)}, false, false}});
   EXPECT_EQ(added.status, IT::Status::stalled);
   EXPECT_EQ(added.failed, 1U);
+  EXPECT_EQ(network.number_of_curves(), 0U);
+}
+
+TEST(AddGeodesicsToNetwork, EndsDuringASearchIfTheVisitorSaysSo) {
+  struct Visitor {
+    int calls = 0;
+    bool progress(const IT::Shortening_result&) {
+      ++calls;
+      return false;
+    }
+  } visitor;
+  using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
+  Triangulation t(meshes::rough_grid(160, 4).input());
+  IT::Curve_network<Triangulation> network(t);
+  const IT::Curve_through_vertices<Triangulation> across{
+      {IT::vertex_of_row(t, 0), IT::vertex_of_row(t, 160 * 161 + 160)}, false, false};
+  const auto added =
+      IT::add_geodesics(network, std::vector{across}, IT::parameters::visitor(std::ref(visitor)));
+  EXPECT_EQ(added.status, IT::Status::cancelled);
+  EXPECT_EQ(visitor.calls, 1);
   EXPECT_EQ(network.number_of_curves(), 0U);
 }
 

@@ -205,4 +205,15 @@ TEST(Farthest_points, reach_each_component_first_and_end_with_the_vertices) {
   EXPECT_EQ(others.radius, 0);
 }
 
+TEST(Farthest_points, end_when_the_visitor_says_so) {
+  struct Visitor {
+    bool progress(std::uint64_t, double) { return false; }
+  };
+  const Triangulation t(meshes::rough_grid(160, 4).input());
+  Distance d(t, *vertices(t.mesh()).begin());
+  const auto found = IT::farthest_points(d, 3, parameters::visitor(Visitor()));
+  EXPECT_EQ(found.status, IT::Status::cancelled);
+  EXPECT_TRUE(found.vertices.empty());
+}
+
 } // namespace

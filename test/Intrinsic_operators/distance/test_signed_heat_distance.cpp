@@ -178,6 +178,19 @@ TEST(Signed_heat_distance, from_a_straight_polyline_through_faces_is_that_from_i
   EXPECT_NEAR(d[to], 0, 1e-12);
 }
 
+TEST(Signed_heat_distance, ends_when_the_visitor_says_so) {
+  struct Visitor {
+    IT::Heat_step last;
+    bool progress(IT::Heat_step step) { return step != last; }
+  };
+  const Exact t(grid(2).input());
+  for (const IT::Heat_step last : {IT::Heat_step::heat_factored, IT::Heat_step::heat_found}) {
+    IT::Signed_heat_distance d(t, IT::parameters::visitor(Visitor{last}));
+    EXPECT_EQ(d.distances(*halfedges(t.mesh()).begin()).size(), 0);
+    EXPECT_EQ(d.status(), IT::Status::cancelled);
+  }
+}
+
 TEST(Signed_heat_distance, is_infinite_where_there_is_no_curve_and_refuses_what_has_no_sides) {
   Shape s = grid(2);
   s.points.push_back({9, 9, 9});

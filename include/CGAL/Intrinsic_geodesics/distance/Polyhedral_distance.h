@@ -117,25 +117,21 @@ public:
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
                    [&](const auto& p) { limits.targets.add(p); });
     if (!limits.targets.points.empty()) field_.windows.keep(field_.table.corners.size());
-    auto stored_visitor = internal::object_or<visitor>(np, Polyhedral_distance_visitor());
-    auto& observed = internal::unwrapped(stored_visitor);
-    std::tie(status_, number_of_windows_) =
-        spread_windows(field_, sources_, limits, memory_, [&](std::uint64_t windows, double d) {
-          return observed.progress(windows, d * field_.table.unit);
-        });
-    return status_;
+    return spread(sources_, limits, np);
   }
 
   /*!
   \brief adds a source: the search goes on from there, only where the new source is nearer.
   \tparam Source a vertex, or a `Surface_point`
   \param source the source; its index is the number of sources before
+  \param np an optional named parameter, `visitor(v)`: see `Polyhedral_distance_visitor`
   \return `status()`
   \pre the search before, if there was one, is done; the new one goes as far as it went
   \complexity that of a search of the places that are nearer to the new source
   */
-  template <class Source>
-  Status add_source(const Source& source) {
+  template <class Source, NamedParameters NP = parameters::Parameters<>>
+  Status add_source(const Source& source, const NP& np = parameters::default_values()) {
+    internal::expect_names<internal::tags::visitor>(np);
     internal::Propagation_limits limits;
     limits.radius = sources_.size() == 0 ? limits.radius : field_.radius;
     internal::Places added;
@@ -144,9 +140,7 @@ public:
       sources_.add(p);
     });
     field_.windows = {};
-    const auto go_on = [](std::uint64_t, double) { return true; };
-    std::tie(status_, number_of_windows_) = spread_windows(field_, added, limits, memory_, go_on);
-    return status_;
+    return spread(added, limits, np);
   }
 
   /// returns `done`, `cap` or `cancelled`; distances up to `reached_distance()` are final in any
@@ -248,6 +242,19 @@ private:
       : t_(&t), field_(std::move(table)) {}
 
   using Halfedge = typename Triangulation::halfedge_descriptor;
+
+  template <class NP>
+  Status spread(const internal::Places& from, const internal::Propagation_limits& limits,
+                const NP& np) {
+    auto stored_visitor =
+        internal::object_or<internal::tags::visitor>(np, Polyhedral_distance_visitor());
+    auto& observed = internal::unwrapped(stored_visitor);
+    std::tie(status_, number_of_windows_) =
+        spread_windows(field_, from, limits, memory_, [&](std::uint64_t windows, double d) {
+          return observed.progress(windows, d * field_.table.unit);
+        });
+    return status_;
+  }
 
   double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
   double distance_of(const internal::Point_in_face& p) const {

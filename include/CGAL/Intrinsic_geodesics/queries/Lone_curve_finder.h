@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -85,15 +86,27 @@ bool leads(const Triangulation& t, typename Triangulation::vertex_descriptor fro
   return are_copies(t, from, to);
 }
 
+// Asks a visitor of shortening during a search.
+template <class Visitor>
+struct Search_of_shortening {
+  Visitor* visitor;
+  const Shortening_result* counts; // so far
+  bool progress(std::uint64_t, double) { return visitor->progress(*counts); }
+};
+
 // Flips edges until a shortest path between two vertices is a path of edges, up to rounding: the
 // caller straightens it where it passes very close to a vertex. The path is empty if this fails.
-template <GeodesicTriangulation Triangulation>
+template <GeodesicTriangulation Triangulation, class NamedParameters>
 Edge_way<Triangulation>
 flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
                       typename Triangulation::vertex_descriptor to, Flip_log<Triangulation>* log,
-                      std::uint64_t most, Shortening_result& result) {
-  const Shortest_path path =
-      Polyhedral_distance<Triangulation>(t, from, parameters::targets(to)).shortest_path(to);
+                      Shortening_result& result, const NamedParameters& np) {
+  auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
+  Search_of_shortening observed{&unwrapped(stored_visitor), &result};
+  const Polyhedral_distance<Triangulation> search(
+      t, from, parameters::targets(to).visitor(std::ref(observed)));
+  if (search.status() == Status::cancelled) return {Status::cancelled, {}, 0};
+  const Shortest_path path = search.shortest_path(to);
   Edge_way<Triangulation> way{path.status, {}, path.length};
   if (path.status != Status::done) return way;
   const auto pieces = straight_pieces(t, path.points);
@@ -101,7 +114,7 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
     typename Triangulation::Session session(t);
     Wedge_flipper<Triangulation> flip(t, session, log);
     Segment_flipper<Triangulation> flip_to_segment(t, session, flip);
-    const std::uint64_t last = result.flips + most;
+    const std::uint64_t last = result.flips + maximum_flips(t, np);
     for (const Straight_piece<Triangulation>& piece : pieces) {
       if (!piece.along && piece.crossed.empty()) continue;
       const auto edges =
@@ -127,8 +140,9 @@ starting_path(Triangulation& t, typename Triangulation::vertex_descriptor from,
                            Has_parameter<tags::minimum_joint_angle, NamedParameters>;
   Edge_way<Triangulation> way;
   if (value_or<tags::shortest>(np, !is_flow))
-    way = flip_to_shortest_path(t, from, to, log, maximum_flips(t, np), result);
-  if (!way.halfedges.empty() || way.status == Status::stalled) return way;
+    way = flip_to_shortest_path(t, from, to, log, result, np);
+  if (!way.halfedges.empty() || way.status == Status::stalled || way.status == Status::cancelled)
+    return way;
   way.halfedges = find(copies_of_vertex(t, from), copies_of_vertex(t, to));
   if (way.halfedges.empty()) way.status = Status::stalled;
   way.length = 0;
@@ -174,14 +188,16 @@ public:
 
   // Shortens a curve of consecutive sides with fixed ends, or a loop as a whole, to a geodesic in
   // the same class of curves. `stalled` if the curve crosses itself.
-  Status join(const std::vector<Side>& sides, bool is_loop, Side& joined,
-              Shortening_result& counts) {
+  // \param np those of `shorten_curves()`
+  template <class NamedParameters = parameters::Parameters<>>
+  Status join(const std::vector<Side>& sides, bool is_loop, Side& joined, Shortening_result& counts,
+              const NamedParameters& np = parameters::default_values()) {
     Flip_log<Triangulation> log;
     Curve_inserter<Triangulation, false> inserter(t_, &log);
     Status status = Status::stalled;
     Side result{sides.front().from, sides.back().to, {}};
     if (insert(sides, inserter))
-      status = shorten(inserter.path(), is_loop, log, result, counts, parameters::default_values());
+      status = shorten(inserter.path(), is_loop, log, result, counts, np);
     joined = std::move(result);
     take_back(log);
     return status;

@@ -126,7 +126,8 @@ void fix_junctions(Curve_network<Triangulation>& network,
 }
 
 // Finds curves one by one, and makes them edges.
-template <class Triangulation>
+// \tparam NP with the visitor, if there is one
+template <class Triangulation, class NP>
 class Geodesics_adder {
   using Vertex = typename Triangulation::vertex_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -134,8 +135,8 @@ class Geodesics_adder {
   using Sides = std::vector<Curve_side<Triangulation>>;
 
 public:
-  explicit Geodesics_adder(Curve_network<Triangulation>& network)
-      : t_(network.triangulation()), network_(network), finder_(t_), inserter_(t_) {}
+  Geodesics_adder(Curve_network<Triangulation>& network, const NP& np)
+      : t_(network.triangulation()), network_(network), np_(np), finder_(t_), inserter_(t_) {}
 
   Added_geodesics<Triangulation> run(const std::vector<Curve>& curves) {
     for (const Curve& c : curves) {
@@ -150,7 +151,7 @@ public:
       ++result_.failed;
     }
     for (std::size_t i = 0; i < curves.size(); ++i) add(curves[i], i);
-    const Shortening_result r = shorten_curves(network_);
+    const Shortening_result r = shorten_curves(network_, np_);
     result_.shortening += r;
     result_.status = r.status;
     return result_;
@@ -169,7 +170,7 @@ private:
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
       Curve_side<Triangulation> side;
       result_.status = finder_.find(i == 0 ? c.vertices[0] : sides.back().to,
-                                    c.vertices[(i + 1) % n], side, result_.shortening);
+                                    c.vertices[(i + 1) % n], side, result_.shortening, np_);
       if (result_.status != Status::done) return false;
       append(side.way, initial);
       sides.push_back(std::move(side));
@@ -177,7 +178,7 @@ private:
     result_.initial.push_back(std::move(initial));
     if (!c.stays_at_vertices && (c.is_loop || n > 2)) straighten(c, sides);
     found_.push_back(std::move(sides));
-    return true;
+    return result_.status == Status::done;
   }
 
   // One side after the other: two geodesics that meet cross less often than all sides. If they
@@ -189,7 +190,9 @@ private:
       joined.push_back(sides[i]);
       const bool is_loop = c.is_loop && i + 1 == sides.size();
       Curve_side<Triangulation> both;
-      if (finder_.join(joined, is_loop, both, result_.shortening) != Status::done) return;
+      const Status status = finder_.join(joined, is_loop, both, result_.shortening, np_);
+      if (status == Status::cancelled) result_.status = status;
+      if (status != Status::done) return;
       joined = {std::move(both)};
     }
     sides = std::move(joined);
@@ -216,6 +219,7 @@ private:
 
   Triangulation& t_;
   Curve_network<Triangulation>& network_;
+  const NP& np_;
   Lone_curve_finder<Triangulation> finder_;
   Curve_inserter<Triangulation> inserter_;
   std::vector<Sides> found_;
@@ -237,14 +241,17 @@ In contrast, `shorten_curves()` alone never moves a curve across another.
   `CorrespondingTriangulation`
 \param network a network without curves; its fixed vertices stay fixed
 \param curves the curves to add; the network numbers them in this order
+\param np an optional named parameter, `visitor(v)`: see `Shortening_visitor`
 \return the result \complexity that of shortest paths, see `Geodesic_finder`, and of
 `shorten_curves()`
 */
-template <GeodesicTriangulation Triangulation>
+template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires RefinableTriangulation<Triangulation> Added_geodesics<Triangulation>
   add_geodesics(Curve_network<Triangulation>& network,
-                const std::vector<Curve_through_vertices<Triangulation>>& curves) {
-    return internal::Geodesics_adder<Triangulation>(network).run(curves);
+                const std::vector<Curve_through_vertices<Triangulation>>& curves,
+                const NP& np = parameters::default_values()) {
+    internal::expect_names<internal::tags::visitor>(np);
+    return internal::Geodesics_adder<Triangulation, NP>(network, np).run(curves);
   }
 
 } // namespace CGAL::Intrinsic_triangulations

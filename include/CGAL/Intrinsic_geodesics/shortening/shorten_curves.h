@@ -24,7 +24,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 struct Shortening_visitor {
   /*!
-  \brief is called about every 1024 joints.
+  \brief is called about every 1024 joints, and now and then during searches for shortest paths.
   \return whether to go on
   */
   bool progress(const Shortening_result&) { return true; }

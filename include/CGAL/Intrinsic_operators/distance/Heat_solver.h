@@ -26,7 +26,7 @@ enum class Heat_border {
   average    ///< the mean of that and of a border that is kept cold (Dirichlet)
 };
 
-/// The last step of `Heat_distance`.
+/// The last step of `Heat_distance`, or of `Signed_heat_distance`, in which normals spread.
 enum class Heat_step {
   /// a matrix of the heat flow is factored; a cold border needs two
   heat_factored,

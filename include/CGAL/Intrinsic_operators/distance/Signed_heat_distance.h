@@ -4,11 +4,13 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_SIGNED_HEAT_DISTANCE_H
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_SIGNED_HEAT_DISTANCE_H
 
+#include <CGAL/Intrinsic_operators/distance/Heat_solver.h>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -24,8 +26,6 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-template <class Scalar>
-struct Heat;
 class Vector_flow;
 
 // The signed heat method on a table of faces, in scaled units.
@@ -34,12 +34,15 @@ class Signed_heat_solver {
 
 public:
   Signed_heat_solver(Face_table table, const Eigen::SparseMatrix<double>& laplacian,
-                     double time_factor);
+                     double time_factor, Heat_progress progress);
 
   const Face_table& table() const { return table_; }
   double time() const { return table_.unscaled(table_.unscaled(time_)); }
 
-  // \return by rows, in the units of the input
+  // whether the caller stopped the last step
+  bool is_cancelled() const { return is_cancelled_; }
+
+  // \return by rows, in the units of the input; empty if cancelled
   Eigen::VectorXd distances(const Source_places& curves);
 
 private:
@@ -60,6 +63,8 @@ private:
   Pinned_laplacian poisson_;
   Pinned_laplacian::Kept kept_;
   std::shared_ptr<const Vector_flow> flow_;
+  Heat_progress progress_;
+  bool is_cancelled_ = false;
 };
 
 } // namespace internal
@@ -94,6 +99,8 @@ public:
   \param np optional named parameters:
     - `time_factor(x)`: the time is x times the mean of the squares of half the lengths of the
       edges, since the vectors are at their midpoints. Default: 1. More bridges wider gaps.
+    - `visitor(v)`: see `Heat_distance_visitor`. If it stops this constructor, there are no
+      distances. Later calls use it too: what `std::ref(v)` refers to must outlive this object.
   \throws Invalid_input if a face has no area, or `t` is a cover, where left and right share a row
   \throws std::invalid_argument if the factor is less than 1e-100, or the time more than 1e8 areas
     of the surface: then heat is even up to rounding
@@ -103,8 +110,9 @@ public:
   template <NamedParameters NP = parameters::Parameters<>>
   explicit Signed_heat_distance(const Triangulation& t, const NP& np = parameters::default_values())
       : t_(&t), solver_(internal::face_table(with_sides(t)), cotangent_laplacian(t),
-                        internal::value_or<internal::tags::time_factor>(np, 1.0)) {
-    internal::expect_names<internal::tags::time_factor>(np);
+                        internal::value_or<internal::tags::time_factor>(np, 1.0),
+                        internal::progress_of(np)) {
+    internal::expect_names<internal::tags::time_factor, internal::tags::visitor>(np);
   }
 
   /*!
@@ -113,7 +121,8 @@ public:
     range of these, or a range of ranges
   \param curves the curves
   \return a distance per row of `t.input_vertex()`, in the units of the input; infinity on
-    components without a curve and at isolated vertices
+    components without a curve and at isolated vertices. An empty vector if the visitor stops the
+    computation
   \throws std::invalid_argument if there are vertices or points among the curves, or consecutive
     points of a polyline are not in one face
   \throws std::runtime_error if rounding makes the matrix indefinite
@@ -122,9 +131,13 @@ public:
   */
   template <class Curves>
   Eigen::VectorXd distances(const Curves& curves) {
+    if (is_stopped_) return {};
     return solver_.distances(
         internal::Source_reader<Triangulation>(*t_, solver_.table()).read(curves));
   }
+
+  /// returns `cancelled` if the visitor stopped the last step, else `done`.
+  Status status() const { return solver_.is_cancelled() ? Status::cancelled : Status::done; }
 
   /// returns the time of the flow, in units of area of the input.
   double time() const { return solver_.time(); }
@@ -140,6 +153,7 @@ private:
 
   const Triangulation* t_;
   internal::Signed_heat_solver solver_;
+  bool is_stopped_ = solver_.is_cancelled(); // during construction
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -90,7 +90,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(harmonic_map)
 struct Injective_map {
   /// `done`: the map is injective; `cap`: the rounds did not suffice; `inaccurate`: all faces that
   /// do not turn counterclockwise are so small that rounding decides; `stalled`: larger ones
-  /// remain, but none of their edges can be split.
+  /// remain, but none of their edges can be split; `cancelled`: the visitor has ended it.
   Status status = Status::done;
   Eigen::MatrixX2d uv;         ///< a point per row, see `harmonic_map()`
   Map_certificate certificate; ///< of that map
@@ -186,6 +186,8 @@ thrown
 `polygonal_border()`
 \param np optional named parameters:
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 20.
+  - `visitor(v)`: `v.progress(map)` is called in each round after flips, and with the new map, and
+    returns whether to go on
 \return the map, its certificate and status
 \throws Invalid_input if a face has no area, or a component is not a disk
 \throws std::invalid_argument as `harmonic_map()` does
@@ -195,16 +197,24 @@ thrown
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
                                      const NP& np = parameters::default_values()) {
-  internal::expect_names<internal::tags::maximum_rounds>(np);
+  internal::expect_names<internal::tags::maximum_rounds, internal::tags::visitor>(np);
   const std::size_t cap = internal::value_or<internal::tags::maximum_rounds>(np, std::size_t{20});
+  auto stored_visitor =
+      internal::object_or<internal::tags::visitor>(np, internal::Silent_visitor());
+  auto& observed = internal::unwrapped(stored_visitor);
   Injective_map result;
   for (;; ++result.rounds) {
     flip_to_delaunay(t);
+    if (!observed.progress(result)) break;
     result.uv = harmonic_map(t, border);
     const Map_certificate complete = internal::complete_certificate(t, result.uv);
     result.certificate = internal::shortened(complete);
     if (complete.is_injective()) return result;
-    if (result.rounds == cap) break;
+    if (!observed.progress(result)) break;
+    if (result.rounds == cap) {
+      result.status = Status::cap;
+      return result;
+    }
     const std::vector<std::uint32_t> bad = internal::large_faces(t, complete.bad_faces, result.uv);
     const std::size_t split = internal::split_longest_inner_edges(t, bad);
     result.inserted += split;
@@ -214,14 +224,15 @@ Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
       return result;
     }
   }
-  result.status = Status::cap;
+  result.status = Status::cancelled;
   return result;
 }
 
 /// maps disks to the `circular_border()`; see above.
-template <RefinableTriangulation Triangulation>
-Injective_map injective_harmonic_map(Triangulation& t) {
-  return injective_harmonic_map(t, circular_border(t));
+template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Injective_map injective_harmonic_map(Triangulation& t,
+                                     const NP& np = parameters::default_values()) {
+  return injective_harmonic_map(t, circular_border(t), np);
 }
 
 /// \cond

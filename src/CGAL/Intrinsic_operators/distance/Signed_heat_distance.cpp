@@ -70,11 +70,12 @@ static std::shared_ptr<const Vector_flow> vector_flow(const Face_table& table, d
 
 Signed_heat_solver::Signed_heat_solver(Face_table table,
                                        const Eigen::SparseMatrix<double>& laplacian,
-                                       double time_factor)
+                                       double time_factor, Heat_progress progress)
     : table_(std::move(table)),
       time_(flow_time(time_factor, squared_spacing(table_), table_.area())),
       component_(table_.components()), poisson_(laplacian, component_),
-      flow_(vector_flow(table_, time_, poisson_.analysis().place)) {}
+      flow_(vector_flow(table_, time_, poisson_.analysis().place)), progress_(std::move(progress)),
+      is_cancelled_(!progress_(Heat_step::heat_factored)) {}
 
 Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
   const auto is_point = [](const Source_segment& s) { return s.from == s.to; };
@@ -82,7 +83,10 @@ Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
     throw std::invalid_argument(
         "a vertex or a point has no sides; signed distances are those from curves");
   const Pinned_laplacian::Pins pins = signed_distances_near(curves);
-  Eigen::VectorXd d = poisson_.solve(divergence(normals(curves, pins)), {&pins, 1}, kept_);
+  const Eigen::VectorXd divergences = divergence(normals(curves, pins));
+  is_cancelled_ = !progress_(Heat_step::heat_found);
+  if (is_cancelled_) return {};
+  Eigen::VectorXd d = poisson_.solve(divergences, {&pins, 1}, kept_);
   for (double& x : d) x = table_.unscaled(x);
   return d;
 }
