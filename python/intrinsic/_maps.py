@@ -136,7 +136,7 @@ def _angle_arrays(angles, vertices):
 
 
 class _Maps:
-    def parametrize(self, method="harmonic", *, cut=None):
+    def parametrize(self, method="harmonic", *, cut=None, progress=None):
         """Maps a disk to the plane: a `PlaneMap`.
 
         `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
@@ -147,8 +147,9 @@ class _Maps:
         `cut` is "auto" to cut any surface open to a disk along short curves, or an array of edges
         of shape (k, 2), as pairs of vertices.
         """
+        _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
         if method == "conformal":
-            return self.uniformize(target="plane")
+            return self.uniformize(target="plane", progress=progress)
         if self._is_cloud():
             if method != "spectral":
                 raise ValueError('for a cloud of points only method="spectral" works')
@@ -156,7 +157,7 @@ class _Maps:
             return PlaneMap(self, uv, "done", None, None, 0, 0)
         surface, original = self._cut_open(cut)
         core = _core.copy(surface._flipped()) if method == "harmonic" else surface._flipped()
-        uv, *found = _core.parametrize(core, method)
+        uv, *found = _core.parametrize(core, method, progress)
         changed = type(self)._of(core) if found[-1] else surface
         result = PlaneMap(changed, uv, *found)
         result.original_vertex = original

@@ -53,7 +53,8 @@ class ConformalMap:
 
 class _Maps:
     def parametrize(self, method: Literal["harmonic", "lscm", "spectral", "conformal"] = ..., *,
-                    cut: Literal["auto"] | ArrayLike | None = ...) -> PlaneMap | ConformalMap: ...
+                    cut: Literal["auto"] | ArrayLike | None = ...,
+                    progress: _Progress = ...) -> PlaneMap | ConformalMap: ...
     def uniformize(self, angles: Sequence[_Angle] | ArrayLike | None = ..., *,
                    cones: int | Mapping[int, _Angle] | None = ...,
                    target: Literal["plane", "sphere", "torus", "disk"] | None = ...,

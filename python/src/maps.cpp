@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "maps.h"
+#include "../../src/intrinsic/application/map_by_method.h"
 #include "../../src/intrinsic/status_name.h"
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
@@ -57,27 +57,20 @@ namespace {
 
 // ---- Maps to the plane -------------------------------------------------------------------------
 
-template <class T>
-IT::Injective_map certified(const T& t, Eigen::MatrixX2d uv) {
-  IT::Injective_map map{IT::Status::done, std::move(uv), {}};
-  map.certificate = IT::certify_map(t, map.uv);
-  return map;
-}
-
-template <class T>
-IT::Injective_map map_of(T& t, const std::string& method) {
-  if (method == "harmonic") return IT::injective_harmonic_map(t);
-  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
-  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
-  refuse("method=\"" + method +
-         "\" does not exist; give \"harmonic\", \"lscm\", \"spectral\" or \"conformal\"");
-}
+struct Map_watch {
+  Watch* watch;
+  bool progress(const IT::Injective_map& map) { return (*watch)("rounds", map.rounds); }
+};
 
 // The surface may be refined.
-py::tuple parametrize(Surface& s, const std::string& method) {
+py::tuple parametrize(Surface& s, const std::string& method, const py::object& progress) {
   IT::Map_distortion distortion;
-  IT::Injective_map map = with_triangulation(s, [&](auto& t) {
-    IT::Injective_map result = map_of(t, method);
+  Watch watch(progress);
+  Map_watch visitor{&watch};
+  IT::Injective_map map = with_triangulation(s, watch, [&](auto& t) {
+    IT::Injective_map result =
+        program::map_by_method(t, method, IT::parameters::visitor(std::ref(visitor)));
+    if (result.status == IT::Status::cancelled) return result;
     distortion = IT::measure_distortion(t, result.uv);
     if (result.inserted > 0) s.cache.clear(); // it was of the surface before
     return result;
@@ -96,18 +89,8 @@ py::array_t<double> map_of_points(Surface& s, std::size_t neighbors) {
 bool is_injective_on_input(Surface& s, const Doubles& uv) {
   expect_columns(uv, 2, "uv");
   const Eigen::MatrixX2d given = matrix_of(uv);
-  return with_triangulation(s, [&](auto& t) {
-    const IT::Input& input = t.input();
-    std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
-    for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-      std::uint32_t h = input.halfedge_of_face(f);
-      for (std::uint32_t& row : triangles[f]) {
-        row = input.names().row(input.source(h));
-        h = input.next(h);
-      }
-    }
-    return IT::certify_map(triangles, given.topRows(input.number_of_rows())).is_injective();
-  });
+  return with_triangulation(
+      s, [&](auto& t) { return IT::certify_map(t.input(), given).is_injective(); });
 }
 
 // ---- The surface before its first move ---------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "../status_name.h"
 #include "application.h"
 #include "conformal_disks.h"
+#include "map_by_method.h"
 
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
@@ -27,14 +28,6 @@ namespace program {
 
 namespace {
 
-// A map that stays as it is, whether it is injective or not.
-template <class Triangulation>
-IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
-  IT::Injective_map map{IT::Status::done, std::move(uv), {}};
-  map.certificate = IT::certify_map(t, map.uv);
-  return map;
-}
-
 // Only harmonic maps can be made injective, and only by flips and splits of all edges.
 bool is_made_injective(const Options& options) {
   const std::string& method = options.application.map;
@@ -44,25 +37,8 @@ bool is_made_injective(const Options& options) {
 template <class Triangulation>
 IT::Injective_map map_of(Triangulation& t, const Options& options) {
   const std::string& method = options.application.map;
-  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
-  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
-  if (is_made_injective(options)) return IT::injective_harmonic_map(t);
-  return certified(t, IT::harmonic_map(t));
-}
-
-// Certifies the map of the faces of the file, linear on each of them.
-template <class Triangulation>
-bool is_injective_on_input(const Triangulation& t, const Eigen::MatrixX2d& uv) {
-  const auto& input = t.input();
-  std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
-  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
-    std::uint32_t h = input.halfedge_of_face(f);
-    for (std::uint32_t& row : triangles[f]) {
-      row = input.names().row(input.source(h));
-      h = input.next(h);
-    }
-  }
-  return IT::certify_map(triangles, uv.topRows(input.number_of_rows())).is_injective();
+  const bool moves_edges = method != "harmonic" || is_made_injective(options);
+  return moves_edges ? map_by_method(t, method) : certified(t, IT::harmonic_map(t));
 }
 
 Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion) {
@@ -130,7 +106,7 @@ void run_parametrize(const Options& options) {
     Eigen::MatrixX2d uv(t.number_of_vertices(), 2);
     for (const Eigen::Index c : {0, 1})
       uv.col(c) = computed.functions[static_cast<std::size_t>(c)].values;
-    computed.json["injective_on_input"] = is_injective_on_input(t, uv);
+    computed.json["injective_on_input"] = IT::certify_map(t.input(), uv).is_injective();
     return computed;
   });
 }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -108,6 +109,16 @@ map from an intrinsic triangulation give another map between the vertices.
 */
 Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                             const Eigen::MatrixX2d& uv);
+
+/*!
+\brief certifies a map of the user's mesh to the plane, see the overload with triangles.
+\param input disks
+\param uv a point per row; more rows, those of inserted vertices, are ignored
+\return the certificate of the map between the vertices, linear on each triangle of the input
+\throws std::invalid_argument as above
+\complexity O(n log n)
+*/
+Map_certificate certify_map(const Input& input, const Eigen::MatrixX2d& uv);
 
 } // namespace CGAL::Intrinsic_triangulations
 

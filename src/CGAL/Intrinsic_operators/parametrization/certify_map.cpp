@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -128,6 +129,18 @@ Map_certificate certify_map(const std::vector<std::array<std::uint32_t, 3>>& tri
                             const Eigen::MatrixX2d& uv) {
   return internal::shortened(
       internal::certify_map(triangles, {}, internal::borders_of_triangles(triangles), uv));
+}
+
+Map_certificate certify_map(const Input& input, const Eigen::MatrixX2d& uv) {
+  std::vector<std::array<std::uint32_t, 3>> triangles(input.number_of_faces());
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    std::uint32_t h = input.halfedge_of_face(f);
+    for (std::uint32_t& row : triangles[f]) {
+      row = input.names().row(input.source(h));
+      h = input.next(h);
+    }
+  }
+  return certify_map(triangles, uv);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
