@@ -93,7 +93,9 @@ class _Curves:
         far = float(length)
         if not (np.isfinite(far) and far >= 0):
             raise ValueError(f"length is {far}; give a finite number that is not negative")
-        return Curve(_core.trace(self._core, self._places(p, "p"), _direction(direction), far))
+        direction = _direction(direction)
+        core = self._flipped() if isinstance(direction, complex) else self._core
+        return Curve(_core.trace(core, self._places(p, "p"), direction, far))
 
     def isolines(self, u, levels=10):
         """Returns the lines on which a function has given values, as a list of `Curve`s.

@@ -177,7 +177,7 @@ class _Distances:
         return Voronoi(found["labels"], found["distances"], found["areas"],
                        [Curve(b) for b in found["boundaries"]], junctions, found["status"])
 
-    def farthest_points(self, n, *, start=0):
+    def farthest_points(self, n, *, start=0, progress=None):
         """Returns `n` vertices that are far from each other, and the radius that they cover.
 
         `start`, one vertex or several, are the first ones. Each of the others is the farthest one
@@ -190,5 +190,5 @@ class _Distances:
         if n < len(first):
             raise ValueError(f"n is {n}, but start has {len(first)} vertices; give n above that")
         found, radius = _core.farthest_points(self._flipped(), self._places(first, "start"),
-                                              n - len(first))
+                                              n - len(first), progress)
         return FarthestPoints(np.concatenate([first, found]), radius)

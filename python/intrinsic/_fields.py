@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _arrays, _core
-from ._points import is_point
+from ._curve import Curve, Network
+from ._points import Point, is_point
 
 
 class VectorField:
@@ -42,6 +43,67 @@ class VectorField:
     def axes(self):
         """The unit vectors in space along the real axes, of shape (n, 3)."""
         return _core.axes_in_space(self._core, 0.0, self._neighbors)
+
+
+class Frames:
+    """The axes in which vectors have two coordinates: those of `Surface.transport()`, `log_map()`
+    and others. Arrays are computed when they are asked for.
+    """
+
+    def __init__(self, surface):
+        self._surface, self._core = surface, surface._flipped()
+        self._neighbors = surface._cloud_neighbors()
+
+    @property
+    def vertices(self):
+        """Unit vectors in space with the angles 0 and 90 degrees in the polar coordinates of each
+        vertex, see `VectorField`, of shape (n, 2, 3), each in a face there. They are orthogonal
+        where the surface is flat.
+        """
+        return np.stack([_core.axes_in_space(self._core, angle, self._neighbors)
+                         for angle in (0.0, np.pi / 2)], axis=1)
+
+    @property
+    def faces(self):
+        """Unit vectors in space along both axes of each face of the user's mesh, of shape
+        (m, 2, 3): along its first side, and to the left of it. They are the axes of a `Point`.
+        NaN for polygons with more corners, which have none.
+        """
+        V = _core.input_points(self._core)
+        if not len(V):
+            raise ValueError("this surface has lengths alone, so that it is not in space")
+        triangles, polygons = _core.input_triangles(self._core)
+        first, second = (V[triangles[:, k]] - V[triangles[:, 0]] for k in (1, 2))
+        first /= np.linalg.norm(first, axis=1)[:, None]
+        second -= np.sum(first * second, axis=1)[:, None] * first
+        second /= np.linalg.norm(second, axis=1)[:, None]
+        axes = np.full((self._surface.number_of_input_faces, 2, 3), np.nan)
+        is_triangle = np.bincount(polygons, minlength=len(axes))[polygons] == 1
+        axes[polygons[is_triangle]] = np.stack([first, second], axis=1)[is_triangle]
+        return axes
+
+    @property
+    def angles(self):
+        """The angles in radians of the sides of triangles in the polar coordinates of the vertices
+        where they start, of shape (k, 3): of the sides of `Surface.faces` of `delaunay()`. A vector
+        z at a vertex i is parallel to z * exp(1j * (b + pi - a)) at the other end of a side, where
+        a is the angle of the side at i, and b that of the side it is glued to. None for a cloud of
+        points, whose tangent planes are not those of triangles.
+        """
+        return None if self._surface._is_cloud() else _core.side_angles(self._core)
+
+    def to_space(self, z):
+        """Takes a vector at each vertex, complex of shape (n,) or real of shape (n, 2), to space:
+        of shape (n, 3), each in a face at its vertex, and as long as it was. NaN stays."""
+        z = np.asarray(z)
+        if z.ndim == 1 and z.dtype.kind in "ciuf":
+            z = np.column_stack([z.real, z.imag])
+        _arrays.expect_shape(z, "z", (self._surface.number_of_vertices, 2))
+        if z.dtype.kind not in "iuf":
+            raise ValueError(f"z has no numbers but {z.dtype}; give complex numbers, or pairs of "
+                             "real ones")
+        field = _core.field_of_coordinates(self._core, z)
+        return _core.vectors_in_space(self._core, field, 0.0, self._neighbors)
 
 
 class Singularities(NamedTuple):
@@ -92,21 +154,35 @@ def _positive(x, name):
 
 
 def _curves(curves, count):
-    """Returns an array of vertices for each curve."""
-    curves = list(curves)
-    if curves and all(is_point(c) for c in curves):
+    """Returns an array of vertices, or what `_core` has of a `Curve`, for each curve."""
+    if isinstance(curves, (Curve, Network)):
         curves = [curves]
-    rows = [_arrays.indices(c, f"curves[{i}]", (None,), count=count)
-            for i, c in enumerate(curves)]
-    if not any(len(r) > 1 for r in rows):
-        raise ValueError("curves has no curve; give lists of two or more vertices each")
-    return rows
+    curves = list(curves)
+    if curves and all(is_point(c) and not isinstance(c, Curve) for c in curves):
+        curves = [curves]
+    result = []
+    for i, c in enumerate(curves):
+        if isinstance(c, (Curve, Network)):
+            result += [curve._way for curve in (c if isinstance(c, Network) else [c])]
+            continue
+        if any(isinstance(p, Point) for p in c):
+            raise ValueError(f"curves[{i}] has a Point; give vertices, or the Curve that path() "
+                             "finds through points")
+        result.append(_arrays.indices(c, f"curves[{i}]", (None,), count=count))
+    if not any(not isinstance(r, np.ndarray) or len(r) > 1 for r in result):
+        raise ValueError("curves has no curve; give a Curve, or lists of two or more vertices each")
+    return result
 
 
 class _Fields:
     def _cloud_neighbors(self):
         """Returns how many neighbors of each point are triangulated, if it is a cloud of points."""
         return self.report["domain"].get("neighbors", 30) if self._is_cloud() else 30
+
+    def frames(self):
+        """Returns the axes in which vectors have coordinates, as `Frames`: of vertices, of faces of
+        the user's mesh, and the angles of sides of the Delaunay triangulation."""
+        return Frames(self)
 
     def log_map(self, p, *, method=None, time_factor=1.0, max_distance=np.inf, progress=None):
         """Returns the logarithmic map of a point: for each vertex the vector at `p` along the
@@ -172,15 +248,17 @@ class _Fields:
                                       vectors, self._cloud_neighbors(), progress)
         return DirectionField(core, int(degree), found, self._cloud_neighbors())
 
-    def signed_distance(self, curves, *, time_factor=1.0):
+    def signed_distance(self, curves, *, time_factor=1.0, progress=None):
         """Returns signed distances from curves, of shape (n,): negative on their left, positive on
         their right, by heat.
 
-        `curves` is a list of vertices, or a list of such lists; a curve follows the shortest way
-        along edges from each vertex to the next. A loop ends at its first vertex.
+        `curves` is a list of vertices, or a `Curve` of `path()`, `isolines()` and others, a
+        `Network`, or a list of such curves. From each vertex in a list to the next one, a curve
+        follows the shortest way along edges; a loop ends at its first vertex.
         """
         rows = _curves(curves, self._core.number_of_vertices)
-        return _core.signed_distance(self._flipped(), rows, _positive(time_factor, "time_factor"))
+        return _core.signed_distance(self._flipped(), rows, _positive(time_factor, "time_factor"),
+                                     progress)
 
     def connection_laplacian(self, degree=1):
         """Returns the Laplacian of tangent vectors, a complex matrix of scipy: in the polar

@@ -6,6 +6,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._curve import Curve, Network
 from ._curves import _Place, _Places, _Progress
 
 _Numbers = NDArray[np.float64]
@@ -21,6 +22,15 @@ class VectorField:
     @property
     def axes(self) -> _Numbers: ...
 
+class Frames:
+    @property
+    def vertices(self) -> _Numbers: ...
+    @property
+    def faces(self) -> _Numbers: ...
+    @property
+    def angles(self) -> _Numbers | None: ...
+    def to_space(self, z: ArrayLike) -> _Numbers: ...
+
 class Singularities(NamedTuple):
     faces: _Integers
     barycentric: _Numbers
@@ -35,6 +45,7 @@ class DirectionField(VectorField):
     border_turns: int
 
 class _Fields:
+    def frames(self) -> Frames: ...
     def log_map(self, p: _Place, *, method: Literal["exact", "affine", "polar"] | None = ...,
                 time_factor: float = ..., max_distance: float = ...,
                 progress: _Progress = ...) -> _Numbers: ...
@@ -45,6 +56,7 @@ class _Fields:
     def direction_field(self, degree: int = ..., *, align: float | None = ...,
                         fixed: tuple[_Places, ArrayLike] | None = ...,
                         progress: _Progress = ...) -> DirectionField: ...
-    def signed_distance(self, curves: Sequence[int] | Sequence[ArrayLike] | ArrayLike, *,
-                        time_factor: float = ...) -> _Numbers: ...
+    def signed_distance(self, curves: Curve | Network | Sequence[int] | ArrayLike
+                        | Sequence[Curve | Network | ArrayLike], *, time_factor: float = ...,
+                        progress: _Progress = ...) -> _Numbers: ...
     def connection_laplacian(self, degree: int = ...) -> Any: ...

@@ -75,7 +75,7 @@ class Curve_finder {
 
 public:
   Curve_finder(const T& t, const Curve_options& options, Watch& watch)
-      : t_(std::make_unique<T>(t)), options_(options), watch_(watch), network_(*t_) {}
+      : t_(std::make_unique<T>(t)), options_(options), visitor_{&watch}, network_(*t_) {}
 
   Found_curves run(const std::vector<Asked_curve>& asked) {
     Curves curves;
@@ -83,9 +83,12 @@ public:
       curves.push_back({vertices_of(curve), curve.is_loop, options_.stays_at_points});
     IT::internal::fix_junctions(network_, curves);
     for (const auto& curve : curves) expect_different_neighbors(curve.vertices, curve.is_loop);
-    if (!(options_.is_shortest && add_geodesics(curves))) add_along_edges(curves);
-    Shortening_watch visitor{&watch_};
-    found_.shortening += IT::shorten_curves(network_, IT::parameters::visitor(std::ref(visitor)));
+    if (!(options_.is_shortest && add_geodesics(curves))) {
+      if (found_.shortening.status == IT::Status::cancelled) return {};
+      add_along_edges(curves);
+    }
+    found_.shortening += IT::shorten_curves(network_, observed());
+    if (found_.shortening.status == IT::Status::cancelled) return {};
     measure();
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) trace(c);
     if (options_.is_certified) found_.is_certified = IT::certify_geodesic(network_).is_geodesic();
@@ -95,6 +98,8 @@ public:
   }
 
 private:
+  auto observed() { return IT::parameters::visitor(std::ref(visitor_)); }
+
   // One for each point; of several copies on a cover those that make the curve short.
   std::vector<Vertex> vertices_of(const Asked_curve& curve) {
     std::vector<std::vector<Vertex>> copies;
@@ -138,9 +143,10 @@ private:
   // Each curve as if the others were not there. False if vertices are not connected, or rounding
   // has spoilt a path.
   bool add_geodesics(const Curves& curves) {
-    const auto added = IT::add_geodesics(network_, curves);
+    const auto added = IT::add_geodesics(network_, curves, observed());
     if (added.status != IT::Status::done) {
       network_.clear();
+      if (added.status == IT::Status::cancelled) found_.shortening.status = added.status;
       return false;
     }
     found_.shortening = added.shortening;
@@ -232,7 +238,7 @@ private:
 
   std::unique_ptr<T> t_;
   Curve_options options_;
-  Watch& watch_;
+  Shortening_watch visitor_;
   IT::Curve_network<T> network_;
   Found_curves found_;
 };

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "asked_vectors.h"
+#include "curve_arrays.h"
 #include "fields.h"
+#include "kept_heat.h"
 
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
@@ -13,18 +17,21 @@
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 // Direction fields and signed distances.
@@ -148,19 +155,65 @@ std::vector<typename T::halfedge_descriptor> along_edges(const T& t,
   return curve;
 }
 
-py::array_t<double> signed_distance(Surface& s, const std::vector<Integers>& curves,
-                                    double time_factor) {
-  std::vector<std::vector<std::uint32_t>> rows;
-  for (const Integers& c : curves)
-    rows.push_back(numbers_of(c, std::numeric_limits<std::uint32_t>::max(), "vertex"));
-  return array_of(with_triangulation(s, [&](auto& t) {
-    using Method = IT::Signed_heat_distance<std::remove_cvref_t<decltype(t)>>;
-    std::vector<std::vector<typename std::remove_cvref_t<decltype(t)>::halfedge_descriptor>> along;
-    for (const auto& curve : rows) along.push_back(along_edges(t, curve));
-    return s
-        .cached<Method>(Diffusion{time_factor, 0}.key("signed heat"),
-                        [&] { return new Method(t, IT::parameters::time_factor(time_factor)); })
-        .distances(along);
+// A curve over the user's mesh in pieces, each in a face of the triangulation.
+template <class T>
+void add_pieces(const T& t, const IT::Traced_curve& curve,
+                std::vector<IT::Polyline_source>& pieces) {
+  const IT::Input& input = t.input();
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    if (curve.faces[i] >= input.number_of_faces())
+      refuse("a curve is that of another surface; give curves of this one");
+    const auto p = IT::internal::seen_in_face(input, curve.points[i], curve.faces[i]);
+    const auto q = IT::seen_from(
+        input, IT::internal::seen_in_face(input, curve.points[i + 1], curve.faces[i]), p.halfedge);
+    const IT::Geodesic_face face(input, p.halfedge);
+    const auto along = face.position(q.weights) - face.position(p.weights);
+    const double length = std::ldexp(std::hypot(along[0], along[1]), -input.scale_exponent());
+    if (!(length > 0)) continue;
+    const IT::Tangent_vector start = *IT::tangent_to_intrinsic(t, {p, along});
+    pieces.push_back({IT::trace_geodesic(t, start.point, start.vector, length).points});
+  }
+}
+
+// Curves that the user gives: ways through faces, or lists of vertices to follow edges between.
+using Signed_curves = std::vector<std::variant<Way, std::vector<std::uint32_t>>>;
+
+// From edges of the triangulation if all are lists of vertices, as the program does, else from
+// pieces in its faces.
+template <class T>
+Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
+                                 IT::Signed_heat_distance<T>& method) {
+  std::vector<std::vector<typename T::halfedge_descriptor>> edges;
+  std::vector<IT::Polyline_source> pieces;
+  for (const auto& curve : curves)
+    if (const Way* way = std::get_if<Way>(&curve))
+      add_pieces(t, way->curve, pieces);
+    else
+      edges.push_back(along_edges(t, std::get<std::vector<std::uint32_t>>(curve)));
+  if (edges.size() == curves.size()) return method.distances(edges);
+  for (const auto& curve : edges)
+    for (const auto h : curve) {
+      const auto k = t.numbers().halfedge(h);
+      pieces.push_back({{{k, {1, 0, 0}}, {k, {0, 1, 0}}}});
+    }
+  return method.distances(pieces);
+}
+
+py::array_t<double> signed_distance(Surface& s,
+                                    const std::vector<std::variant<Way, Integers>>& given,
+                                    double time_factor, const py::object& progress) {
+  Signed_curves curves;
+  for (const auto& c : given)
+    if (const Way* way = std::get_if<Way>(&c))
+      curves.emplace_back(*way);
+    else
+      curves.emplace_back(
+          numbers_of(std::get<Integers>(c), std::numeric_limits<std::uint32_t>::max(), "vertex"));
+  Watch watch(progress);
+  return array_of(with_triangulation(s, watch, [&]<class T>(const T& t) {
+    using Method = IT::Signed_heat_distance<T>;
+    return with_heat<Method>(s, t, time_factor, watch,
+                             [&](Method& method) { return signed_distances(t, curves, method); });
   }));
 }
 

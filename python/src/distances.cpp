@@ -4,6 +4,7 @@
 #include "../../src/intrinsic/status_name.h"
 #include "Surface.h"
 #include "curve_arrays.h"
+#include "kept_heat.h"
 #include "places.h"
 
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
@@ -53,40 +54,6 @@ template <class T>
 IT::Polyhedral_distance<T>& search_of(Surface& s, const T& t) {
   return s.cached<IT::Polyhedral_distance<T>>(
       exact_tables, [&] { return std::make_unique<IT::Polyhedral_distance<T>>(t); });
-}
-
-// What observes a heat flow, whose matrices are kept for longer than the call that is observed.
-struct Heat_visitor {
-  std::shared_ptr<Watch*> watch;
-  bool progress(IT::Heat_step) { return *watch == nullptr || (**watch)("matrices"); }
-};
-
-// The factored matrices of distances by heat, for one factor of the time.
-template <class T>
-struct Heat {
-  Heat(const T& t, double factor, Watch* w)
-      : time_factor(factor), watch(std::make_shared<Watch*>(w)),
-        distance(t, IT::parameters::time_factor(factor).visitor(Heat_visitor{watch})) {}
-
-  double time_factor;
-  std::shared_ptr<Watch*> watch; // during a call
-  IT::Heat_distance<T> distance;
-};
-
-// Calls a function with them; a construction that was ended leaves nothing.
-template <class T, class Function>
-auto with_heat(Surface& s, const T& t, double time_factor, Watch& watch, const Function& f) {
-  const std::string name = "heat distances";
-  if (const auto found = s.cache.find(name); found != s.cache.end())
-    if (static_cast<Heat<T>*>(found->second.get())->time_factor != time_factor)
-      s.cache.erase(found);
-  auto& heat =
-      s.cached<Heat<T>>(name, [&] { return std::make_unique<Heat<T>>(t, time_factor, &watch); });
-  *heat.watch = &watch;
-  auto result = f(heat.distance);
-  *heat.watch = nullptr;
-  if (heat.distance.status() == IT::Status::cancelled) s.cache.erase(name);
-  return result;
 }
 
 // Distances by rows, or at targets; and how the search ended.
@@ -143,8 +110,8 @@ Found_distances heat_distances(Surface& s, const T& t, const std::vector<Place>&
                                const std::vector<Place>* targets, double time_factor,
                                Watch& watch) {
   const auto points = Place_finder<T>(t).points(sources);
-  const Eigen::VectorXd rows =
-      with_heat(s, t, time_factor, watch, [&](auto& heat) { return heat.distances(points); });
+  const Eigen::VectorXd rows = with_heat<IT::Heat_distance<T>>(
+      s, t, time_factor, watch, [&](auto& heat) { return heat.distances(points); });
   if (rows.size() == 0) return {}; // the watch has ended it
   if (targets != nullptr) return {values_at(t, rows, *targets)};
   return {std::vector<double>(rows.begin(), rows.end())};
@@ -186,7 +153,7 @@ IT::Status fill(Surface& s, const T& t, const std::vector<std::vector<Place>>& s
   const auto options = IT::parameters::number_of_threads(threads).visitor(std::ref(visitor));
   if (method.is_exact)
     return IT::polyhedral_distances(t, points, out, options.maximum_distance(method.maximum));
-  return with_heat(s, t, method.time_factor, watch, [&](const auto& heat) {
+  return with_heat<IT::Heat_distance<T>>(s, t, method.time_factor, watch, [&](const auto& heat) {
     return IT::heat_distances(heat, points, out, options);
   });
 }
@@ -229,10 +196,22 @@ py::array_t<double> pair_distances(Surface& s, const Place_arrays& first,
   Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&](const auto& t) {
     Place_finder find(t);
+    std::vector<IT::Surface_point> starts, ends; // on a cover, of each pair all copies
+    std::vector<std::size_t> pair;
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (const IT::Surface_point& p : find.points({from[i]}))
+        for (const IT::Surface_point& q : find.points({to[i]})) {
+          starts.push_back(p);
+          ends.push_back(q);
+          pair.push_back(i);
+        }
     Batch_visitor visitor{&watch};
-    return IT::pair_distances(
-        t, find.points(from), find.points(to),
-        IT::parameters::number_of_threads(threads).visitor(std::ref(visitor)));
+    const std::vector<double> all = IT::pair_distances(
+        t, starts, ends, IT::parameters::number_of_threads(threads).visitor(std::ref(visitor)));
+    std::vector<double> result(from.size(), infinity);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      result[pair[k]] = std::min(result[pair[k]], all[k]);
+    return result;
   }));
 }
 
@@ -305,21 +284,25 @@ py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std:
 // the vertices that are found, and the radius that they and the sources cover
 template <class T>
 std::pair<std::vector<std::int64_t>, double> farthest(const T& t, const std::vector<Place>& sources,
-                                                      std::size_t count) {
+                                                      std::size_t count, Watch& watch) {
   IT::Polyhedral_distance<T> search(t);
-  search.search(Place_finder<T>(t).points(sources));
-  const auto found = IT::farthest_points(search, count);
+  Search_visitor visitor{&watch};
+  const auto observed = IT::parameters::visitor(std::ref(visitor));
+  if (search.search(Place_finder<T>(t).points(sources), observed) == IT::Status::cancelled)
+    return {};
+  const auto found = IT::farthest_points(search, count, observed);
   std::vector<std::int64_t> rows;
   for (const auto v : found.vertices) rows.push_back(t.input_vertex(v));
   return {rows, found.radius};
 }
 
-py::tuple farthest_points(Surface& s, const Place_arrays& sources, std::size_t count) {
+py::tuple farthest_points(Surface& s, const Place_arrays& sources, std::size_t count,
+                          const py::object& progress) {
   const std::vector<Place> places = places_of(sources);
   expect_sources(places);
-  Watch watch;
-  auto [rows, radius] =
-      with_triangulation(s, watch, [&](const auto& t) { return farthest(t, places, count); });
+  Watch watch(progress);
+  auto [rows, radius] = with_triangulation(
+      s, watch, [&](const auto& t) { return farthest(t, places, count, watch); });
   return py::make_tuple(array_of(std::move(rows)), radius);
 }
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fields.h"
+#include "Faces_in_order.h"
 #include "asked_vectors.h"
 
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -20,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// Logarithmic maps, transport of vectors, and fields in space.
+// Logarithmic maps, transport of vectors, fields in space, and the frames of coordinates.
 
 namespace python {
 
@@ -171,18 +173,60 @@ py::array_t<double> vectors_in_space(Surface& s, const Field& field, double angl
   }));
 }
 
+// ---- Frames ------------------------------------------------------------------------------------
+
+// A field with the vector `at(r)` for each row `r`, which is unknown where it is not a number.
+template <class T, class Vector>
+Field field_of_rows(const T& t, const Vector& at) {
+  Field field;
+  if (is_cloud(t))
+    field = cloud_field(t, {});
+  else
+    field.of_row = IT::first_copies_of_rows(t);
+  field.vectors.assign(
+      std::max<std::size_t>(field.vectors.size(), IT::internal::Vertex_copies(t).size()), 0);
+  for (std::size_t r = 0; r < field.of_row.size(); ++r) {
+    if (field.of_row[r] == IT::Gluing::none) continue;
+    const Complex z = at(r);
+    if (std::isnan(std::abs(z)))
+      field.of_row[r] = IT::Gluing::none;
+    else
+      field.vectors[field.of_row[r]] = z;
+  }
+  return field;
+}
+
+// Vectors that the user gives by coordinates, at all vertices.
+Field field_of_coordinates(Surface& s, const Doubles& coordinates) {
+  const auto given = matrix_of(coordinates);
+  return with_triangulation(s, [&](auto& t) {
+    return field_of_rows(t, [&](std::size_t r) {
+      const auto i = static_cast<Eigen::Index>(r);
+      return Complex(given(i, 0), given(i, 1));
+    });
+  });
+}
+
 // The unit vectors along an axis of the polar coordinates of each row.
 py::array_t<double> axes_in_space(Surface& s, double angle, std::size_t neighbors) {
   return array_of(with_triangulation(s, [&](auto& t) {
-    Field field;
-    if (is_cloud(t))
-      field = cloud_field(t, {});
-    else
-      field.of_row = IT::first_copies_of_rows(t);
-    const std::size_t copies =
-        std::max<std::size_t>(field.vectors.size(), IT::internal::Vertex_copies(t).size());
-    field.vectors.assign(copies, std::polar(1., angle));
+    const Field field = field_of_rows(t, [&](std::size_t) { return std::polar(1., angle); });
     return in_space(s, t, field.vectors, field.of_row, neighbors);
+  }));
+}
+
+// The polar angle of each side of the triangles, at the vertex where it starts.
+py::array_t<double> side_angles(Surface& s) {
+  return array_of(with_triangulation(s, [](auto& t) {
+    const IT::internal::Halfedge_angles angles(t, IT::internal::Border_angles::half_circle);
+    const Faces_in_order order(t);
+    std::vector<Point> rows;
+    for (const auto f : order.order()) {
+      const auto sides = t.mesh().sides(f);
+      const auto angle = [&](std::size_t k) { return angles[t.numbers().halfedge(sides[k])]; };
+      rows.push_back({angle(0), angle(1), angle(2)});
+    }
+    return rows;
   }));
 }
 
@@ -196,7 +240,9 @@ void bind_fields(py::module_& m) {
   m.def("transport", &transport);
   m.def("extend", &extend);
   m.def("vectors_in_space", &vectors_in_space);
+  m.def("field_of_coordinates", &field_of_coordinates);
   m.def("axes_in_space", &axes_in_space);
+  m.def("side_angles", &side_angles);
   bind_directions(m);
 }
 

@@ -188,10 +188,25 @@ class Arguments(unittest.TestCase):
             seen.append(stage)
             raise KeyboardInterrupt
 
-        V, F = grid(60)
-        with self.assertRaises(KeyboardInterrupt):
-            it.Surface(V, F).distances(range(2000), progress=stop)
-        self.assertEqual(len(seen), 1)
+        s = it.Surface(*grid(100))
+        t = s.delaunay()
+        for work in (lambda: s.distances(range(2000), progress=stop),
+                     lambda: s.farthest_points(5000, progress=stop),
+                     lambda: s.network([[0, 5100, 10200]] * 20, progress=stop),
+                     lambda: s.network([], [[0, 100, 10200]] * 20, progress=stop)):
+            del seen[:]
+            with self.assertRaises(KeyboardInterrupt):
+                work()
+            self.assertEqual(len(seen), 1)
+        np.testing.assert_array_equal(s.distance(0), t.distance(0))  # nothing is spoilt
+
+    def test_points_in_faces_of_covers_are_on_all_sheets(self):
+        V = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]]
+        s = it.Surface(V, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        points = [it.Point(f, (0.2, 0.3, 0.5)) for f in range(3)] + [2]
+        expected = [s.distance(points[0], targets=[p])[0] for p in points]
+        np.testing.assert_allclose(s.pair_distances(points[0], points), expected, atol=1e-12)
+        np.testing.assert_allclose(s.pair_distances(points, points[0]), expected, atol=1e-12)
 
     def test_calls_leave_nothing_behind(self):
         s = self.s

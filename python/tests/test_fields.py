@@ -13,6 +13,9 @@ CUBE = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
         [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
          [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 
+TETRAHEDRON = ([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]],
+               [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+
 
 def grid(n=9):
     """A square of n by n vertices with a distance of 1."""
@@ -67,6 +70,66 @@ class Closed_forms(unittest.TestCase):
         np.testing.assert_allclose(field.lengths, 2, rtol=1e-12)
         np.testing.assert_allclose(np.linalg.norm(field.axes, axis=1), 1, rtol=1e-12)
 
+    def test_frames_of_flat_surfaces_are_those_of_the_plane(self):
+        frames, t = self.s.frames(), self.s.delaunay()
+        inside = (self.V[:, :2] % 8 != 0).all(axis=1)
+        x, y = frames.vertices[inside].transpose(1, 0, 2)
+        np.testing.assert_allclose(np.cross(x, y), [[0, 0, 1]] * 49, atol=1e-12)
+        corner, other = t.faces, np.roll(t.faces, -1, axis=1)
+        side = self.V[other] - self.V[corner]
+        side /= t.lengths[:, :, None]
+        turned = np.stack([np.cos(frames.angles), np.sin(frames.angles)], axis=2)
+        along = np.einsum("fka,fkac->fkc", turned, frames.vertices[corner])
+        np.testing.assert_allclose(along[inside[corner]], side[inside[corner]], atol=1e-12)
+        field = self.s.transport(self.point, [1, 2])
+        np.testing.assert_array_equal(frames.to_space(field.coordinates), field.vectors)
+        np.testing.assert_array_equal(frames.to_space(field.coordinates @ [1, 1j]), field.vectors)
+        z = np.full(81, np.nan)
+        z[40] = 3
+        vectors = frames.to_space(z)
+        np.testing.assert_allclose(vectors[40], 3 * frames.vertices[40, 0], rtol=1e-14)
+        self.assertEqual(np.isnan(vectors[:, 0]).sum(), 80)
+        np.testing.assert_allclose([1, 2] @ frames.faces[3], [*([1, 2] @ self.axes), 0],
+                                   atol=1e-12)
+
+    def test_frames_of_cones_and_corners_are_scaled(self):
+        s = it.Surface(*TETRAHEDRON)
+        for n, surface in (3, s), (4, it.Surface(*grid(2))):  # a corner of the square has 180
+            angles = surface.frames().angles
+            np.testing.assert_allclose(np.exp(1j * n * angles), 1, atol=1e-12)
+            self.assertGreater(np.ptp(angles), 1)
+        angles, glue = s.frames().angles, s.delaunay().glue
+        turns = np.exp(1j * (angles[tuple(glue.transpose(2, 0, 1))] + np.pi - angles))
+        L, corner = s.connection_laplacian().toarray(), s.delaunay().faces
+        there = L[np.roll(corner, -1, axis=1), corner]
+        np.testing.assert_allclose(-there / np.abs(there), turns, atol=1e-12)
+
+    def test_frames_of_other_surfaces(self):
+        V = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 1], [2, 1, 1]]
+        faces = it.Surface(V, [[0, 1, 2, 3], [1, 4, 2]]).frames().faces
+        self.assertTrue(np.isnan(faces[0]).all())
+        np.testing.assert_allclose(faces[1] @ faces[1].T, np.eye(2), atol=1e-12)
+        lengths = it.Surface(None, [[0, 1, 2]], lengths=[[3, 4, 5]]).frames()
+        np.testing.assert_allclose(lengths.angles, 0, atol=1e-12)
+        for array in ("vertices", "faces"):
+            with self.assertRaisesRegex(ValueError, "lengths alone"):
+                getattr(lengths, array)
+        with self.assertRaisesRegex(ValueError, "z has the shape"):
+            lengths.to_space([1j])
+        cloud = it.points(np.random.default_rng(1).normal(size=(40, 3)), neighbors=6).frames()
+        self.assertIsNone(cloud.angles)
+        x, y = cloud.vertices.transpose(1, 0, 2)
+        np.testing.assert_allclose(np.sum(x * y, axis=1), 0, atol=1e-12)
+
+    def test_traces_along_logarithms_end_at_vertices(self):
+        V, F = grid()
+        s = it.Surface(V * [1, 0.1, 0], F)  # its Delaunay triangulation has other edges
+        for p in 40, self.point:
+            for v, (x, y) in list(enumerate(s.log_map(p)))[::17]:
+                if v != p:
+                    end = s.trace(p, complex(x, y), np.hypot(x, y)).points[-1]
+                    np.testing.assert_allclose(end, s.points[v], atol=1e-9)
+
     def test_values_extend_from_the_nearest_point(self):
         values = self.s.extend([0, self.point], [2, 5])
         self.assertTrue(2 <= values.min() and values.max() <= 5)
@@ -79,6 +142,26 @@ class Closed_forms(unittest.TestCase):
         self.assertLess(loop[40], -1)
         self.assertGreater(loop[0], 1)
         np.testing.assert_array_equal(loop[[20, 22, 24, 56, 60]], 0)
+
+    def test_signed_distances_from_curves_through_faces(self):
+        V, s = self.V, self.s
+        for surface in s, it.Surface(V * [1, 0.2, 1], self.F):  # which has other edges after flips
+            V = surface.points
+            for a, b in (it.Point(40, (0.2, 0.3, 0.5)), 77), (11, it.Point(91, (0.3, 0.3, 0.4))):
+                curve = surface.path(a, b)
+                x, y = curve.points[0][:2], curve.points[-1][:2]
+                along = (y - x) / np.linalg.norm(y - x)
+                line = (V[:, :2] - x) @ [along[1], -along[0]]
+                d = surface.signed_distance(curve)
+                near = np.abs(line) < 0.3
+                self.assertTrue((np.sign(d[near]) == np.sign(line[near])).mean() > 0.8)
+            straight = surface.path(36, 44)  # along edges
+            d = surface.signed_distance(straight)
+            np.testing.assert_allclose(d, V[36, 1] - V[:, 1], atol=1e-9)
+            np.testing.assert_allclose(surface.signed_distance([straight, [36, 44]]), d, atol=1e-9)
+            np.testing.assert_array_equal(surface.signed_distance(surface.network([[36, 44]])), d)
+        line, = s.isolines(self.V[:, 0], [3.3])  # larger values on its left
+        np.testing.assert_allclose(s.signed_distance(line), 3.3 - self.V[:, 0], atol=1e-9)
 
     def test_fields_turn_as_often_as_the_surface_demands(self):
         for degree in (1, 2, 4, 6):
@@ -128,7 +211,9 @@ class Arguments(unittest.TestCase):
                 ("align", lambda: s.direction_field(4, align=-1)),
                 ("curves", lambda: s.signed_distance([])),
                 ("curves", lambda: s.signed_distance([3])),
-                (r"curves\[1\]", lambda: s.signed_distance([[0, 1], [0, 16]]))):
+                (r"curves\[1\]", lambda: s.signed_distance([[0, 1], [0, 16]])),
+                ("path", lambda: s.signed_distance([[0, it.Point(0, (0.5, 0.5, 0))]])),
+                ("another surface", lambda: s.signed_distance(it.Surface(*grid(9)).path(0, 80)))):
             with self.assertRaisesRegex(ValueError, message):
                 call()
 

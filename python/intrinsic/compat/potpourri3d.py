@@ -243,9 +243,8 @@ class _VectorHeat(_HeatDistance):
 
     def get_tangent_frames(self):
         """Returns the axes X, Y and the normals at all vertices, three arrays of shape (n, 3)."""
-        core, neighbors = self.surface._flipped(), self.surface._cloud_neighbors()
-        x = _core.axes_in_space(core, 0.0, neighbors)
-        normals = self._normals(x, _core.axes_in_space(core, np.pi / 2, neighbors))
+        x, y = self.surface.frames().vertices.transpose(1, 0, 2)
+        normals = self._normals(x, y)
         x = _unit(x - (x * normals).sum(axis=1)[:, None] * normals)
         return x, np.cross(normals, x), normals
 
