@@ -10,6 +10,7 @@
 """
 
 import argparse
+import functools
 import html.parser
 import pathlib
 import re
@@ -99,6 +100,16 @@ class Checker:
         self.pages = {file: kind.read(file, file.read_text(encoding="utf-8")) for file in files}
         self.root = root
 
+    @functools.cache  # pages name the same files again and again
+    def target(self, folder, path):
+        """The file that a path in a folder names, and why there is none, or None."""
+        if path.startswith("/"):
+            folder, path = self.root, path.lstrip("/")
+        target = (folder / path).resolve()
+        if not target.is_relative_to(self.root):
+            return target, "leads out of the folder"
+        return target, None if target.exists() else "no such file"
+
     def defect(self, file, link):
         """Why a link of a file leads nowhere, or None."""
         if DOXYGEN.match(link):
@@ -112,13 +123,9 @@ class Checker:
             return f"'{parts.scheme}:{parts.netloc}' is no known kind of link"
         target = file
         if parts.path:
-            path = urllib.parse.unquote(parts.path)
-            target = pathlib.Path(self.root / path.lstrip("/") if path.startswith("/") else file.parent / path)
-            target = target.resolve()
-            if not target.is_relative_to(self.root):
-                return "leads out of the folder"
-            if not target.exists():
-                return "no such file"
+            target, defect = self.target(file.parent, urllib.parse.unquote(parts.path))
+            if defect:
+                return defect
         elif not parts.fragment:
             return None if link == "#" else "empty"
         if parts.fragment and target in self.pages:
