@@ -178,6 +178,22 @@ TEST(Signed_heat_distance, from_a_straight_polyline_through_faces_is_that_from_i
   EXPECT_NEAR(d[to], 0, 1e-12);
 }
 
+// Its Laplacian has no entries for diagonals, which the order of edges must not miss: it took
+// minutes and all memory.
+TEST(Signed_heat_distance, from_a_side_of_a_large_grid_of_right_angles_is_exact) {
+  const int n = 200;
+  const Shape s = grid(n);
+  const Exact t(s.input());
+  std::vector<typename Exact::halfedge_descriptor> side;
+  for (const auto h : halfedges(t.mesh())) {
+    const auto i = t.input_vertex(source(h, t.mesh())), j = t.input_vertex(target(h, t.mesh()));
+    if (s.point(i).y() == 0 && s.point(j).y() == 0 && s.point(i).x() < s.point(j).x())
+      side.push_back(h);
+  }
+  const Eigen::VectorXd d = IT::Signed_heat_distance(t).distances(side);
+  for (std::uint32_t v = 0; v < s.points.size(); ++v) EXPECT_NEAR(d[v], -s.point(v).y(), 1e-6);
+}
+
 TEST(Signed_heat_distance, ends_when_the_visitor_says_so) {
   struct Visitor {
     IT::Heat_step last;
