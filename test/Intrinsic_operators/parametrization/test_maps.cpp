@@ -357,6 +357,19 @@ TEST(Injective_harmonic_map, splits_faces_on_a_side_of_a_polygon) {
             IT::Status::done);
 }
 
+TEST(Injective_harmonic_map, ends_when_the_visitor_says_so) {
+  struct Visitor {
+    bool progress(const IT::Injective_map& map) { return map.uv.size() == 0; }
+  };
+  Exact t(grid(4).input());
+  const IT::Border_map border = IT::polygonal_border(t, {{0, 0}, {1, 0}, {0, 1}});
+  const IT::Injective_map map =
+      IT::injective_harmonic_map(t, border, IT::parameters::visitor(Visitor()));
+  EXPECT_EQ(map.status, IT::Status::cancelled);
+  EXPECT_EQ(map.certificate.faces, 32U);
+  EXPECT_EQ(map.inserted, 0U);
+}
+
 // A tube of 60 rings of hexagons, closed at its end, that opens in a plane; there a vertex is pulled out. Faces of the tube come first.
 Shape tube_with_thorn(double height, double lean) {
   constexpr std::uint32_t m = 6, rings = 60, all = rings + 5;
