@@ -3,25 +3,37 @@
 """Runs the program `intrinsic` on meshes of the data set, and reads what it writes.
 
 Both are found beside the package in the build tree, or by the variables INTRINSIC_PROGRAM and
-INTRINSIC_MESHES.
+INTRINSIC_MESHES. With INTRINSIC_TWENTY_MESHES=1, tests that compare a few meshes compare all that
+they can take of the twenty below.
 """
 
 import json
 import os
 import re
 import subprocess
-import tempfile
-import tracemalloc
-import unittest
 from pathlib import Path
 
 import numpy as np
 
 import intrinsic
+from support import With_folder
 
 BUILD = Path(intrinsic.__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("INTRINSIC_PROGRAM", BUILD / "bin" / "intrinsic"))
 MESHES = Path(os.environ.get("INTRINSIC_MESHES", BUILD / "cgal_data" / "data" / "meshes"))
+
+# With one border; closed, of genus 0 to 4, some of polygons; with more borders; of several parts.
+DISKS = ("nefertiti.off", "patch-13.off", "patch-30.off", "oblong-shuffled.off", "mushroom.off")
+CLOSED = ("hand.off", "rotor.off", "anchor.off", "double-torus-example.off", "eight.off",
+          "elephant.off", "mpi.off", "cross_quad.off", "cube-meshed.off")
+CONNECTED = DISKS + CLOSED + ("head.off", "mech-holes-shark.off", "double-torus-3-holes.off",
+                              "pig.off")
+TWENTY = CONNECTED + ("ALSTOM_TEST4.off", "bones.off")
+
+
+def some(few, many):
+    """Returns names of meshes: a few, or all that a test can take if the environment asks so."""
+    return many if os.environ.get("INTRINSIC_TWENTY_MESHES") == "1" else few
 
 
 def is_there():
@@ -66,41 +78,22 @@ def polylines(path):
 
 
 def surface(path):
-    """Reads an OFF file of triangles that has a line for each element, also with colours."""
+    """Reads the vertices and the faces, as lists, of an OFF file that has a line for each element,
+    also with colours."""
     lines = [line.split() for line in path.read_text().splitlines()]
     lines = [words for words in lines if words and not words[0].startswith("#")]
     begin = 1 if len(lines[0]) == 1 else 0
     vertices, faces = int(lines[begin][0]), int(lines[begin][1])
     rows = lines[begin + 1:]
     V = np.array([words[:3] for words in rows[:vertices]], dtype=float)
-    return V, np.array([words[1:4] for words in rows[vertices:vertices + faces]], dtype=int)
+    return V, [[int(v) for v in words[1:1 + int(words[0])]]
+               for words in rows[vertices:vertices + faces]]
 
 
-class Comparison(unittest.TestCase):
+class Comparison(With_folder):
     """Has a folder of its own for what the program writes."""
 
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "x.txt"
-
-    def run_program(self, command, path, *options):
+    def numbers_of_program(self, command, path, *options):
         """Runs a command that writes numbers, and returns its statistics and these."""
-        found = run(command, path, *options, "-o", self.out)
-        return found, np.genfromtxt(self.out)
-
-
-def grown_memory(work, rounds, before=1):
-    """The bytes that Python holds more after a function was called so often, and before that."""
-    for _ in range(before):
-        work()
-    tracemalloc.start()
-    try:
-        first = tracemalloc.take_snapshot()
-        for _ in range(rounds):
-            work()
-        last = tracemalloc.take_snapshot()
-    finally:
-        tracemalloc.stop()
-    return sum(d.size_diff for d in last.compare_to(first, "filename"))
+        out = self.folder / "x.txt"
+        return run(command, path, *options, "-o", out), np.genfromtxt(out)

@@ -1,26 +1,42 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the module share: meshes, and the program `intrinsic` to compare with."""
+"""What the tests of the module share: meshes as arrays, a folder for files, a measure of memory."""
 
-import os
-import subprocess
+import gc
 import tempfile
+import tracemalloc
 import unittest
+from pathlib import Path
 
 import numpy as np
-import scipy.io
-from program import MESHES, PROGRAM
 
-PART = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "data",
-                    "part.off")
+PART = Path(__file__).resolve().parents[2] / "examples" / "data" / "part.off"
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
+CUBE = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+        [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
+         [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
+TETRAHEDRON = ([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]],
+               [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
+BOOK = ([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]],  # three pages: not manifold
+        [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
 
 
-def mesh(name):
-    """The path of a mesh of CGAL's data set; skips the test if it is not installed."""
-    path = os.path.join(MESHES, name)
-    if not os.path.exists(path):
-        raise unittest.SkipTest(f"{name} of CGAL's data set is not there")
-    return path
+def grid(n=9):
+    """A square of n by n vertices with a distance of 1."""
+    y, x = np.divmod(np.arange(n * n), n)
+    V = np.column_stack([x, y, 0 * x]).astype(float)
+    i = np.arange(n * n).reshape(n, n)[:-1, :-1].ravel()
+    F = np.column_stack([i, i + 1, i + n + 1, i, i + n + 1, i + n]).reshape(-1, 3)
+    return V, F
+
+
+def unit_grid(n):
+    """A unit square of n by n squares, which are all divided along the same diagonal."""
+    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n, indexing="ij")
+    V = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
+    corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
+    a, b, c, d = corner, corner + n + 1, corner + n + 2, corner + 1
+    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
 def bumpy(n=12, seed=1):
@@ -34,33 +50,27 @@ def bumpy(n=12, seed=1):
     return V, np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
-class Module_test(unittest.TestCase):
-    """Has a directory of its own, and runs the program there."""
+class With_folder(unittest.TestCase):
+    """Has a folder of its own."""
 
     def setUp(self):
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.directory = directory.name
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
 
-    def path(self, name):
-        return os.path.join(self.directory, name)
 
-    def run_program(self, *arguments):
-        """Runs the program, and returns what it writes to standard output."""
-        done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.directory, timeout=120,
-                              capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done.stdout
-
-    def read_matrix(self, name):
-        """A matrix that the program has written."""
-        return scipy.io.mmread(self.path(name)).tocsr()
-
-    def assert_same_matrix(self, a, b):
-        """Checks that all entries are the same numbers."""
-        self.assertEqual(a.shape, b.shape)
-        self.assertEqual((a != b).nnz, 0)
-
-    def assert_same_file(self, a, b):
-        with open(self.path(a), "rb") as first, open(self.path(b), "rb") as second:
-            self.assertTrue(first.read() == second.read(), f"{a} and {b} differ")
+def grown_memory(work, rounds, before=1):
+    """The bytes that Python holds more after a function was called so often, and before that."""
+    for _ in range(before):
+        work()
+    tracemalloc.start()
+    try:
+        gc.collect()  # what refers to itself
+        first = tracemalloc.take_snapshot()
+        for _ in range(rounds):
+            work()
+        gc.collect()
+        last = tracemalloc.take_snapshot()
+    finally:
+        tracemalloc.stop()
+    return sum(d.size_diff for d in last.compare_to(first, "filename"))

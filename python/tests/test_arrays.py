@@ -41,6 +41,14 @@ class Arrays(unittest.TestCase):
             self.assertTrue((matrix(it.Surface(v.astype(kind), F))
                              == matrix(it.Surface(v.astype(float), F))).all())
 
+    def test_words(self):
+        for name, word in (("correspondence", "signposts"), ("correspondence", "crossings"),
+                           ("correspondence", "x"), ("domain", "points"), ("arithmetic", None)):
+            with self.assertRaisesRegex(ValueError, f"{name}=.*give"):
+                it.Surface(V, F, **{name: word})
+        with self.assertRaisesRegex(ValueError, "intrinsic delaunay --correspondence signposts"):
+            it.Surface(V, F, correspondence="signposts")
+
     def test_the_plane_and_polygons(self):
         square = [[0, 0], [1, 0], [1, 1], [0, 1], [2, .5]]
         s = it.Surface(square, [[0, 1, 2, 3], [1, 4, 2]])

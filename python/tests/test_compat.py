@@ -12,7 +12,7 @@ import intrinsic as it
 from intrinsic.compat import potpourri3d as pp3d
 from intrinsic.compat import robust_laplacian
 from intrinsic.compat.pygeodesic import geodesic
-from test_fields import CUBE, grid
+from support import CUBE, grid
 
 
 def sphere(n=12):

@@ -12,22 +12,7 @@ import numpy as np
 import intrinsic as it
 import program
 from intrinsic import _distances
-
-SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]
-CUBE = ([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
-        [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6],
-         [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
-TETRAHEDRON = ([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]],
-               [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]])
-
-
-def grid(n):
-    """A unit square of n by n squares, which are all divided along the same diagonal."""
-    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n, indexing="ij")
-    V = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
-    corner = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    a, b, c, d = corner, corner + n + 1, corner + n + 2, corner + 1
-    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+from support import BOOK, CUBE, SQUARE, TETRAHEDRON, grown_memory, unit_grid
 
 
 class Closed_forms(unittest.TestCase):
@@ -45,7 +30,7 @@ class Closed_forms(unittest.TestCase):
         np.testing.assert_allclose(s.distance(0, targets=[middle, 1]), [height, edge], rtol=1e-15)
 
     def test_distances_in_a_square_are_those_in_the_plane(self):
-        V, F = grid(7)
+        V, F = unit_grid(7)
         s = it.Surface(V, F)
         for source in (0, 25, 63):
             expected = np.linalg.norm(V - V[source], axis=1)
@@ -55,19 +40,19 @@ class Closed_forms(unittest.TestCase):
                                    np.linalg.norm(V - within, axis=1), atol=1e-14)
 
     def test_a_search_ends_where_it_is_told(self):
-        V, F = grid(6)
+        V, F = unit_grid(6)
         d = it.Surface(V, F).distance(0, max_distance=0.5)
         near = np.linalg.norm(V, axis=1)
         np.testing.assert_allclose(d[near < 0.49], near[near < 0.49], atol=1e-14)
         self.assertTrue(np.isinf(d[near > 0.51]).all())
 
     def test_heat_comes_near(self):
-        V, F = grid(20)
+        V, F = unit_grid(20)
         error = it.Surface(V, F).distance(0, method="heat") - np.linalg.norm(V, axis=1)
         self.assertLess(np.abs(error).max(), 0.05)
 
     def test_pairs_and_batches_agree_with_single_searches(self):
-        V, F = grid(5)
+        V, F = unit_grid(5)
         s = it.Surface(V, F)
         A, B = np.arange(0, 36, 3), np.arange(35, -1, -3)
         for method in ("exact", "heat"):
@@ -82,7 +67,7 @@ class Closed_forms(unittest.TestCase):
                                    [s.distance(point)[4], s.distance(point)[3]], rtol=1e-14)
 
     def test_components_that_are_not_reached_are_infinitely_far(self):
-        V, F = grid(2)
+        V, F = unit_grid(2)
         s = it.Surface(np.concatenate([V, V + [3, 0, 0]]), np.concatenate([F, F + len(V)]))
         for method in ("exact", "heat"):
             d = s.distance(0, method=method)
@@ -93,7 +78,7 @@ class Closed_forms(unittest.TestCase):
 
 class Cells(unittest.TestCase):
     def test_cells_of_a_square_are_halves(self):
-        V, F = grid(4)
+        V, F = unit_grid(4)
         cells = it.Surface(V, F).voronoi([0, 4])
         np.testing.assert_allclose(cells.areas, [0.5, 0.5], rtol=1e-12)
         boundary, = cells.boundaries
@@ -103,12 +88,12 @@ class Cells(unittest.TestCase):
         np.testing.assert_array_equal(cells.labels[V[:, 1] < 0.4], 0)
 
     def test_sets_of_sources_share_a_cell(self):
-        V, F = grid(4)
+        V, F = unit_grid(4)
         cells = it.Surface(V, F).voronoi([[0, 4], [20, 24]], tolerance=1e-6)
         np.testing.assert_allclose(cells.areas, [0.5, 0.5], rtol=1e-9)
 
     def test_three_cells_meet_at_a_junction(self):
-        V, F = grid(4)
+        V, F = unit_grid(4)
         cells = it.Surface(V, F).voronoi([0, 4, 22])
         self.assertEqual(len(cells.junctions.cells), 1)
         self.assertEqual(set(cells.junctions.cells[0]), {0, 1, 2})
@@ -117,7 +102,7 @@ class Cells(unittest.TestCase):
         np.testing.assert_allclose(distances, distances[0], atol=1e-3)
 
     def test_farthest_points_of_a_square_are_its_corners(self):
-        V, F = grid(6)
+        V, F = unit_grid(6)
         found = it.Surface(V, F).farthest_points(4)
         self.assertEqual(set(found.vertices), {0, 6, 42, 48})
         self.assertAlmostEqual(found.radius, np.sqrt(0.5), 13)
@@ -125,7 +110,7 @@ class Cells(unittest.TestCase):
 
 class Arguments(unittest.TestCase):
     def setUp(self):
-        self.s = it.Surface(*grid(2))
+        self.s = it.Surface(*unit_grid(2))
 
     def test_results_go_where_the_caller_wants_them(self):
         expected = self.s.distances([0, 4, 8])
@@ -175,7 +160,7 @@ class Arguments(unittest.TestCase):
                 call()
 
     def test_isolated_vertices_are_no_sources(self):
-        V, F = grid(1)
+        V, F = unit_grid(1)
         s = it.Surface(np.concatenate([V, [[5, 5, 5]]]), F)
         self.assertTrue(np.isinf(s.distance(0)[4]))
         with self.assertRaisesRegex(ValueError, "isolated"):
@@ -188,7 +173,7 @@ class Arguments(unittest.TestCase):
             seen.append(stage)
             raise KeyboardInterrupt
 
-        s = it.Surface(*grid(100))
+        s = it.Surface(*unit_grid(100))
         t = s.delaunay()
         for work in (lambda: s.distances(range(2000), progress=stop),
                      lambda: s.farthest_points(5000, progress=stop),
@@ -201,8 +186,7 @@ class Arguments(unittest.TestCase):
         np.testing.assert_array_equal(s.distance(0), t.distance(0))  # nothing is spoilt
 
     def test_points_in_faces_of_covers_are_on_all_sheets(self):
-        V = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]]
-        s = it.Surface(V, [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+        s = it.Surface(*BOOK)
         points = [it.Point(f, (0.2, 0.3, 0.5)) for f in range(3)] + [2]
         expected = [s.distance(points[0], targets=[p])[0] for p in points]
         np.testing.assert_allclose(s.pair_distances(points[0], points), expected, atol=1e-12)
@@ -219,21 +203,21 @@ class Arguments(unittest.TestCase):
             s.voronoi([0, 8])
             s.farthest_points(3)
 
-        self.assertLess(program.grown_memory(work, 100, before=5), 50_000)
+        self.assertLess(grown_memory(work, 100, before=5), 50_000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
 class Same_as_the_program(program.Comparison):
-    names = ("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
-             "cross_quad.off")
+    names = program.some(("eight.off", "elephant.off", "cube-meshed.off", "mech-holes-shark.off",
+                          "cross_quad.off"), program.TWENTY)
 
     def test_distances(self):
         for name in self.names:
             path, V, F = program.mesh(name)
-            s = it.Surface(V, F)
             sources = [len(V) // 3, len(V) // 2]
             text = ",".join(map(str, sources))
             for method in ("exact", "heat"):
+                s = it.Surface(V, F)  # a search sharpens what is stored
                 program.run("distance", path, "--method", method, "--source", text, "--on",
                             "intrinsic", "-o", self.folder / "d.txt")
                 expected = np.loadtxt(self.folder / "d.txt")

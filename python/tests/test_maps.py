@@ -10,7 +10,7 @@ import numpy as np
 
 import intrinsic as it
 import program
-from test_fields import CUBE, grid
+from support import CUBE, grid, grown_memory
 
 
 def bent(n=9):
@@ -176,20 +176,21 @@ class Arguments(unittest.TestCase):
             s.eigen(3)
             s.deform({0: [0, 0, 1]})
 
-        self.assertLess(program.grown_memory(work, 50), 20000)
+        self.assertLess(grown_memory(work, 50), 20000)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
 class As_the_program(program.Comparison):
-    DISKS = "nefertiti.off", "patch-30.off", "mushroom.off"
-    CLOSED = "hand.off", "rotor.off", "anchor.off", "double-torus-example.off"
+    DISKS = program.some(("nefertiti.off", "patch-30.off", "mushroom.off"), program.DISKS)
+    CLOSED = program.some(("hand.off", "rotor.off", "anchor.off", "double-torus-example.off"),
+                          program.CLOSED)
 
     def test_maps_to_the_plane(self):
         for name in self.DISKS:
             path, V, F = program.mesh(name)
             s = it.Surface(V, F)
             for method in ("harmonic", "lscm", "spectral"):
-                found, expected = self.run_program("parametrize", path, "--method", method)
+                found, expected = self.numbers_of_program("parametrize", path, "--method", method)
                 m, found = s.parametrize(method), found["parametrize"]
                 np.testing.assert_array_equal(m.uv, expected, f"{name} {method}")
                 self.assertEqual(m.injective_on_input, found["injective_on_input"])
@@ -203,7 +204,7 @@ class As_the_program(program.Comparison):
         for name in "rotor.off", "double-torus-example.off", "hand.off":
             path, V, F = program.mesh(name)
             for method in ("harmonic", "spectral"):
-                found, expected = self.run_program("parametrize", path, "--method", method,
+                found, expected = self.numbers_of_program("parametrize", path, "--method", method,
                                                    "--cut", "auto")
                 m = it.Surface(V, F).parametrize(method, cut="auto")
                 np.testing.assert_allclose(m.uv, expected[:, :2], atol=1e-9, err_msg=name)
@@ -220,7 +221,7 @@ class As_the_program(program.Comparison):
                     options = ("--start", start) + (() if cones is None else ("--cones", cones))
                     if cones is None and name in self.CLOSED[2:]:
                         continue  # no flat metric
-                    found, expected = self.run_program("uniformize", path, *options)
+                    found, expected = self.numbers_of_program("uniformize", path, *options)
                     m, found = s.uniformize(cones=cones, start=start), found["conformal"]
                     np.testing.assert_array_equal(m.u, expected, f"{name} {start} {cones}")
                     self.assertEqual((m.status, m.iterations, m.flips, m.proven_residual),
@@ -240,7 +241,7 @@ class As_the_program(program.Comparison):
     def test_eigenfunctions(self):
         for name in self.DISKS + self.CLOSED:
             path, V, F = program.mesh(name)
-            found, expected = self.run_program("eigen", path, "--count", 5)
+            found, expected = self.numbers_of_program("eigen", path, "--count", 5)
             values, functions = it.Surface(V, F).eigen(5)
             np.testing.assert_array_equal(functions, expected, name)
             np.testing.assert_array_equal(values, found["eigen"]["values"], name)
@@ -251,7 +252,7 @@ class As_the_program(program.Comparison):
             path, V, F = program.mesh(name)
             s = it.Surface(V, F)
             for energy in ("harmonic", "biharmonic"):
-                _, expected = self.run_program("edit", path, "--energy", energy, "--handles",
+                _, expected = self.numbers_of_program("edit", path, "--energy", energy, "--handles",
                                                self.folder / "h.txt")
                 found = s.deform([3, 8], [[0, 0, 0], [1, 2, 3]], energy=energy)
                 np.testing.assert_array_equal(found, expected, f"{name} {energy}")

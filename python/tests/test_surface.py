@@ -12,17 +12,16 @@ import subprocess
 import sys
 import threading
 import time
-import tracemalloc
 import unittest
 
 import intrinsic as it
 import numpy as np
-from support import PART, Module_test, bumpy
+from support import BOOK, PART, With_folder, bumpy, grown_memory
 
 V, F = bumpy()
 
 
-class Values(Module_test):
+class Values(With_folder):
     def assert_same(self, a, b):
         self.assertTrue((a.faces == b.faces).all())
         self.assertTrue((a.lengths == b.lengths).all())
@@ -37,8 +36,8 @@ class Values(Module_test):
                 for other in (copy.copy(t), copy.deepcopy(t), t.copy(),
                               pickle.loads(pickle.dumps(t))):
                     self.assert_same(t, other)
-        t.save(self.path("t.idt"))
-        self.assert_same(t, it.load(self.path("t.idt")))
+        t.save(self.folder / "t.idt")
+        self.assert_same(t, it.load(self.folder / "t.idt"))
 
     def test_methods_change_nothing(self):
         s = it.Surface(V, F)
@@ -93,16 +92,15 @@ class Values(Module_test):
         self.assertEqual(s.laplacian().shape, (300, 300))
         self.assertLess(abs(s.mass().sum() - 4 * np.pi), 0.5)
         self.assertEqual(s.report["domain"]["kind"], "points")
-        three = it.Surface([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]],
-                           [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
-        self.assertEqual(three.report["domain"]["kind"], "tufted")
-        self.assertEqual(three.mass().shape, (5, 5))
+        book = it.Surface(*BOOK)
+        self.assertEqual(book.report["domain"]["kind"], "tufted")
+        self.assertEqual(book.mass().shape, (5, 5))
 
     def test_pages(self):
         page = it.Surface(V, F).delaunay().html()
         self.assertIn("<html", page)
         self.assertIn("iframe", it.Surface(V, F)._repr_html_())
-        path = it.Surface(V, F).show(self.path("page.html"), open_browser=False)
+        path = it.Surface(V, F).show(self.folder / "page.html", open_browser=False)
         self.assertGreater(os.path.getsize(path), 1000)
 
 
@@ -112,7 +110,7 @@ def _integral(u):
     return (u[F].mean(axis=1) * area).sum()
 
 
-class Work(Module_test):
+class Work(With_folder):
     def test_progress(self):
         calls = []
         s = it.Surface(*bumpy(60))
@@ -177,19 +175,10 @@ class Work(Module_test):
                 except ValueError:
                     pass
 
-        for _ in range(20):
-            everything()
+        grown_memory(everything, 20)
         gc.collect()
-        tracemalloc.start()
-        before, resident = tracemalloc.take_snapshot(), _resident()
-        for _ in range(300):
-            everything()
-        gc.collect()
-        after = tracemalloc.take_snapshot()
-        tracemalloc.stop()
-        growth = sum(d.size_diff for d in after.compare_to(before, "filename")
-                     if "tracemalloc" not in d.traceback[0].filename)
-        self.assertLess(growth, 100_000)
+        resident = _resident()
+        self.assertLess(grown_memory(everything, 300, before=0), 100_000)
         self.assertLess(_resident() - resident, 8_000_000)  # one page for each of the calls is more
 
     def test_import_is_fast_and_takes_no_scipy(self):
