@@ -12,8 +12,9 @@
 from ._curve import Curve, Cut, Network
 from ._distances import FarthestPoints, Voronoi
 from ._points import Point
+from ._sources import load, points, read
 from ._subdivision import CommonSubdivision
-from ._surface import Surface, load, points, read
+from ._surface import Surface
 
 __all__ = ["CommonSubdivision", "Curve", "Cut", "FarthestPoints", "Network", "Point", "Surface",
            "Voronoi", "load", "points", "read"]

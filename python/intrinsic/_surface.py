@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The class `Surface`, and how surfaces come from files."""
+"""The class `Surface`."""
 
 import json
 import os
@@ -8,21 +8,17 @@ import threading
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
 from ._maps import _Maps
+from ._pages import _Pages
 from ._points import place_arrays
 from ._subdivision import CommonSubdivision
 
-_DOMAINS = ("auto", "manifold", "orientation-cover", "tufted", "closed")
-_ARITHMETICS = ("exact", "double")
-_MOLLIFICATIONS = ("automatic", "none", "lengths", "squared")
-_POLYGONS = ("fan", "planar")
 
-
-class Surface(_Distances, _Curves, _Fields, _Maps):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is
@@ -40,6 +36,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
         domain: what is made of faces: "manifold", or a cover if that cannot be:
             "orientation-cover", "tufted"; "closed" is the first of them without border.
         arithmetic: "exact", or "double", which is not faster by much.
+        correspondence: "integer", which says where edges run on the mesh.
         mollification: of faces without area: "automatic", "none", "lengths" or "squared".
         polygons: what is made of polygons that are not planar: "fan" or "planar".
 
@@ -55,11 +52,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
 
     def __init__(self, V, F, *, lengths=None, glue=None, domain="auto", arithmetic="exact",
                  correspondence="integer", mollification="automatic", polygons="fan"):
-        _arrays.expect_word(correspondence, "correspondence", ("integer",))
-        _arrays.expect_word(domain, "domain", _DOMAINS)
-        _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
-        _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
-        _arrays.expect_word(polygons, "polygons", _POLYGONS)
+        _options.expect_correspondence(correspondence)
+        _options.expect(domain=domain, arithmetic=arithmetic, mollification=mollification,
+                        polygons=polygons)
         exact = arithmetic == "exact"
         if lengths is None:
             if glue is not None:
@@ -71,7 +66,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
                                  "with intrinsic.points(V)")
             self._set(_core.build(points, corners, begins, domain, exact, mollification, polygons))
             return
-        self._set(_core.build_abstract(*_abstract_arrays(V, F, lengths, glue), domain, exact,
+        self._set(_core.build_abstract(*_options.abstract_arrays(V, F, lengths, glue), domain, exact,
                                        mollification))
 
     def _set(self, core):
@@ -105,7 +100,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
             progress: called about ten times in a second with what is being done and a number, such
                 as ("flipping to Delaunay", 1234). What it raises ends the work, as Ctrl-C does.
         """
-        return Surface._of(_core.delaunay(self._core, *_kept(keep), progress))
+        return Surface._of(_core.delaunay(self._core, *_options.kept(keep), progress))
 
     def refine(self, *, min_angle=25, size=None, max_circumradius=None, max_insertions=None,
                order="first-come", conforming=False, keep=None, odt_length=None, progress=None):
@@ -129,7 +124,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
             if len(sizes) and not sizes.min() > 0:
                 raise ValueError(f"size[{sizes.argmin()}] is {sizes.min()}; give positive lengths")
         return Surface._of(_core.refine(self._core, min_angle, sizes, longest, max_circumradius,
-                                        max_insertions, order, conforming, *_kept(keep),
+                                        max_insertions, order, conforming, *_options.kept(keep),
                                         odt_length or 0., progress))
 
     def adapt(self, source=0, *, heat_time=0, tolerance=0.01, max_vertices=100000, min_angle=25,
@@ -142,7 +137,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
         """
         source = int(_arrays.indices(source, "source", (), count=self.number_of_input_vertices))
         return Surface._of(_core.adapt(self._core, source, heat_time, tolerance, max_vertices,
-                                       min_angle, *_kept(keep), progress))
+                                       min_angle, *_options.kept(keep), progress))
 
     # ---- The triangulation ----------------------------------------------------------------------
 
@@ -263,7 +258,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
         """
         return CommonSubdivision(_core.common_subdivision(self._core))
 
-    # ---- Keeping and showing --------------------------------------------------------------------
+    # ---- Keeping --------------------------------------------------------------------------------
 
     def save(self, path):
         """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it."""
@@ -283,113 +278,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
         """Returns a surface with its own lock and cache, for another thread."""
         return self.__copy__()
 
-    def html(self, *, megabytes=30):
-        """Returns a page for browsers that shows the triangulation on the surface."""
-        return _core.page(self._core, megabytes)
-
-    def show(self, path=None, *, open_browser=True):
-        """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
-        import tempfile
-        import webbrowser
-
-        if path is None:
-            handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
-            os.close(handle)
-        with open(path, "w", encoding="utf-8") as page:
-            page.write(self.html())
-        if open_browser:
-            webbrowser.open("file://" + os.path.abspath(path))
-        return path
-
-    def _repr_html_(self):
-        if self._core.points is None:
-            return None
-        import html
-
-        page = html.escape(self.html(megabytes=8), quote=True)
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
-
-    def to_pyvista(self):
-        """Returns the common subdivision as a pyvista.PolyData, if PyVista is installed."""
-        return self.common_subdivision().to_pyvista()
-
     def __repr__(self):
         return f"<intrinsic.Surface: {self.number_of_vertices} vertices, " \
                f"{self.number_of_faces} faces>"
 
 
-def _kept(keep):
-    """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None."""
-    if keep is None:
-        return None, None
-    if np.ndim(keep) == 0:
-        return None, float(_arrays.numbers(keep, "keep", ()))
-    return _arrays.indices(keep, "keep", (None, 2)), None
-
-
-def _abstract_arrays(V, F, lengths, glue):
-    faces = _arrays.indices(F, "F", (None, 3))
-    points = None
-    if V is None:
-        vertices = int(faces.max()) + 1 if faces.size else 0
-    elif np.ndim(V) == 0:
-        vertices = int(_arrays.indices(V, "V", ()))
-    else:
-        points = _arrays.points(V, "V")
-        vertices = len(points)
-    faces = _arrays.indices(faces, "F", count=vertices)
-    lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))
-    if lengths.size and lengths.min() < 0:
-        at = tuple(int(i) for i in np.argwhere(lengths < 0)[0])
-        raise ValueError(f"lengths[{at[0]}, {at[1]}] is {lengths[at]}; give lengths from 0")
-    if glue is not None:
-        glue = _arrays.indices(glue, "glue", (len(faces), 3, 2))
-        if glue.size and not (-1 <= glue.min() and glue[..., 0].max() < len(faces)
-                              and glue[..., 1].max() < 3):
-            raise ValueError(f"glue has a side that does not exist; give faces below {len(faces)} "
-                             "and sides from 0 to 2, or -1 for both")
-    return vertices, faces, lengths, glue, points
-
-
 def _restored(contents, exact, name, is_flipped, points):
     return Surface._of(_core.restore(contents, exact, name, is_flipped, points))
-
-
-def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="fan",
-         neighbors=None, progress=None):
-    """Reads a mesh (OFF, OBJ, PLY, STL, TS), points (XYZ, PWN) or a triangulation (IDT).
-
-    Options are those of `Surface`; `domain` may also be "points", which ignores faces, with
-    `neighbors` of each point.
-    """
-    _arrays.expect_word(domain, "domain", _DOMAINS + ("points",))
-    _arrays.expect_word(polygons, "polygons", _POLYGONS)
-    if arithmetic is not None:
-        _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
-    if mollification is not None:
-        _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
-    path = os.fspath(path)
-    if not os.path.exists(path):
-        raise FileNotFoundError(f"{path} does not exist")
-    return Surface._of(_core.read(path, domain, arithmetic, mollification, polygons, neighbors,
-                                  progress))
-
-
-def load(path):
-    """Reads what `Surface.save()` has written."""
-    return read(path)
-
-
-def points(P, *, neighbors=30, arithmetic="exact", mollification="automatic"):
-    """Makes a surface of points near a surface in space, of shape (n, 3).
-
-    The nearest `neighbors` of each point are triangulated around it; the union of the triangles is
-    covered. Matrices have a row for each point.
-    """
-    _arrays.expect_word(arithmetic, "arithmetic", _ARITHMETICS)
-    _arrays.expect_word(mollification, "mollification", _MOLLIFICATIONS)
-    neighbors = int(_arrays.indices(neighbors, "neighbors", ()))
-    if neighbors < 2:
-        raise ValueError(f"neighbors is {neighbors}; give two at least")
-    return Surface._of(_core.points(_arrays.points(P, "P"), neighbors, arithmetic == "exact",
-                                    mollification))

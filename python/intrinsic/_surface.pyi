@@ -12,6 +12,7 @@ from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
 from ._maps import _Maps
+from ._pages import _Pages
 from ._points import Point
 from ._subdivision import CommonSubdivision
 
@@ -20,7 +21,7 @@ _Mollification = Literal["automatic", "none", "lengths", "squared"]
 _Polygons = Literal["fan", "planar"]
 _Progress = Callable[[str, int], object]
 
-class Surface(_Distances, _Curves, _Fields, _Maps):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     def __init__(self, V: ArrayLike | None, F: ArrayLike | Sequence[ArrayLike], *,
                  lengths: ArrayLike | None = ..., glue: ArrayLike | None = ...,
                  domain: Literal["auto", "manifold", "orientation-cover", "tufted",
@@ -72,16 +73,3 @@ class Surface(_Distances, _Curves, _Fields, _Maps):
     def common_subdivision(self) -> CommonSubdivision: ...
     def save(self, path: str | PathLike[str]) -> None: ...
     def copy(self) -> Surface: ...
-    def html(self, *, megabytes: float = ...) -> str: ...
-    def show(self, path: str | PathLike[str] | None = ..., *, open_browser: bool = ...) -> str: ...
-    def to_pyvista(self) -> Any: ...
-
-def read(path: str | PathLike[str], *,
-         domain: Literal["auto", "manifold", "orientation-cover", "tufted", "closed",
-                         "points"] = ...,
-         arithmetic: _Arithmetic | None = ..., mollification: _Mollification | None = ...,
-         polygons: _Polygons = ..., neighbors: int | None = ...,
-         progress: _Progress | None = ...) -> Surface: ...
-def load(path: str | PathLike[str]) -> Surface: ...
-def points(P: ArrayLike, *, neighbors: int = ..., arithmetic: _Arithmetic = ...,
-           mollification: _Mollification = ...) -> Surface: ...

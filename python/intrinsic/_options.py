@@ -1,0 +1,62 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Options of surfaces, checked."""
+
+import numpy as np
+
+from . import _arrays
+
+_WORDS = {
+    "domain": ("auto", "manifold", "orientation-cover", "tufted", "closed"),
+    "arithmetic": ("exact", "double"),
+    "mollification": ("automatic", "none", "lengths", "squared"),
+    "polygons": ("fan", "planar"),
+}
+
+
+def expect(**options):
+    """Checks the words that options of a surface have."""
+    for name, x in options.items():
+        _arrays.expect_word(x, name, _WORDS[name])
+
+
+def expect_correspondence(x):
+    """Checks a correspondence: the module has one of those that the library has."""
+    if x in ("signposts", "crossings"):
+        raise ValueError(f'correspondence="{x}" exists in C++ and in the program, `intrinsic '
+                         f'delaunay --correspondence {x}`; give "integer" in Python')
+    _arrays.expect_word(x, "correspondence", ("integer",))
+
+
+def kept(keep):
+    """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None."""
+    if keep is None:
+        return None, None
+    if np.ndim(keep) == 0:
+        return None, float(_arrays.numbers(keep, "keep", ()))
+    return _arrays.indices(keep, "keep", (None, 2)), None
+
+
+def abstract_arrays(V, F, lengths, glue):
+    """Returns the number of vertices, and arrays of faces, lengths, glued sides and points."""
+    faces = _arrays.indices(F, "F", (None, 3))
+    points = None
+    if V is None:
+        vertices = int(faces.max()) + 1 if faces.size else 0
+    elif np.ndim(V) == 0:
+        vertices = int(_arrays.indices(V, "V", ()))
+    else:
+        points = _arrays.points(V, "V")
+        vertices = len(points)
+    faces = _arrays.indices(faces, "F", count=vertices)
+    lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))
+    if lengths.size and lengths.min() < 0:
+        at = tuple(int(i) for i in np.argwhere(lengths < 0)[0])
+        raise ValueError(f"lengths[{at[0]}, {at[1]}] is {lengths[at]}; give lengths from 0")
+    if glue is not None:
+        glue = _arrays.indices(glue, "glue", (len(faces), 3, 2))
+        if glue.size and not (-1 <= glue.min() and glue[..., 0].max() < len(faces)
+                              and glue[..., 1].max() < 3):
+            raise ValueError(f"glue has a side that does not exist; give faces below {len(faces)} "
+                             "and sides from 0 to 2, or -1 for both")
+    return vertices, faces, lengths, glue, points

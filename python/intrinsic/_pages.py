@@ -1,0 +1,39 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces as pages for browsers and notebooks."""
+
+import os
+
+from . import _core
+
+
+class _Pages:
+    def html(self, *, megabytes=30):
+        """Returns a page for browsers that shows the triangulation on the surface."""
+        return _core.page(self._core, megabytes)
+
+    def show(self, path=None, *, open_browser=True):
+        """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
+        import tempfile
+        import webbrowser
+
+        if path is None:
+            handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
+            os.close(handle)
+        with open(path, "w", encoding="utf-8") as page:
+            page.write(self.html())
+        if open_browser:
+            webbrowser.open("file://" + os.path.abspath(path))
+        return path
+
+    def _repr_html_(self):
+        if self._core.points is None:
+            return None
+        import html
+
+        page = html.escape(self.html(megabytes=8), quote=True)
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
+
+    def to_pyvista(self):
+        """Returns the common subdivision as a pyvista.PolyData, if PyVista is installed."""
+        return self.common_subdivision().to_pyvista()

@@ -1,0 +1,45 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces of files, and of points alone."""
+
+import os
+
+from . import _arrays, _core, _options
+from ._surface import Surface
+
+
+def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="fan",
+         neighbors=None, progress=None):
+    """Reads a mesh (OFF, OBJ, PLY, STL, TS), points (XYZ, PWN) or a triangulation (IDT).
+
+    Options are those of `Surface`; `domain` may also be "points", which ignores faces, with
+    `neighbors` of each point.
+    """
+    given = {"domain": domain, "arithmetic": arithmetic, "mollification": mollification}
+    left_out = {"domain": "points", "arithmetic": None, "mollification": None}
+    _options.expect(polygons=polygons,
+                    **{name: x for name, x in given.items() if x != left_out[name]})
+    path = os.fspath(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(f"{path} does not exist")
+    return Surface._of(_core.read(path, domain, arithmetic, mollification, polygons, neighbors,
+                                  progress))
+
+
+def load(path):
+    """Reads what `Surface.save()` has written."""
+    return read(path)
+
+
+def points(P, *, neighbors=30, arithmetic="exact", mollification="automatic"):
+    """Makes a surface of points near a surface in space, of shape (n, 3).
+
+    The nearest `neighbors` of each point are triangulated around it; the union of the triangles is
+    covered. Matrices have a row for each point.
+    """
+    _options.expect(arithmetic=arithmetic, mollification=mollification)
+    neighbors = int(_arrays.indices(neighbors, "neighbors", ()))
+    if neighbors < 2:
+        raise ValueError(f"neighbors is {neighbors}; give two at least")
+    return Surface._of(_core.points(_arrays.points(P, "P"), neighbors, arithmetic == "exact",
+                                    mollification))
