@@ -135,6 +135,6 @@ class _Curves:
         curves = [curves] if isinstance(curves, Curve) else list(curves)
         for i, curve in enumerate(curves):
             if not isinstance(curve, Curve):
-                raise ValueError(f"curves[{i}] is no Curve; give what path(), isolines() and "
+                raise ValueError(f"curves[{i}] is not a Curve; give what path(), isolines() and "
                                  "others return")
         return Cut(_core.cut_ways(self._core, [c._way for c in curves]), users)

@@ -51,8 +51,8 @@ std::string levels_misuse(const std::string& text) {
     return std::string("there are too many levels; give ") + most + " at most";
   for (const double x : levels)
     if (std::isnan(x))
-      return internal::shown(text) +
-             ": this is no list of levels; give how many there are, or numbers separated by commas";
+      return internal::shown(text) + ": this is not a list of levels; give how many there are, or "
+                                     "numbers separated by commas";
   return {};
 }
 

@@ -22,7 +22,7 @@ void expect_disks(const IT::Input& surface) {
   const Input_facts facts = facts_of(surface.mesh());
   std::string what;
   if (surface.names().sheets > 1)
-    what = "is no oriented manifold";
+    what = "is not an oriented manifold";
   else if (facts.nonmanifold_vertices > 0)
     what = "has parts that meet at a vertex only";
   else if (facts.genus != 0)

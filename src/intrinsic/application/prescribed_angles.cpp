@@ -52,7 +52,7 @@ void set(IT::Prescribed_angles& angles, std::size_t vertex, const Text_lines& li
   else if (const auto multiple = multiple_of_pi(text))
     angles.set(vertex, *multiple);
   else if (text.find("pi") != std::string_view::npos)
-    lines.refuse("\"" + std::string(text) + "\" is no angle; write multiples of pi as 3/2pi");
+    lines.refuse("\"" + std::string(text) + "\" is not an angle; write multiples of pi as 3/2pi");
   else if (const double radians = lines.number(word); radians > 0)
     angles.set(vertex, radians);
   else

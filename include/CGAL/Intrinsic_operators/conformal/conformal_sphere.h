@@ -73,7 +73,7 @@ hyperbolic space puts the mean of the vertices, weighted by their areas, to the 
   one in the thickest part does not
 \return the map; `metric.status` tells whether a metric was found
 \throws Invalid_input if the surface is not a closed sphere, or the triangles without the pole are
-  no disk; see `lay_out_on_sphere()`
+  not a disk; see `lay_out_on_sphere()`
 \complexity that of `conformal_metric()` for each of at most 21 rounds, usually two to five, and of
   `lay_out_on_sphere()`, for each pole that is tried
 */

@@ -69,7 +69,7 @@ struct Side_pairings {
   double largest_seam_error = 0;
   /// \brief How far products of motions are from the identity.
   ///
-  /// Around each vertex of the cut that is no cone, the motions of the seams there have the product
+  /// Around each vertex of the cut that is not a cone, the motions of the seams there have the product
   /// 1: the relations of the group. This is the largest distance of entries of a product, in the
   /// frame of the vertex, from those of plus or minus the unit matrix.
   double largest_relation_error = 0;
@@ -110,8 +110,8 @@ is a sign of rational numbers.
 \param s the surface with hyperbolic lengths, such as `hyperbolic_surface()` returns
 \param cones the vertices inside where angles do not sum to 2 pi
 \param centers how many faces are tried as centres of the cut
-\return the layout. Where the surface is no hyperbolic plane at a vertex that is not a cone, the
-  errors tell
+\return the layout. Its errors tell where the surface is not hyperbolic at a vertex that is not a
+  cone
 \throws Invalid_input if the surface is not oriented, or no triangle has the sides of a face
 \pre `validate(s.gluing)` does not throw
 \complexity that of `cut_to_round_disk()`, and linear

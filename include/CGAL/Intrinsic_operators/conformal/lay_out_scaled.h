@@ -95,7 +95,7 @@ that of `cut_to_disk()`, of hyperbolic surfaces that of `cut_to_round_disk()`.
 \param surface the surface
 \param torus none, or the torus that it is: coordinates are then in the basis of its translations
 \return the layout
-\throws Invalid_input if the surface is a cover that is no double, and has no front
+\throws Invalid_input if the surface is a cover but not a double, and so has no front
 \complexity that of a sparse factorization, and n log n
 */
 Scaled_layout lay_out_scaled(const Scaled_surface& surface, const Flat_torus* torus = nullptr);

@@ -80,9 +80,10 @@ Surface_to_cut without_star(const Surface_to_cut& s, std::uint32_t pole) {
 Flat_layout planar_rest(const Surface_to_cut& s, std::uint32_t pole) {
   const Surface_to_cut rest = without_star(s, pole);
   const auto fail = [pole] {
-    throw Invalid_input::about(Element_kind::vertex, pole,
-                               " cannot be at infinity: the triangles without it are no disk with "
-                               "all other vertices; choose another vertex");
+    throw Invalid_input::about(
+        Element_kind::vertex, pole,
+        " cannot be at infinity: the triangles without it are not a disk with "
+        "all other vertices; choose another vertex");
   };
   std::vector<char> is_used(s.gluing.number_of_vertices, 1); // or isolated
   for (const std::uint32_t v : s.gluing.origin) is_used[v] = 0;

@@ -34,9 +34,9 @@ static double squared_spacing(const Face_table& table) {
       [](const Table_face& f, std::size_t k) { return f.squared_lengths[k] / 4; });
 }
 
-// Where vertices are eliminated: in the Laplacian, or in a matrix with entries for all edges, if the
-// Laplacian lacks those opposite of right angles. (Without them, the factor of edges of a square
-// grid of 22,000 vertices took 12 s and gigabytes.)
+// Where vertices are eliminated: in the Laplacian, or, if that lacks entries of edges opposite of
+// right angles, in a matrix with entries of all edges. (The order of the Laplacian of a square grid
+// of 6,400 vertices took 2 s and half a gigabyte for the factor of edges, this one 0.05 s.)
 static std::vector<int> elimination_places(const Face_table& table, Pinned_laplacian& poisson) {
   const Eigen::SparseMatrix<double>& laplacian = *poisson.laplacian();
   std::vector<Eigen::Triplet<double>> entries;
