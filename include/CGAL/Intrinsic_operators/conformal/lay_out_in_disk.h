@@ -69,9 +69,9 @@ struct Side_pairings {
   double largest_seam_error = 0;
   /// \brief How far products of motions are from the identity.
   ///
-  /// Around each vertex of the cut that is not a cone, the motions of the seams there have the product
-  /// 1: the relations of the group. This is the largest distance of entries of a product, in the
-  /// frame of the vertex, from those of plus or minus the unit matrix.
+  /// Around each vertex of the cut that is not a cone, the motions of the seams there have the
+  /// product 1: the relations of the group. This is the largest distance of entries of a product,
+  /// in the frame of the vertex, from those of plus or minus the unit matrix.
   double largest_relation_error = 0;
 };
 

@@ -62,8 +62,8 @@ search along each step. The minimum exists if no point has half of all the weigh
 \param pole the vertex to put to infinity
 \param weights a weight per vertex, such as its area; empty: all are equal
 \return the layout
-\throws Invalid_input if the surface is not closed or no sphere, if the triangles without the pole
-  are not a disk with all other vertices, if sizes disagree or a weight is negative or not finite, and
+\throws Invalid_input if the surface is not a closed sphere, if the triangles without the pole are
+  not a disk with all other vertices, if sizes disagree or a weight is negative or not finite, and
   as `lay_out_in_plane()` does
 \pre `validate(s.gluing)` does not throw
 \complexity that of a sparse factorization, and linear in the number of steps, at most 100
