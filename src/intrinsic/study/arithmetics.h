@@ -29,8 +29,7 @@ struct Registered_arithmetic {
   Registered_arithmetic(std::string name, void (*study)(Study_run&));
 };
 
-// Kinds of arithmetics, each in a translation unit of its own, to compile in little memory. Only
-// these units contain the names.
+// Kinds of arithmetics, each in a source of its own. Only these sources contain the names.
 
 /// returns the arithmetics of the processor, with and without tolerances.
 std::vector<Arithmetic> hardware_arithmetics();
