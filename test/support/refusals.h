@@ -45,6 +45,14 @@ std::string refusal(const Make& make) {
   }
 }
 
+/// Expects that something is refused with a text in the message.
+template <class Make>
+void expect_refusal(const Make& make, const std::string& text) {
+  const std::string message = refusal(make);
+  EXPECT_NE(message.find(text), std::string::npos)
+      << (message.empty() ? "not refused: " + text : message);
+}
+
 } // namespace refusals
 
 #endif // INTRINSIC_TRIANGULATIONS_TEST_REFUSALS_H

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-from make_map_figures import RED, SIZE, Picture, fit, light_of, middle, read_obj, seen
+from make_map_figures import SIZE, Picture, draw
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 LIGHT, DARK = (250, 246, 236), (84, 124, 168)
@@ -32,7 +32,9 @@ def clipped(corners, k, least):
 
 
 def squares(corners, size):
-    """The parts of a polygon in the squares of a checkerboard, each with its colour."""
+    """The parts of a polygon in the squares of a checkerboard, each with its colour; `size` is that
+    of the board."""
+    size /= SQUARES
     column = math.floor(min(c[2][0] for c in corners) / size)
     while len(corners) > 2:
         column += 1
@@ -45,30 +47,6 @@ def squares(corners, size):
                 yield part, DARK if (column + row) % 2 else LIGHT
 
 
-def draw(picture, file, left, turn, tilt):
-    points, places, faces = read_obj(file)
-    places = [(u, -v) for u, v in places]
-    square = max(max(p[k] for p in places) - min(p[k] for p in places) for k in (0, 1)) / SQUARES
-    eye = seen(points, turn, tilt)
-    panel, plane = fit(eye, left), fit(places, left + SIZE)
-    other = {}  # places at the ends of an edge, in the face on the other side
-    for face in faces:
-        for (v, s), (w, t) in zip(face, face[1:] + face[:1]):
-            other[w, v] = (t, s)
-    for face in sorted(faces, key=lambda f: middle(eye, [v for v, _ in f])[2]):
-        light = light_of(eye, [v for v, _ in face])
-        for part, shade in squares([[panel[v], plane[c], places[c]] for v, c in face], square):
-            picture.polygon([p[1] for p in part], shade)
-            if light > 0:
-                picture.polygon([p[0] for p in part],
-                                [round(s * (0.5 + 0.5 * light)) for s in shade])
-        for (v, s), (w, t) in zip(face, face[1:] + face[:1]):
-            if other.get((v, w)) != (s, t):
-                picture.line(plane[s], plane[t], RED, 1)
-                if light > 0 and (v, w) in other:
-                    picture.line(panel[v], panel[w], RED, 1.5)
-
-
 def main():
     intrinsic, meshes = map(os.path.abspath, sys.argv[1:3])
     picture = Picture(4 * SIZE, SIZE)
@@ -79,7 +57,7 @@ def main():
                 (("parametrize", "lion-head.off", "--method", "conformal"), 0, 90)]):
             subprocess.run([intrinsic, command[0], os.path.join(meshes, command[1]), *command[2:],
                             "-o", file], check=True)
-            draw(picture, file, 2 * i * SIZE, turn, tilt)
+            draw(picture, file, 2 * i * SIZE, turn, tilt, squares, 1)
     picture.write(os.path.join(HERE, "conformal_maps.png"))
 
 

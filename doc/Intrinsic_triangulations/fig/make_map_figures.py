@@ -87,12 +87,12 @@ class Picture:
                           struct.pack(">I", zlib.crc32(kind + part)))
 
 
-def color(place, light):
+def color(place):
     """The hue goes around the disk, and colours are pale in the middle."""
     u, v = place
     hue, pale = math.atan2(v, u), 1 - min(1, math.hypot(u, v))
     shades = [200 + 47 * math.cos(hue - k * 2 * math.pi / 3) for k in range(3)]
-    return [min(255, round((c + pale * (250 - c)) * light)) for c in shades]
+    return [min(255, round(c + pale * (250 - c))) for c in shades]
 
 
 def middle(points, corners):
@@ -116,9 +116,16 @@ def light_of(points, corners):
     return -n[2] / max(math.hypot(*n), 1e-30)
 
 
-def draw(picture, file, left, turn, tilt):
+def painted_by_place(corners, _):
+    yield corners, color(middle([c[2] for c in corners], range(len(corners))))
+
+
+def draw(picture, file, left, turn, tilt, painted=painted_by_place, width=1.5):
+    """Draws a surface, and its map beside it. `painted(corners, size)` yields the parts of a face
+    with their colours: polygons of corners (eye, plane, place), `size` being that of the map."""
     points, places, faces = read_obj(file)
     places = [(u, -v) for u, v in places]
+    size = max(max(p[k] for p in places) - min(p[k] for p in places) for k in (0, 1))
     eye = seen(points, turn, tilt)
     panel, plane = fit(eye, left), fit(places, left + SIZE)
     other = {}  # places at the ends of an edge, in the face on the other side
@@ -126,17 +133,17 @@ def draw(picture, file, left, turn, tilt):
         for (v, s), (w, t) in zip(face, face[1:] + face[:1]):
             other[w, v] = (t, s)
     for face in sorted(faces, key=lambda f: middle(eye, [v for v, _ in f])[2]):
-        place = middle(places, [c for _, c in face])
         light = light_of(eye, [v for v, _ in face])
-        seams = [((v, s), (w, t)) for (v, s), (w, t) in zip(face, face[1:] + face[:1])
-                 if other.get((v, w)) != (s, t)]
-        picture.polygon([plane[c] for _, c in face], color(place, 1))
-        if light > 0:
-            picture.polygon([panel[v] for v, _ in face], color(place, 0.55 + 0.45 * light))
-        for (v, s), (w, t) in seams:
-            picture.line(plane[s], plane[t], RED, 1.5)
+        for part, shade in painted([[panel[v], plane[c], places[c]] for v, c in face], size):
+            picture.polygon([p[1] for p in part], shade)
             if light > 0:
-                picture.line(panel[v], panel[w], RED, 2)
+                picture.polygon([p[0] for p in part],
+                                [round(s * (0.5 + 0.5 * light)) for s in shade])
+        for (v, s), (w, t) in zip(face, face[1:] + face[:1]):
+            if other.get((v, w)) != (s, t):
+                picture.line(plane[s], plane[t], RED, width)
+                if light > 0 and (v, w) in other:
+                    picture.line(panel[v], panel[w], RED, width + 0.5)
 
 
 def main():

@@ -13,6 +13,7 @@
 
 #include "meshes.h"
 #include "operator_test_meshes.h"
+#include "refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,7 @@
 namespace {
 
 using namespace operator_test;
+using refusals::expect_refusal;
 using Ideal = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_ideal_hyperbolic_traits,
                                           IT::Integer_coordinates>;
 using Double_ideal =
@@ -286,16 +288,6 @@ TEST(Conformal_metric, ConesKeepTheScaleInARange) {
   EXPECT_GE(number_of_cones(sphere, 8), few);
   EXPECT_EQ(number_of_cones(ideal_delaunay(torus(6, 0.3)), 1.5), 0U);
   EXPECT_EQ(number_of_cones(ideal_delaunay(rough_grid(8, 0.2, 0.5, 5).input()), 20), 0U);
-}
-
-template <class Call>
-void expect_refusal(const Call& call, const std::string& part) {
-  try {
-    call();
-    ADD_FAILURE() << part;
-  } catch (const IT::Invalid_input& e) {
-    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
-  }
 }
 
 TEST(Conformal_metric, RefusesAnglesThatNoSurfaceHas) {

@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
@@ -14,6 +13,7 @@
 #include "hyperbolic_surfaces.h"
 #include "ideal_triangulations.h"
 #include "operator_test_meshes.h"
+#include "refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,7 @@
 namespace {
 
 using namespace operator_test;
+using refusals::expect_refusal;
 using Ideal = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_ideal_hyperbolic_traits,
                                           IT::Integer_coordinates>;
 constexpr double pi = std::numbers::pi;
@@ -220,16 +221,6 @@ TEST(Hyperbolic_metric, AreasAreThoseOfGaussAndBonnet) {
       IT::hyperbolic_metric(flipped, IT::Prescribed_angles(t.number_of_vertices()));
   expect_solved(again, 10);
   for (std::size_t v = 0; v < m.u.size(); ++v) EXPECT_NEAR(m.u[v], again.u[v], 1e-8);
-}
-
-template <class Call>
-void expect_refusal(const Call& call, const std::string& part) {
-  try {
-    call();
-    ADD_FAILURE() << part;
-  } catch (const IT::Invalid_input& e) {
-    EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
-  }
 }
 
 TEST(Hyperbolic_metric, RefusesAnglesThatLeaveNoArea) {
