@@ -15,7 +15,8 @@ import re
 import subprocess
 import sys
 
-CASE = re.compile(r"^namespace case_(\w+) \{\n(.*?)^\} // namespace case_", re.MULTILINE | re.DOTALL)
+CASE = re.compile(r"^namespace case_(\w+) \{\n(.*?)^\} // namespace case_",
+                  re.MULTILINE | re.DOTALL)
 EXPECTED = re.compile(r"^// error( at once)?: (.+)$", re.MULTILINE)
 INCLUDED = re.compile(r"(In file included| +) from ")
 CONTEXT = re.compile(r"In file included from |\S+: (In|At) ")

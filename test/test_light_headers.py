@@ -36,7 +36,8 @@ int main() {
 ALGORITHMS = ("common_subdivision", "read_triangle_soup", "Delaunay_refiner<", "Refinement_moves<",
               "Delaunay_flipper<", "Mover<", "Exact_ladder::", "Integer_coordinates::before")
 # With named numbers the program instantiates what passes them on, without them nothing.
-WITH_NUMBERS = {"flip_to_delaunay": "tags::maximum_number", "delaunay_refine": "tags::minimum_angle"}
+WITH_NUMBERS = {"flip_to_delaunay": "tags::maximum_number",
+                "delaunay_refine": "tags::minimum_angle"}
 compiler = os.environ.get("CXX", "g++")
 
 

@@ -47,7 +47,8 @@ for k, method in enumerate(("exact", "affine")):
     axes.add_collection3d(Poly3DCollection(V[F], facecolors=colors))
     axes.set(title=f"method {method}", xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1))
     x, y, z = V[source]
-    axes.view_init(np.degrees(np.arctan2(z, np.hypot(x, y))) + 15, np.degrees(np.arctan2(y, x)) + 20)
+    axes.view_init(np.degrees(np.arctan2(z, np.hypot(x, y))) + 15,
+                   np.degrees(np.arctan2(y, x)) + 20)
     axes.set_box_aspect((1, 1, 1), zoom=1.3)
     axes.set_axis_off()
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "log_map.png", dpi=150)

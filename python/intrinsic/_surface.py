@@ -66,8 +66,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
                                  "with intrinsic.points(V)")
             self._set(_core.build(points, corners, begins, domain, exact, mollification, polygons))
             return
-        self._set(_core.build_abstract(*_options.abstract_arrays(V, F, lengths, glue), domain, exact,
-                                       mollification))
+        arrays = _options.abstract_arrays(V, F, lengths, glue)
+        self._set(_core.build_abstract(*arrays, domain, exact, mollification))
 
     def _set(self, core):
         self._core = core  # for functions of _core on the triangulation as it is

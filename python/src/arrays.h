@@ -130,8 +130,8 @@ py::array_t<Number> array_of(std::vector<std::array<Number, n>>&& rows) {
   return owned_array(std::move(owner), data, {size, static_cast<py::ssize_t>(n)});
 }
 
-/// returns a vector or a matrix of Eigen as an array, without a copy; that of a matrix has Fortran's
-/// order unless the matrix has rows.
+/// returns a vector or a matrix of Eigen as an array, without a copy; that of a matrix has
+/// Fortran's order unless the matrix has rows.
 template <class Scalar, int rows, int columns, int options>
 py::array_t<Scalar> array_of(Eigen::Matrix<Scalar, rows, columns, options>&& m) {
   using Matrix = Eigen::Matrix<Scalar, rows, columns, options>;

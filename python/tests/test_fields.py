@@ -240,7 +240,8 @@ class As_the_program(program.Comparison):
         for name in self.MESHES:
             path, V, F = program.mesh(name)
             for method in ("exact", "affine", "polar"):
-                _, expected = self.numbers_of_program("logmap", path, "--method", method, "--source", 3)
+                _, expected = self.numbers_of_program("logmap", path, "--method", method,
+                                                       "--source", 3)
                 s = it.Surface(V, F)  # a search sharpens what is stored, as in each run there
                 np.testing.assert_array_equal(s.log_map(3, method=method), expected, name)
 
@@ -248,7 +249,8 @@ class As_the_program(program.Comparison):
         (self.folder / "v.txt").write_text("3 0 2\n8 90 1\n")
         for name in self.MESHES:
             path, V, F = program.mesh(name)
-            _, expected = self.numbers_of_program("transport", path, "--vectors", self.folder / "v.txt")
+            _, expected = self.numbers_of_program("transport", path,
+                                                   "--vectors", self.folder / "v.txt")
             angle = np.array([0.0, 90 * np.pi / 180])
             field = it.Surface(V, F).transport(
                 [3, 8], np.column_stack([np.cos(angle), np.sin(angle)]) * [[2], [1]])
@@ -262,7 +264,8 @@ class As_the_program(program.Comparison):
             s = it.Surface(V, F)
             for degree, align in ((1, None), (4, None), (4, 0.5)):
                 options = ("--align", align) if align is not None else ()
-                found, expected = self.numbers_of_program("field", path, "--degree", degree, *options)
+                found, expected = self.numbers_of_program("field", path,
+                                                           "--degree", degree, *options)
                 field = s.direction_field(degree, align=align)
                 np.testing.assert_array_equal(field.coordinates, expected[:, :2], name)
                 found = found["field"]

@@ -26,8 +26,8 @@
 #include <variant>
 #include <vector>
 
-// Exact distances on the meshes of CGAL's data set. Oracles: what holds for distances on any surface
-// in space.
+// Exact distances on the meshes of CGAL's data set. Oracles: what holds for distances on any
+// surface in space.
 
 #ifdef INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR
 

@@ -43,7 +43,8 @@ inline double doubled_area(const Point& a, const Point& b, const Point& c) {
 
 /// Points of a unit square, its corners first: each splits the triangle that it falls into, then
 /// edges are flipped at random. Fewer if there is no place for so many.
-/// \param cells points are those of a lattice of so many cells a side, many on a line; 0: any points
+/// \param cells points are those of a lattice of so many cells a side, many on a line; 0: any
+///   points
 inline meshes::Mesh random_square(unsigned n, std::mt19937& random, unsigned cells = 0) {
   const auto uniform = [&]() -> double {
     if (cells > 0) return (1. + static_cast<double>(random() % (cells - 1))) / cells;

@@ -219,7 +219,8 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   const std::vector<Complex> log =
       is_cloud(t) ? cloud_logarithms(t, t.input_vertex(sources[0][0]), options, points)
                   : logarithms(t, sources[0][0], options, method);
-  const std::vector<std::uint32_t> nearest = is_cloud(t) ? all_rows(t) : IT::nearest_copies_of_rows(t, log);
+  const std::vector<std::uint32_t> nearest =
+      is_cloud(t) ? all_rows(t) : IT::nearest_copies_of_rows(t, log);
   Computed computed{"logmap", {}, {}};
   computed.functions = {{"u", by_rows(nearest, log, [](const Complex& z) { return z.real(); })},
                         {"v", by_rows(nearest, log, [](const Complex& z) { return z.imag(); })}};

@@ -84,7 +84,9 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   if (options.refines) {
     json = flip_and_measure(
         loaded, true, options, progress, shorten,
-        [&](Json& j, const auto& constrained) { refine(loaded, constrained, options, j, progress); });
+        [&](Json& j, const auto& constrained) {
+          refine(loaded, constrained, options, j, progress);
+        });
   } else {
     json = loaded_json(loaded, options);
     shorten(json);

@@ -188,8 +188,8 @@ TEST(Make_bezier_curve, passes_vertices_that_are_midpoints_up_to_rounding) {
   expect_planar_curves({73U, 392U, 448U, 535U, 580U, 643U, 691U, 812U, 931U}, 1e-10);
 }
 
-// Midpoints that lie in thin faces are moved by rounding, here by up to 2^-12 of a side of the curve:
-// sides end there still.
+// Midpoints that lie in thin faces are moved by rounding, here by up to 2^-12 of a side of the
+// curve: sides end there still.
 TEST(Make_bezier_curve, ends_short_sides_at_vertices_that_rounding_moved) {
   expect_planar_curves({995U, 1331U}, 1e-6);
 }

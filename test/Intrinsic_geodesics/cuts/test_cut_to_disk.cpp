@@ -343,7 +343,8 @@ TEST(Cut_to_round_disk, Has_a_small_radius) {
     }
     return least;
   };
-  // a torus of 24 times 10 cells of two triangles; ways along the circle of length 24 go half around
+  // a torus of 24 times 10 cells of two triangles; ways along the circle of length 24 go half
+  // around
   EXPECT_LE(radius(IT::cut_to_round_disk(s)), 24 + 10 / 2);
   EXPECT_GE(radius(IT::cut_to_round_disk(s)), 24);
 }
