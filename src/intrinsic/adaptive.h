@@ -94,7 +94,7 @@ errors, and reports it.
 \throws std::runtime_error if there is no such function
 */
 template <class Triangulation>
-void refine_adaptively(Triangulation& t, const IT::Marked_edges<Triangulation>& constrained,
+void refine_adaptively(Triangulation& t, const Edge_labels<Triangulation>& constrained,
                        const Options& options, Json& json, Progress& progress) {
   const Adaptive_criteria& criteria = options.adaptive;
   if (criteria.source >= t.input().number_of_rows())

@@ -57,16 +57,26 @@ Constraints constraints_of(const Mesh_file& file, const Options& options);
 /// finds those of the input of a stored triangulation.
 Constraints constraints_of(const IT::Input& input, const Options& options);
 
-/// marks the constrained edges of a triangulation, before its first move or as it was stored.
+/// Numbers at the edges of a triangulation that are kept: those of curves, or 1; else 0.
 template <class Triangulation>
-IT::Marked_edges<Triangulation> marked_edges(const Triangulation& t, const Constraints& c) {
-  if (c.count == 0) return IT::Marked_edges<Triangulation>(t);
-  if (c.is_stored) return IT::constrained_input_edges(t, c.is_constrained);
+using Edge_labels = IT::Marked_edges<Triangulation, std::int32_t>;
+
+/// labels the constrained edges of a triangulation, before its first move or as it was stored.
+template <class Triangulation>
+Edge_labels<Triangulation> constrained_edges(const Triangulation& t, const Constraints& c) {
+  Edge_labels<Triangulation> labels(t);
+  if (c.count == 0) return labels;
   const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
     return c.is_constrained[e.index] != 0;
   };
-  return IT::constrained_input_edges(
-      t, c.mesh, boost::make_function_property_map<IT::Gluing_map::Edge>(is_constrained));
+  const IT::Marked_edges<Triangulation> marks =
+      c.is_stored ? IT::constrained_input_edges(t, c.is_constrained)
+                  : IT::constrained_input_edges(
+                        t, c.mesh,
+                        boost::make_function_property_map<IT::Gluing_map::Edge>(is_constrained));
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+    if (get(marks, e)) put(labels, e, 1);
+  return labels;
 }
 
 } // namespace program

@@ -5,7 +5,7 @@
 
 namespace program {
 
-template Json improve_and_measure(Loaded<Exact_triangulation>&, const Options&, Progress&);
-template Json improve_and_measure(Loaded<Double_triangulation>&, const Options&, Progress&);
+INTRINSIC_IMPROVEMENTS(template, Exact_triangulation);
+INTRINSIC_IMPROVEMENTS(template, Double_triangulation);
 
 } // namespace program

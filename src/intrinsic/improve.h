@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace program {
 
@@ -27,7 +28,7 @@ Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
     progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
                   options.metric + " violates the triangle inequality");
   const auto constrain = [&](Json&) {
-    return marked_edges(loaded.triangulation, loaded.constraints);
+    return constrained_edges(loaded.triangulation, loaded.constraints);
   };
   const auto improve = [&](Json& json, const auto& constrained) {
     if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
@@ -38,17 +39,21 @@ Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options,
   return flip_and_measure(loaded, !options.no_flip, options, progress, constrain, improve);
 }
 
-/// The triangulations for which improve.cpp has compiled this function, as several programs and the
-/// Python module need it.
-using Exact_triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
-                                                        IT::Integer_coordinates>;
-/// With doubles.
-using Double_triangulation =
-    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
-                                IT::Integer_coordinates>;
+/// \cond
+// declares after `extern template`, or instantiates after `template`, what improves and measures.
+#define INTRINSIC_IMPROVEMENTS(prefix, ...)                                                        \
+  prefix Json improve_and_measure(Loaded<__VA_ARGS__>&, const Options&, Progress&);                \
+  prefix void refine(Loaded<__VA_ARGS__>&, const Edge_labels<__VA_ARGS__>&, const Options&, Json&, \
+                     Progress&);                                                                   \
+  prefix Delaunay_check check(__VA_ARGS__&, const Edge_labels<__VA_ARGS__>&);                      \
+  prefix IT::Quality quality_of(__VA_ARGS__&, const Delaunay_check&);                              \
+  prefix Integrals integrals_of(__VA_ARGS__&, const std::vector<Point>&, const Delaunay_check&);   \
+  prefix double input_area(const Loaded<__VA_ARGS__>&);                                            \
+  prefix Json loaded_json(const Loaded<__VA_ARGS__>&, const Options&)
 
-extern template Json improve_and_measure(Loaded<Exact_triangulation>&, const Options&, Progress&);
-extern template Json improve_and_measure(Loaded<Double_triangulation>&, const Options&, Progress&);
+INTRINSIC_IMPROVEMENTS(extern template, Exact_triangulation);
+INTRINSIC_IMPROVEMENTS(extern template, Double_triangulation);
+/// \endcond
 
 } // namespace program
 

@@ -28,6 +28,11 @@ IT::Domain_kind domain_of(const Options& options) {
 
 } // namespace
 
+template Loaded<Exact_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
+template Loaded<Double_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
+template Loaded<Exact_triangulation> load_triangulation(const Options&, Progress&);
+template Loaded<Double_triangulation> load_triangulation(const Options&, Progress&);
+
 Surface_choice surface_of(const Options& options) {
   return {
       mollification_of(options), domain_of(options), options.domain == "points", options.neighbors,

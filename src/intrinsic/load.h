@@ -215,6 +215,20 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
   return loaded;
 }
 
+/// The triangulations of the default correspondence. What several programs and the Python module do
+/// with them is compiled once, as `extern template` tells.
+using Exact_triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                        IT::Integer_coordinates>;
+/// With doubles.
+using Double_triangulation =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                IT::Integer_coordinates>;
+
+extern template Loaded<Exact_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
+extern template Loaded<Double_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
+extern template Loaded<Exact_triangulation> load_triangulation(const Options&, Progress&);
+extern template Loaded<Double_triangulation> load_triangulation(const Options&, Progress&);
+
 /// returns the arithmetic to compute in: that of a stored triangulation, else that of the options.
 /// \throws Invalid_input if options contradict a stored triangulation
 std::string arithmetic_of(const Options& options);

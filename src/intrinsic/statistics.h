@@ -279,7 +279,7 @@ template <class Triangulation>
 Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& options,
                       Progress& progress) {
   const auto constrain = [&](Json&) {
-    return marked_edges(loaded.triangulation, loaded.constraints);
+    return constrained_edges(loaded.triangulation, loaded.constraints);
   };
   return flip_and_measure(loaded, flip, options, progress, constrain, [](Json&, const auto&) {});
 }

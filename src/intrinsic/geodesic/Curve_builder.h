@@ -57,7 +57,7 @@ public:
     IT::internal::fix_junctions(network_, through);
     if (has_constraints(options_))
       named(options_.input,
-            [&] { IT::add_marked_edges(network_, marked_edges(t_, loaded_.constraints)); });
+            [&] { IT::add_marked_edges(network_, constrained_edges(t_, loaded_.constraints)); });
     IT::Edge_path_finder<Triangulation> find(t_);
     if (are_free(curves) && add_geodesics(curves, through)) return;
     for (std::size_t i = 0; i < curves.size(); ++i) {

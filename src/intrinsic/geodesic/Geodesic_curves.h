@@ -46,10 +46,6 @@ struct Shortening_progress : IT::Shortening_visitor {
 /// returns the word for how shortening ended.
 std::string geodesic_status(IT::Status status, bool is_contracted);
 
-/// Numbers of curves, from 1, at the edges of a triangulation; 0: there is none.
-template <class Triangulation>
-using Curve_labels = IT::Marked_edges<Triangulation, std::int32_t>;
-
 /*!
 \brief makes the curves of the options, shortens them, and stores them as polylines in space before
 and after that.
@@ -97,8 +93,8 @@ public:
   /// returns the curves.
   const std::vector<IT::Polyline>& shortened() const { return shortened_; }
   /// returns for each edge with curves the number of the one on the left.
-  Curve_labels<Triangulation> labels() const {
-    Curve_labels<Triangulation> labels(t_);
+  Edge_labels<Triangulation> labels() const {
+    Edge_labels<Triangulation> labels(t_);
     for (const typename Triangulation::edge_descriptor e : edges(t_.mesh()))
       if (network_.carries_curve(e))
         put(labels, e, static_cast<std::int32_t>(network_.curves_along(e).front()) + 1);

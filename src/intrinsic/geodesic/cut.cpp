@@ -67,7 +67,7 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
 }
 
 template <class Triangulation>
-Curve_labels<Triangulation> geodesic_labels(Loaded<Triangulation>& loaded, const Options& options,
+Edge_labels<Triangulation> geodesic_labels(Loaded<Triangulation>& loaded, const Options& options,
                                             Json& json, Progress& progress) {
   Geodesic_curves<Triangulation> curves(loaded, options, input_points(loaded));
   curves.run(json, progress);

@@ -30,7 +30,7 @@ void warn_of_cap(const Json& json, const Options& options);
 /// returns for each vertex of a common subdivision the number of a curve that passes it, or -1.
 template <class Triangulation>
 IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdivision& s,
-                                  const Curve_labels<Triangulation>& labels) {
+                                  const Edge_labels<Triangulation>& labels) {
   std::vector<double> curve(s.number_of_vertices(), -1);
   std::vector<std::int32_t> label(t.numbers().edge_capacity(t.mesh()), 0);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
@@ -48,7 +48,7 @@ IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdi
 template <class Triangulation>
 void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
                                  const Geodesic_curves<Triangulation>& curves,
-                                 const Curve_labels<Triangulation>& labels, const Options& options,
+                                 const Edge_labels<Triangulation>& labels, const Options& options,
                                  Json& json, Output_files& files, Progress& progress,
                                  Stopwatch& watch) {
   progress.show("subdividing");
@@ -74,7 +74,7 @@ template <class Triangulation>
 void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Triangulation& t = loaded.triangulation;
   Geodesic_curves<Triangulation> curves(loaded, options, input_points(loaded));
-  Curve_labels<Triangulation> labels(t);
+  Edge_labels<Triangulation> labels(t);
   const auto shorten = [&](Json& json) {
     curves.run(json, progress);
     labels = curves.labels();
@@ -84,9 +84,7 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   if (options.refines) {
     json = flip_and_measure(
         loaded, true, options, progress, shorten,
-        [&](Json& j, const auto& constrained) {
-          refine(loaded, constrained, options, j, progress);
-        });
+        [&](Json& j, const auto& kept) { refine(loaded, kept, options, j, progress); });
   } else {
     json = loaded_json(loaded, options);
     shorten(json);
