@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TEST_OPERATOR_TEST_MESHES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TEST_OPERATOR_TEST_MESHES_H
 
+#include "dense_eigenvalues.h"
 #include "gallery.h"
 #include "mesh_types.h"
 
@@ -230,7 +231,7 @@ inline bool is_symmetric_bit_by_bit(const Matrix& m) {
 }
 
 inline Eigen::VectorXd eigenvalues(const Matrix& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(m)).eigenvalues();
+  return dense_eigenvalues(Eigen::MatrixXd(m));
 }
 
 } // namespace operator_test

@@ -6,8 +6,6 @@
 
 #include "meshes.h"
 
-#include <CGAL/CORE_Expr.h>
-
 #include <boost/multiprecision/mpfr.hpp>
 
 #include <algorithm>
@@ -31,10 +29,17 @@ using Wide_float = boost::multiprecision::number<boost::multiprecision::mpfr_flo
                                                  boost::multiprecision::et_off>;
 
 inline double to_double(const Wide_float& x) { return x.convert_to<double>(); }
-inline double to_double(const CORE::Expr& x) { return x.doubleValue(); }
+/// of an exact number, such as `CORE::Expr`
+template <class Number>
+double to_double(const Number& x) {
+  return x.doubleValue();
+}
 
 /// Exact.
-inline int sign_of(const CORE::Expr& x) { return x.sign(); }
+template <class Number>
+int sign_of(const Number& x) {
+  return x.sign();
+}
 
 /*!
 Values of small meshes of integer coordinates are either zero, and come out below 1e-300, or are not

@@ -3,13 +3,13 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 
+#include "dense_eigenvalues.h"
 #include "refusals.h"
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
@@ -72,9 +72,9 @@ Eigen::VectorXd eigenvalues(const Operators& o, int count) {
   for (int round = 0; round < 40; ++round) {
     x = solver.solve(o.mass * x).eval();
     const Eigen::MatrixXd a = x.transpose() * (o.laplacian * x), b = x.transpose() * (o.mass * x);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(a, b);
-    values = small.eigenvalues();
-    x = (x * small.eigenvectors()).eval();
+    const Dense_eigenpairs<Eigen::MatrixXd> small = dense_eigenpairs(a, b);
+    values = small.values;
+    x = (x * small.vectors).eval();
   }
   return values.head(count);
 }

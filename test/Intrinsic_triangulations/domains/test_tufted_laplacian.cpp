@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshes.h"
-#include "oracle.h"
 #include "soups.h"
+#include "tufted_oracle.h"
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>

@@ -5,6 +5,7 @@
 #include "oracle.h"
 #include "properties.h"
 
+#include <CGAL/CORE_Expr.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
