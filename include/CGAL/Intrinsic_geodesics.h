@@ -12,6 +12,7 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 
 #include <CGAL/Intrinsic_geodesics/bezier/bezier_point.h>
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>

@@ -11,6 +11,7 @@ the plane, editing), and `CGAL/Intrinsic_triangulations.h`. Needs Eigen. Eigenfu
 Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
+#include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/conformal_sphere.h>

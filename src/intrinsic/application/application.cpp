@@ -10,6 +10,7 @@
 #include "cut.h"
 #include "direction_lines.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>

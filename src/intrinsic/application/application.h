@@ -8,6 +8,7 @@
 #include "../support/progress.h"
 #include "Computed.h"
 
+#include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 

@@ -11,6 +11,7 @@
 #include "application.h"
 #include "vertex_sets.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>

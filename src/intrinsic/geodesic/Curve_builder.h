@@ -12,6 +12,7 @@
 #include "asked_curves.h"
 
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>

@@ -7,6 +7,7 @@
 #include "../support/text_lines.h"
 #include "geodesic.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
 #include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.h>

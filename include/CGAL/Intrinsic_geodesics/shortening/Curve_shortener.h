@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <vector>
@@ -76,8 +77,8 @@ public:
         session_(session), flip_wedge_(t_, session, log) {}
 
   // `go_on(result)` is called now and then
-  template <class Go_on>
-  Shortening_result run(const Shortening_limits& limits, const Go_on& go_on) {
+  Shortening_result run(const Shortening_limits& limits,
+                        const std::function<bool(const Shortening_result&)>& go_on) {
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
       network_.for_each_segment(c, [this](std::uint32_t s) {
         length_ += length(network_.halfedge_of(s));

@@ -69,15 +69,21 @@ Shortening_limits shortening_limits(const Curve_network<Triangulation>& network,
   return limits;
 }
 
+template <class Triangulation>
+Shortening_result shorten(Curve_network<Triangulation>& network, Flip_log<Triangulation>* log,
+                          const Shortening_limits& limits,
+                          const std::function<bool(const Shortening_result&)>& go_on) {
+  typename Triangulation::Session session(network.triangulation());
+  return Curve_shortener<Triangulation>(network, session, log).run(limits, go_on);
+}
+
 template <class Triangulation, class NamedParameters>
 Shortening_result shorten_curves(Curve_network<Triangulation>& network,
                                  Flip_log<Triangulation>* log, const NamedParameters& np) {
   auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
   auto& observed = unwrapped(stored_visitor);
-  const Shortening_limits limits = shortening_limits(network, np);
-  typename Triangulation::Session session(network.triangulation());
-  return Curve_shortener<Triangulation>(network, session, log)
-      .run(limits, [&](const Shortening_result& r) { return observed.progress(r); });
+  return shorten(network, log, shortening_limits(network, np),
+                 [&](const Shortening_result& r) { return observed.progress(r); });
 }
 
 } // namespace internal
