@@ -34,8 +34,9 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
 /// \cond
 // instantiates functions on curves of a triangulation, and the table that distances are found in.
 #define CGAL_INTRINSIC_GEODESICS_FUNCTIONS(prefix, ...)                                            \
-  prefix Added_geodesics<__VA_ARGS__> add_geodesics(                                               \
-      Curve_network<__VA_ARGS__>&, const std::vector<Curve_through_vertices<__VA_ARGS__>>&);       \
+  prefix Added_geodesics<__VA_ARGS__> internal::find_and_add(                                      \
+      Curve_network<__VA_ARGS__>&, const std::vector<Curve_through_vertices<__VA_ARGS__>>&,        \
+      internal::Any_shortening_visitor&);                                                          \
   prefix Bezier_curve<__VA_ARGS__> make_bezier_curve(                                              \
       __VA_ARGS__&, const std::vector<Gluing_map::Vertex>&, const parameters::Parameters<>&);      \
   prefix Geodesic_tree<__VA_ARGS__> flip_to_geodesic_tree(__VA_ARGS__&, Gluing_map::Vertex,        \

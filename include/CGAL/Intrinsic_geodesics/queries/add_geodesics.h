@@ -19,7 +19,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -226,6 +228,15 @@ private:
   Added_geodesics<Triangulation> result_;
 };
 
+template <class Triangulation>
+Added_geodesics<Triangulation>
+find_and_add(Curve_network<Triangulation>& network,
+             const std::vector<Curve_through_vertices<Triangulation>>& curves,
+             Any_shortening_visitor& visitor) {
+  const auto np = parameters::visitor(std::ref(visitor));
+  return Geodesics_adder<Triangulation, std::remove_const_t<decltype(np)>>(network, np).run(curves);
+}
+
 } // namespace internal
 
 /*!
@@ -251,7 +262,11 @@ template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::
                 const std::vector<Curve_through_vertices<Triangulation>>& curves,
                 const NP& np = parameters::default_values()) {
     internal::expect_names<internal::tags::visitor>(np);
-    return internal::Geodesics_adder<Triangulation, NP>(network, np).run(curves);
+    auto stored_visitor = internal::object_or<internal::tags::visitor>(np, Shortening_visitor());
+    auto& observed = internal::unwrapped(stored_visitor);
+    internal::Any_shortening_visitor visitor{
+        [&](const Shortening_result& r) { return observed.progress(r); }};
+    return internal::find_and_add(network, curves, visitor);
   }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -31,6 +32,12 @@ struct Shortening_visitor {
 };
 
 namespace internal {
+
+// Calls another visitor: what it observes is compiled once for all visitors.
+struct Any_shortening_visitor {
+  std::function<bool(const Shortening_result&)> go_on;
+  bool progress(const Shortening_result& r) { return go_on(r); }
+};
 
 template <class Triangulation>
 std::uint64_t default_cap(const Triangulation& t) {
