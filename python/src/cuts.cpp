@@ -6,6 +6,7 @@
 #include "curve_arrays.h"
 #include "places.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>

@@ -7,6 +7,7 @@
 #include "places.h"
 #include "searches.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>

@@ -5,6 +5,7 @@
 #include "Faces_in_order.h"
 #include "asked_vectors.h"
 
+#include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>

@@ -6,6 +6,7 @@
 #include "../../src/intrinsic/status_name.h"
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
+#include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>

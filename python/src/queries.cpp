@@ -5,6 +5,7 @@
 #include "Surface.h"
 #include "places.h"
 
+#include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
