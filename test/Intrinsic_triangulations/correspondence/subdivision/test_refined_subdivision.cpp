@@ -8,7 +8,7 @@
 
 #include "refined_meshes.h"
 
-#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpzf.h>
 
 #include <gtest/gtest.h>
 
@@ -21,19 +21,19 @@
 #include <utility>
 #include <vector>
 
-// After refinement in exact arithmetic a common subdivision must be one of polygons that have an area, whatever
-// represents how the triangulations lie on each other.
+// After refinement in exact arithmetic a common subdivision must be one of polygons that have an
+// area, whatever represents how the triangulations lie on each other.
 
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using CGAL::Gmpq;
-using Weights = std::array<Gmpq, 3>;
+using Dyadic = CGAL::Gmpzf; // products and sums of doubles: no divisor is looked for
+using Weights = std::array<Dyadic, 3>;
 constexpr std::uint32_t none = IT::Common_subdivision::none;
 
 // Twice the signed area of a polygon, as a part of the face of its barycentric coordinates: exactly.
-Gmpq area(const std::vector<Weights>& p) {
-  Gmpq sum(0);
+Dyadic area(const std::vector<Weights>& p) {
+  Dyadic sum(0);
   for (std::size_t i = 2; i < p.size(); ++i)
     sum += (p[i - 1][1] - p[0][1]) * (p[i][2] - p[0][2]) -
            (p[i][1] - p[0][1]) * (p[i - 1][2] - p[0][2]);
@@ -68,10 +68,10 @@ private:
   // the point must be one of the face; nothing is rounded but the parameters of crossings
   static Weights weights(const IT::Weighted_vertices& w, const std::array<std::uint32_t, 3>& v) {
     Weights result{0, 0, 0};
-    Gmpq rest(1);
+    Dyadic rest(1);
     for (std::size_t i = w.size; i-- > 0;) {
       if (w.weights[i] == 0 && i > 0) continue;
-      const Gmpq x = i == 0 ? rest : Gmpq(w.weights[i]);
+      const Dyadic x = i == 0 ? rest : Dyadic(w.weights[i]);
       rest -= x;
       std::size_t k = 0;
       while (k < 3 && v[k] != w.vertices[i]) ++k;
@@ -94,13 +94,17 @@ private:
     }
     check_sides(f, g, p);
     if (t_.input().quadruple_area(g) == 0) return;
-    EXPECT_GT(area(p), 0) << "polygon " << f << " on input face " << g;
-    input_[g] += area(p);
-    if (!q.empty()) {
-      EXPECT_GT(area(q), 0) << "polygon " << f << " on face " << s_.intrinsic_face[f];
+    const Dyadic area_on_input = area(p);
+    EXPECT_GT(area_on_input, 0) << "polygon " << f << " on input face " << g;
+    input_[g] += area_on_input;
+    const std::uint32_t face = s_.intrinsic_face[f];
+    if (q.empty()) {
+      intrinsic_[face] = Dyadic(1);
+      return;
     }
-    intrinsic_[s_.intrinsic_face[f]] += q.empty() ? Gmpq(0) : area(q);
-    if (q.empty()) intrinsic_[s_.intrinsic_face[f]] = Gmpq(1);
+    const Dyadic area_on_intrinsic = area(q);
+    EXPECT_GT(area_on_intrinsic, 0) << "polygon " << f << " on face " << face;
+    intrinsic_[face] += area_on_intrinsic;
   }
 
   static bool is_simple(const std::array<std::uint32_t, 3>& v) {
@@ -128,7 +132,7 @@ private:
   const T& t_;
   const IT::Common_subdivision& s_;
   IT::Intrinsic_view<T> view_;
-  std::map<std::uint32_t, Gmpq> input_, intrinsic_; // what is covered of each face
+  std::map<std::uint32_t, Dyadic> input_, intrinsic_; // what is covered of each face
 };
 
 void expect_equal(const IT::Common_subdivision& a, const IT::Common_subdivision& b) {
