@@ -15,7 +15,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/conformal/Disk_pieces.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Glued_pieces.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Piece_gluer.cpp>
+#include <CGAL/Intrinsic_operators/conformal/Piece_places.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.cpp>
 #include <CGAL/Intrinsic_operators/conformal/Sphere_centring.cpp>

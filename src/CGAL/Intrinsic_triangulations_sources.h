@@ -44,7 +44,11 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.cpp>

@@ -170,8 +170,7 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   Options options = given;
   Uniformize_options& asked = options.uniformize;
   asked.target = target_of(t, asked);
-  if (asked.start.empty())
-    asked.start = asked.target != "sphere" && writes_shape(options) ? "input" : "delaunay";
+  if (asked.start.empty()) asked.start = "delaunay";
   Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
   if (asked.target == "sphere") return on_sphere(ideal, points, options);
   IT::Flat_surface start = IT::flat_surface(ideal);
@@ -185,18 +184,13 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
     torus = IT::flat_torus(IT::flat_surface(ideal));
     computed.json["period"] = {torus->period.real(), torus->period.imag()};
   }
-  if (writes_shape(options) && asked.start == "input")
-    computed.laid_out = shown_layout(
-        IT::lay_out_scaled(IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
-                                              t.input().names(), is_hyperbolic),
-                           torus ? &*torus : nullptr),
-        points, computed.json);
-  else if (is_mesh_output(options))
-    throw std::runtime_error(
-        options.output +
-        ": triangles of the Delaunay triangulation bend over edges of the mesh, so "
-        "that the layout has no flat pieces; take --start input, or write u to a "
-        "file .txt");
+  if (writes_shape(options)) {
+    IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
+                                                   t.input().names(), is_hyperbolic);
+    if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
+    computed.laid_out = shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points,
+                                     computed.json);
+  }
   report_scale(computed);
   return computed;
 }

@@ -7,8 +7,13 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +56,23 @@ Flat_surface flat_surface(const Triangulation& t) {
     for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
       if (s.side[h] != Gluing::none) s.length[s.side[h]] = length;
   }
+  return s;
+}
+
+/*!
+\brief takes the triangles of a surface before the first move, with their lengths.
+\param surface the surface
+\return the surface, in the units of the user; faces, vertices and halfedges keep their numbers
+\complexity linear
+*/
+inline Flat_surface flat_surface(const Input& surface) {
+  Flat_surface s;
+  s.gluing = internal::numbered_gluing(surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), s.side);
+  s.length.resize(s.gluing.origin.size());
+  for (std::uint32_t h = 0; h < s.side.size(); ++h)
+    if (s.side[h] != Gluing::none)
+      s.length[s.side[h]] =
+          std::ldexp(std::sqrt(surface.squared_length(h / 2)), -surface.scale_exponent());
   return s;
 }
 

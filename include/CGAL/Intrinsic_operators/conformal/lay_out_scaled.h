@@ -15,30 +15,41 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
+\brief is a mesh on which the triangles of a `Scaled_surface` lie.
+*/
+struct Scaled_mesh {
+  Flat_surface triangles;       ///< of the mesh, with their lengths
+  Overlaid_subdivision overlay; ///< of the mesh, the start and the ideal Delaunay triangulation
+};
+
+/*!
 \brief is a surface with scale factors that make it flat or hyperbolic but for cones, see
 `conformal_metric()` and `hyperbolic_metric()`.
 */
 struct Scaled_surface {
-  Flat_surface start; ///< the triangles of the input, with their lengths
+  Flat_surface start; ///< the triangles of the start, with their lengths
   Flat_surface flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
-  Common_subdivision subdivision;  ///< of both; faces of the input by their numbers
+  Common_subdivision subdivision;  ///< of both; faces of the start by their numbers
   std::vector<std::uint32_t> row;  ///< of each vertex
   std::vector<double> factors;     ///< of each row
-  const Input_names& names;        ///< of the input
+  const Input_names& names;        ///< of the mesh
   const Prescribed_angles& angles; ///< of each row
   bool is_hyperbolic = false;      ///< whether triangles are hyperbolic
+  std::optional<Scaled_mesh> mesh{}; ///< none: the start has the triangles of the mesh
 };
 
 /*!
@@ -46,10 +57,11 @@ struct Scaled_surface {
 \tparam Triangulation a model of `IndexedTriangulation` with ideal hyperbolic traits and a
   correspondence
 \param t the triangulation after `conformal_metric(t, angles)` or `hyperbolic_metric(t, angles)`
-\param start `flat_surface(t)` before: `t` was built by `ideal_start()` of an input
+\param start `flat_surface(t)` before: `t` was built by `ideal_start()` of an input, or of a
+  Euclidean triangulation; then give that to `add_mesh()`, too
 \param scale_factors what that has found
 \param angles the angles, which must outlive the result
-\param names of the input that `t` was built from, which must outlive the result
+\param names of the input, which must outlive the result
 \param is_hyperbolic whether that was `hyperbolic_metric()`
 \complexity that of `common_subdivision()`
 */
@@ -72,11 +84,32 @@ Scaled_surface scaled_surface(const Triangulation& t, Flat_surface start,
 }
 
 /*!
+\brief adds the mesh to a surface that started from a Euclidean triangulation of it: then
+`lay_out_scaled()` has pieces that are on one face of the mesh, too, and the seams are its edges.
+
+In a triangle of the start, edges of the mesh and of the ideal Delaunay triangulation are straight,
+see `overlay_subdivisions()`; the map is projective on the pieces between them.
+\tparam Triangulation a model of `CorrespondingTriangulation`, without inserted vertices
+\tparam Ideal a model of `IndexedTriangulation` with ideal hyperbolic traits
+\param surface what `scaled_surface(ideal, ...)` returned
+\param t the Euclidean triangulation
+\param ideal the triangulation that was built by `ideal_start(t)`
+\complexity that of `common_subdivision()` and of `overlay_subdivisions()`
+*/
+template <QueriedTriangulation Triangulation, IndexedTriangulation Ideal>
+void add_mesh(Scaled_surface& surface, const Triangulation& t, const Ideal& ideal) {
+  surface.mesh.emplace(flat_surface(t.input()),
+                       overlay_subdivisions(common_subdivision(t), surface.subdivision, t.input(),
+                                            ideal.input().mesh()));
+}
+
+/*!
 \brief is the layout of a scaled surface in the plane, of a hyperbolic one in Poincaré's disk.
 */
 struct Scaled_layout {
-  /// The faces of the common subdivision, cut open along edges of the input, and their places.
-  /// Faces have the numbers of the user's.
+  /// The faces of the common subdivision, cut open along edges of the mesh, and their places.
+  /// Faces have the numbers of the user's. With a `Scaled_surface::mesh`, intrinsic elements are
+  /// those of `Overlaid_subdivision`.
   Subdivision_layout layout;
   /// The same faces without the cuts: corners have the places of `layout`.
   Common_subdivision closed;
@@ -85,7 +118,7 @@ struct Scaled_layout {
   Map_certificate certificate; ///< see `certify_map()`
   /// See `flipped_geodesic_triangles()`; 0 if the surface is not hyperbolic.
   std::size_t flipped_geodesic_triangles = 0;
-  Map_distortion distortion; ///< from the faces of the input to the plane
+  Map_distortion distortion; ///< from the faces of the mesh to the plane
 };
 
 /*!

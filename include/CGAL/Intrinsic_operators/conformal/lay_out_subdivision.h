@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.h>
 
 #include <Eigen/Core>
 
@@ -69,6 +70,11 @@ struct Flat_subdivision {
   /// Nonzero for each vertex of `flat.gluing` that is a cone; seams end there if the surface is
   /// hyperbolic. Empty: none is.
   std::vector<char> is_cone{};
+  /// The pieces to lay out, if the flat triangulation did not start from the mesh but from a third
+  /// triangulation, the input of `subdivision` and of its lengths: the overlay of the subdivision of
+  /// both with `subdivision`. Cuts and wanted faces are those of the mesh. Null: there is no third
+  /// one.
+  const Overlaid_subdivision* overlay = nullptr;
 };
 
 /*!

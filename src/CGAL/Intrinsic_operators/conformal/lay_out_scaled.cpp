@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
+#include <CGAL/Intrinsic_operators/conformal/Piece_places.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -29,12 +30,14 @@ namespace {
 
 class Front_layout {
 public:
-  explicit Front_layout(const Scaled_surface& surface) : in_(surface), opened_(surface.start) {}
+  explicit Front_layout(const Scaled_surface& surface)
+      : in_(surface), mesh_(surface.mesh ? surface.mesh->triangles : surface.start),
+        opened_(mesh_) {}
 
   Scaled_layout run(const Flat_torus* torus) {
     find_front();
     const std::vector<char> is_cut = edges_to_cut();
-    layout_ = laid_out(is_cut);
+    layout_ = lay_out_subdivision(arrays(is_cut));
     Scaled_layout result;
     result.distortion = measure_distortion(pieces(), layout_.positions);
     if (torus != nullptr) change_basis(*torus);
@@ -57,13 +60,29 @@ private:
     return !in_.angles.is_free(row) && in_.angles.radians(row) != Multiple_of_pi().radians();
   }
 
+  // The subdivision of what is laid out.
+  Flat_subdivision arrays(const std::vector<char>& is_cut) const {
+    Flat_subdivision result{in_.subdivision, in_.flat, in_.flat.side, is_cut, is_wanted_};
+    for (const std::uint32_t row : in_.row)
+      result.factors.push_back(row == Gluing::none ? 1 : in_.factors[row]);
+    result.input_lengths.resize(in_.start.side.size() / 2);
+    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
+      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
+        result.input_lengths[h / 2] = in_.start.length[side];
+    result.is_hyperbolic = in_.is_hyperbolic;
+    for (const std::uint32_t row : in_.row)
+      result.is_cone.push_back(row != Gluing::none && is_cone(row) ? 1 : 0);
+    if (in_.mesh) result.overlay = &in_.mesh->overlay;
+    return result;
+  }
+
   // Parts the front of a double from its back.
   void find_front() {
     if (in_.names.sheets == 1) return;
     is_wanted_.resize(number_of_sides() / 3);
     for (std::uint32_t h = 0; h < number_of_sides(); ++h) {
       is_wanted_[h / 3] = is_front(h) ? 1 : 0;
-      const std::uint32_t entry = in_.start.gluing.glue[h];
+      const std::uint32_t entry = mesh_.gluing.glue[h];
       const std::uint32_t other = entry == Gluing::none ? Gluing::none : Gluing::partner(entry);
       if (other == Gluing::none || is_front(h) == is_front(other)) continue;
       if (in_.names.sheets > 2 ||
@@ -88,18 +107,17 @@ private:
     return result;
   }
 
-  // The input with the hyperbolic lengths of its edges, piece by piece.
-  Surface_to_cut hyperbolic_input() const {
-    const Common_subdivision& s = in_.subdivision;
-    const std::vector<Disk_motion> frames = frames_of_sides(in_.flat);
-    const auto place = [&](std::uint32_t c) {
-      const std::uint32_t h = in_.flat.side[s.intrinsic_halfedge[c]];
-      const double p =
-          along(s, c, s.intrinsic_halfedge[c], &Common_subdivision::Crossing::on_intrinsic);
-      const std::complex<double> z = frames[h](place_on_axis(in_.flat.length[h], p));
+  // The mesh with the hyperbolic lengths of its edges, piece by piece.
+  Surface_to_cut hyperbolic_mesh() const {
+    const std::vector<char> no_cut(mesh_.side.size() / 2, 0);
+    const Flat_subdivision in = arrays(no_cut);
+    const Piece_places places(in);
+    const Common_subdivision& s = places.pieces();
+    const auto place = [&places](std::uint32_t c) {
+      const std::complex<double> z = places.at(c).z;
       return Disk_point{z, 1 - std::norm(z)};
     };
-    std::vector<double> length(in_.start.side.size() / 2, 0);
+    std::vector<double> length(mesh_.side.size() / 2, 0);
     for (std::size_t f = 0; f < s.number_of_faces(); ++f)
       for (std::uint32_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c)
         if (const std::uint32_t e = s.side[c].input_edge; e != Common_subdivision::none) {
@@ -107,35 +125,21 @@ private:
           length[e] += place(c).distance(place(next)) / 2; // pieces on both sides of the edge
         }
     Surface_to_cut result = opened_;
-    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
-      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
+    for (std::size_t h = 0; h < mesh_.side.size(); ++h)
+      if (const std::uint32_t side = mesh_.side[h]; side != Gluing::none)
         result.length[side] = length[h / 2];
     return result;
   }
 
   std::vector<char> edges_to_cut() const {
     const std::vector<char> is_cut = in_.is_hyperbolic
-                                         ? cut_to_round_disk(hyperbolic_input(), cones())
+                                         ? cut_to_round_disk(hyperbolic_mesh(), cones())
                                          : cut_to_disk(opened_, cones());
-    std::vector<char> result(in_.start.side.size() / 2, 0);
-    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
-      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none && is_cut[side] != 0)
+    std::vector<char> result(mesh_.side.size() / 2, 0);
+    for (std::size_t h = 0; h < mesh_.side.size(); ++h)
+      if (const std::uint32_t side = mesh_.side[h]; side != Gluing::none && is_cut[side] != 0)
         result[h / 2] = 1;
     return result;
-  }
-
-  Subdivision_layout laid_out(const std::vector<char>& is_cut) const {
-    Flat_subdivision arrays{in_.subdivision, in_.flat, in_.flat.side, is_cut, is_wanted_};
-    for (const std::uint32_t row : in_.row)
-      arrays.factors.push_back(row == Gluing::none ? 1 : in_.factors[row]);
-    arrays.input_lengths.resize(is_cut.size());
-    for (std::size_t h = 0; h < in_.start.side.size(); ++h)
-      if (const std::uint32_t side = in_.start.side[h]; side != Gluing::none)
-        arrays.input_lengths[h / 2] = in_.start.length[side];
-    arrays.is_hyperbolic = in_.is_hyperbolic;
-    for (const std::uint32_t row : in_.row)
-      arrays.is_cone.push_back(row != Gluing::none && is_cone(row) ? 1 : 0);
-    return lay_out_subdivision(arrays);
   }
 
   // The triangles that the polygons are made of, with their lengths on the input.
@@ -159,33 +163,40 @@ private:
     return table;
   }
 
-  // Where corner `c` is along a halfedge that it lies on, if it is the point of an edge.
-  static double along(const Common_subdivision& s, std::uint32_t c, std::uint32_t halfedge,
-                      Common_subdivision::Edge_point Common_subdivision::Crossing::*on) {
-    if (s.corner[c] < s.vertices.size()) return 0;
-    const double p = (s.crossings[s.corner[c] - s.vertices.size()].*on).parameter;
-    return halfedge % 2 == 0 ? p : 1 - p;
-  }
-
-  // The place of a corner in the triangle of the input, its first side on the real axis.
+  // The place of a corner in the triangle of the mesh, its first side on the real axis.
   std::complex<double> place_on_input(std::uint32_t c) const {
-    const std::uint32_t h = layout_.subdivision.input_halfedge[c], side = in_.start.side[h],
-                        first = side - side % 3;
-    const double* const l = &in_.start.length[first];
+    const Common_subdivision& s = layout_.subdivision;
+    const std::uint32_t h = s.input_halfedge[c], side = mesh_.side[h], first = side - side % 3;
+    const double* const l = &mesh_.length[first];
     const double x = (l[0] * l[0] + l[2] * l[2] - l[1] * l[1]) / (2 * l[0]);
     const std::complex<double> apex(x, std::sqrt(std::max(0., l[2] * l[2] - x * x)));
-    const std::array<std::complex<double>, 4> z{0, l[0], apex, 0};
-    const double p = along(layout_.subdivision, c, h, &Common_subdivision::Crossing::on_input);
-    return (1 - p) * z[side - first] + p * z[side - first + 1];
+    const std::array<std::complex<double>, 3> z{0, l[0], apex};
+    const std::uint32_t k = side - first;
+    if (s.kind(s.corner[c]) == Subdivision_vertex_kind::inserted) {
+      const Common_subdivision::Vertex& v = s.vertices[s.corner[c]];
+      std::array<double, 3> weights = v.on_input.weights;
+      if (h != v.input_halfedge) std::swap(weights[0], weights[1]);
+      return weights[0] * z[k] + weights[1] * z[(k + 1) % 3] + weights[2] * z[(k + 2) % 3];
+    }
+    const double p = along(s, c, h, &Common_subdivision::Crossing::on_input);
+    return (1 - p) * z[k] + p * z[(k + 1) % 3];
   }
 
-  // The place of a corner in the layout of the torus.
-  std::complex<double> place_on_torus(std::uint32_t c, const Flat_layout& torus) const {
-    const std::uint32_t h = layout_.subdivision.intrinsic_halfedge[c], side = in_.flat.side[h];
+  // The side of the flat triangulation that the side of a corner lies on, or none.
+  std::uint32_t flat_side(std::uint32_t c) const {
+    const std::uint32_t h = layout_.subdivision.intrinsic_halfedge[c];
+    if (layout_.subdivision.side[c].intrinsic_edge == Gluing::none) return Gluing::none;
+    if (!in_.mesh) return in_.flat.side[h];
+    const std::uint32_t own = in_.mesh->overlay.corner[h];
+    return in_.subdivision.side[own].intrinsic_edge == Gluing::none
+               ? Gluing::none
+               : in_.flat.side[in_.subdivision.intrinsic_halfedge[own]];
+  }
+
+  static std::complex<double> vector_on_torus(std::uint32_t side, const Flat_layout& torus) {
     const std::vector<std::uint32_t>& origin = torus.surface.gluing.origin;
-    const double p = along(layout_.subdivision, c, h, &Common_subdivision::Crossing::on_intrinsic);
-    return (1 - p) * point(torus.positions, origin[side]) +
-           p * point(torus.positions, origin[Gluing::next(side)]);
+    return point(torus.positions, origin[Gluing::next(side)]) -
+           point(torus.positions, origin[side]);
   }
 
   static std::complex<double> point(const Eigen::MatrixX2d& z, std::uint32_t v) {
@@ -198,9 +209,10 @@ private:
     std::complex<double> turn = 0;
     for (std::size_t f = 0; f < s.number_of_faces(); ++f)
       for (std::uint32_t c = s.face_begin[f] + 1; c < s.face_begin[f + 1]; ++c)
-        turn += std::conj(point(layout_.positions, s.corner[c]) -
-                          point(layout_.positions, s.corner[c - 1])) *
-                (place_on_torus(c, torus.layout) - place_on_torus(c - 1, torus.layout));
+        if (const std::uint32_t side = flat_side(c - 1); side != Gluing::none)
+          turn += std::conj(point(layout_.positions, s.corner[c]) -
+                            point(layout_.positions, s.corner[c - 1])) *
+                  vector_on_torus(side, torus.layout);
     turn /= std::abs(turn);
     const auto [a, b] = torus.translations;
     Eigen::Matrix2d basis, rotation;
@@ -223,9 +235,9 @@ private:
   // The rows of the ends of edges that were cut.
   std::vector<std::array<std::uint32_t, 2>> seams(const std::vector<char>& is_cut) const {
     std::vector<std::array<std::uint32_t, 2>> result;
-    const std::vector<std::uint32_t>& origin = in_.start.gluing.origin;
+    const std::vector<std::uint32_t>& origin = mesh_.gluing.origin;
     for (std::uint32_t e = 0; e < is_cut.size(); ++e) {
-      const std::uint32_t side = in_.start.side[2 * e];
+      const std::uint32_t side = mesh_.side[2 * e];
       if (is_cut[e] == 0 || is_on_border(e) || !is_front(side)) continue;
       result.push_back({in_.row[origin[side]], in_.row[origin[Gluing::next(side)]]});
     }
@@ -236,7 +248,8 @@ private:
   void glue(Common_subdivision& s) const {
     const Common_subdivision& cut = layout_.subdivision;
     const std::vector<std::uint32_t>& original = layout_.original_vertex;
-    std::vector<std::uint32_t> number(in_.subdivision.number_of_vertices(), Gluing::none);
+    const Common_subdivision& all = in_.mesh ? in_.mesh->overlay.subdivision : in_.subdivision;
+    std::vector<std::uint32_t> number(all.number_of_vertices(), Gluing::none);
     for (std::uint32_t v = 0; v < original.size(); ++v) number[original[v]] = v; // a copy
     s.vertices.clear();
     s.crossings.clear();
@@ -257,12 +270,13 @@ private:
   }
 
   bool is_on_border(std::uint32_t edge) const {
-    const std::uint32_t side = in_.start.side[2 * edge];
+    const std::uint32_t side = mesh_.side[2 * edge];
     return side == Gluing::none || opened_.gluing.glue[side] == Gluing::none;
   }
 
   const Scaled_surface& in_;
-  Surface_to_cut opened_; // the input, of a double without the gluing of front and back
+  const Flat_surface& mesh_;
+  Surface_to_cut opened_; // the mesh, of a double without the gluing of front and back
   std::vector<char> is_wanted_;
   Subdivision_layout layout_;
 };

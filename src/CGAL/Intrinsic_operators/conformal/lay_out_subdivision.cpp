@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
-#include <CGAL/Intrinsic_operators/conformal/Piece_gluer.h>
+#include <CGAL/Intrinsic_operators/conformal/Piece_places.h>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.h>
 
 #include <Eigen/Core>
 
@@ -38,26 +39,7 @@ namespace {
 class Subdivision_developer {
 public:
   explicit Subdivision_developer(const Flat_subdivision& in)
-      : in_(in), s_(in.subdivision), gluer_(in.subdivision) {
-    const auto check = [](std::size_t given, std::size_t least, const char* what) {
-      if (given < least)
-        throw Invalid_input(Element_kind::none, 0,
-                            std::to_string(given) + what + ", but " + std::to_string(least) +
-                                " are needed; give one for each");
-    };
-    check(in.flat.length.size(), in.flat.gluing.origin.size(), " sides have lengths");
-    if (!in.is_cone.empty())
-      check(in.is_cone.size(), in.flat.gluing.number_of_vertices, " vertices are marked");
-    if (!in.factors.empty())
-      check(in.factors.size(), in.flat.gluing.number_of_vertices, " vertices have factors");
-    std::size_t edges = 0, faces = 0;
-    for (const Common_subdivision::Side& side : s_.side)
-      if (side.input_edge != none) edges = std::max(edges, std::size_t{side.input_edge} + 1);
-    for (const std::uint32_t f : s_.input_face) faces = std::max(faces, std::size_t{f} + 1);
-    check(in.is_cut.size(), edges, " edges of the input are marked");
-    if (!in.input_lengths.empty()) check(in.input_lengths.size(), edges, " edges have lengths");
-    if (!in.is_wanted.empty()) check(in.is_wanted.size(), faces, " faces are marked");
-  }
+      : in_(in), places_(expect_sizes(in)), s_(places_.pieces()), gluer_(s_) {}
 
   Subdivision_layout run() {
     uncut_ = glue_ = gluer_.run();
@@ -75,6 +57,35 @@ public:
 
 private:
   static constexpr std::uint32_t none = Common_subdivision::none;
+
+  static const Flat_subdivision& expect_sizes(const Flat_subdivision& in) {
+    const auto check = [](std::size_t given, std::size_t least, const char* what) {
+      if (given < least)
+        throw Invalid_input(Element_kind::none, 0,
+                            std::to_string(given) + what + ", but " + std::to_string(least) +
+                                " are needed; give one for each");
+    };
+    check(in.flat.length.size(), in.flat.gluing.origin.size(), " sides have lengths");
+    if (!in.is_cone.empty())
+      check(in.is_cone.size(), in.flat.gluing.number_of_vertices, " vertices are marked");
+    if (!in.factors.empty())
+      check(in.factors.size(), in.flat.gluing.number_of_vertices, " vertices have factors");
+    const auto edges = [](const Common_subdivision& s) {
+      std::size_t bound = 0;
+      for (const Common_subdivision::Side& side : s.side)
+        if (side.input_edge != none) bound = std::max(bound, std::size_t{side.input_edge} + 1);
+      return bound;
+    };
+    const Common_subdivision& pieces =
+        in.overlay == nullptr ? in.subdivision : in.overlay->subdivision;
+    std::size_t faces = 0;
+    for (const std::uint32_t f : pieces.input_face) faces = std::max(faces, std::size_t{f} + 1);
+    check(in.is_cut.size(), edges(pieces), " edges of the input are marked");
+    if (!in.input_lengths.empty() || in.overlay != nullptr)
+      check(in.input_lengths.size(), edges(in.subdivision), " edges have lengths");
+    if (!in.is_wanted.empty()) check(in.is_wanted.size(), faces, " faces are marked");
+    return in;
+  }
 
   bool is_wanted(std::uint32_t f) const {
     return in_.is_wanted.empty() || in_.is_wanted[s_.input_face[f]] != 0;
@@ -154,14 +165,12 @@ private:
   }
 
   void lay_out_in_plane() {
-    sides_ = sides_of_triangles(in_.flat);
     Plane_pieces p{glued_pieces(), {}, {}};
     p.turn.assign(p.vertex.size(), 1);
     for (std::uint32_t f = 0; f < p.size(); ++f)
       for (std::uint32_t c = p.begin[f]; c < p.begin[f + 1]; ++c) {
         p.side.push_back(place(p.next(f, c)) - place(c));
-        if (p.glue[c] != none && is_intrinsic(c))
-          p.turn[c] = turn_across(sides_[side(c)], sides_[side(p.glue[c])]);
+        if (p.glue[c] != none && side(c) != none) p.turn[c] = places_.turn(side(c), side(p.glue[c]));
       }
     const Developed_pieces developed = develop(p);
     layout_.positions = rows_of_points(developed.position);
@@ -170,16 +179,13 @@ private:
   }
 
   void lay_out_in_disk() {
-    const std::vector<Disk_motion> frames = frames_of_sides(in_.flat);
     Disk_pieces p{glued_pieces(), {}, {}};
     p.turn.resize(p.vertex.size());
     std::vector<std::uint32_t> partner = partners(uncut_);
     for (std::uint32_t c = 0; c < p.vertex.size(); ++c) {
-      p.place.push_back(frames[side(c)](place_on_axis(in_.flat.length[side(c)], along_side(c))));
+      p.place.push_back(place(c));
       if (partner[c] == none) continue;
-      if (is_intrinsic(c))
-        p.turn[c] =
-            motion_across(frames[side(c)], in_.flat.length[side(c)], frames[side(partner[c])]);
+      if (side(c) != none) p.turn[c] = places_.motion(side(c), side(partner[c]));
       if (p.glue[c] != none) partner[c] = none; // no seam
     }
     const Developed_disk developed = develop(p);
@@ -188,17 +194,15 @@ private:
     layout_.radius = developed.radius;
     std::vector<char> is_cone(p.number_of_vertices, 0);
     for (std::uint32_t c = 0; c < p.vertex.size() && !in_.is_cone.empty(); ++c)
-      if (!is_crossing(c)) is_cone[p.vertex[c]] = in_.is_cone[in_.flat.gluing.origin[side(c)]];
+      if (s_.kind(s_.corner[original_corner_[c]]) == Subdivision_vertex_kind::input)
+        is_cone[p.vertex[c]] = in_.is_cone[places_.vertex(original_corner_[c])];
     layout_.pairings = side_pairings(p, developed, find_seams(p, partner, is_cone), is_cone);
   }
 
-  bool is_crossing(std::uint32_t c) const {
-    return layout_.subdivision.corner[c] >= layout_.subdivision.vertices.size();
-  }
-  // whether the side that starts at a corner lies on an intrinsic edge
-  bool is_intrinsic(std::uint32_t c) const {
-    return layout_.subdivision.side[c].intrinsic_edge != none;
-  }
+  // the place of a corner of the layout in the frame of its flat triangle
+  std::complex<double> place(std::uint32_t c) const { return places_.at(original_corner_[c]).z; }
+  // the side of the flat surface that a side of the layout lies on, or `none`
+  std::uint32_t side(std::uint32_t c) const { return places_.side(original_corner_[c]); }
 
   // the least vertex of the component of each vertex
   std::vector<std::uint32_t> components() const {
@@ -209,60 +213,30 @@ private:
     });
   }
 
-  // the side of the flat surface that a corner is on, or starts at
-  std::uint32_t side(std::uint32_t c) const {
-    return in_.side[layout_.subdivision.intrinsic_halfedge[c]];
-  }
-  // the place of a corner in the frame of its intrinsic face
-  std::complex<double> place(std::uint32_t c) const {
-    const std::uint32_t h = side(c);
-    std::complex<double> z = 0;
-    for (std::uint32_t i = h - h % 3; i < h; ++i) z += sides_[i];
-    return z + along_side(c) * sides_[h];
-  }
-  // Where a corner is on the intrinsic side that it starts at or lies on, as part of the side.
-  double along_side(std::uint32_t c) const {
-    const Common_subdivision& r = layout_.subdivision;
-    if (!is_crossing(c)) return 0;
-    const double p = r.crossings[r.corner[c] - r.vertices.size()].on_intrinsic.parameter;
-    return r.intrinsic_halfedge[c] % 2 == 0 ? p : 1 - p;
-  }
-
   void compute_weights() {
-    const Common_subdivision& r = layout_.subdivision;
-    layout_.weights.setOnes(static_cast<Eigen::Index>(r.number_of_vertices()));
-    for (std::uint32_t c = 0; c < r.corner.size(); ++c) {
-      double& weight = layout_.weights[static_cast<Eigen::Index>(r.corner[c])];
-      if (r.corner[c] < r.vertices.size()) {
-        const double w = in_.factors.empty() ? 1 : in_.factors[in_.flat.gluing.origin[side(c)]];
-        weight = 1 / (w * w);
-        continue;
-      }
-      const Common_subdivision::Crossing& x = r.crossings[r.corner[c] - r.vertices.size()];
-      const double p = x.on_input.parameter, q = x.on_intrinsic.parameter;
-      const double l = in_.flat.length[side(c)],
-                   lambda = in_.is_hyperbolic ? 2 * std::sinh(l / 2) : l;
-      weight = in_.input_lengths[x.on_input.edge] / lambda * std::sqrt(p * (1 - p) / (q * (1 - q)));
-      if (in_.is_hyperbolic) weight *= std::sqrt(1 + q * (1 - q) * lambda * lambda);
-    }
+    const std::vector<std::uint32_t>& corner = layout_.subdivision.corner;
+    layout_.weights.setOnes(static_cast<Eigen::Index>(layout_.subdivision.number_of_vertices()));
+    for (std::uint32_t c = 0; c < corner.size(); ++c)
+      layout_.weights[static_cast<Eigen::Index>(corner[c])] = places_.at(original_corner_[c]).q;
   }
 
   const Flat_subdivision& in_;
-  const Common_subdivision& s_;
+  Piece_places places_;
+  const Common_subdivision& s_; // the pieces
   Piece_gluer gluer_;
   std::vector<std::uint32_t> glue_, uncut_; // by corners of the subdivision
   std::vector<std::uint32_t> copy_;         // the vertex after the cut at each of those
   std::vector<std::uint32_t> original_corner_;
-  std::vector<std::complex<double>> sides_; // of the flat surface
   Subdivision_layout layout_;
 };
 
-// u at each vertex: -log q at those of the input, and linear along its edges between them.
+// u at each vertex: -log q at those of the input, and linear on its faces between them.
 Eigen::VectorXd log_scale(const Subdivision_layout& layout) {
   const Common_subdivision& s = layout.subdivision;
   std::map<std::uint32_t, double> u;
   for (std::uint32_t v = 0; v < s.vertices.size(); ++v)
-    u[s.on_input(v).vertices[0]] = -std::log(layout.weights[v]);
+    if (s.kind(v) == Subdivision_vertex_kind::input)
+      u[s.on_input(v).vertices[0]] = -std::log(layout.weights[v]);
   Eigen::VectorXd result(layout.weights.size());
   for (std::uint32_t v = 0; v < s.number_of_vertices(); ++v) {
     const Weighted_vertices on = s.on_input(v);
@@ -286,7 +260,7 @@ std::vector<std::array<double, 2>> corner_coordinates(const Subdivision_layout& 
   std::vector<std::array<double, 2>> result(halfedges, {unknown, unknown});
   const Common_subdivision& s = layout.subdivision;
   for (std::size_t c = 0; c < s.corner.size(); ++c) {
-    if (s.corner[c] >= s.vertices.size()) continue;
+    if (s.kind(s.corner[c]) != Subdivision_vertex_kind::input) continue;
     const auto v = static_cast<Eigen::Index>(s.corner[c]);
     result.at(s.input_halfedge[c]) = {layout.positions(v, 0), layout.positions(v, 1)};
   }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_CONFORMAL_PIECE_GLUER_H
-#define CGAL_INTRINSIC_OPERATORS_CONFORMAL_PIECE_GLUER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_PIECE_GLUER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_PIECE_GLUER_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
@@ -24,6 +24,11 @@ public:
   std::uint32_t next(std::uint32_t c) const {
     return c + 1 == s_.face_begin[face_[c] + 1] ? s_.face_begin[face_[c]] : c + 1;
   }
+  // the corner before `c` in its face
+  std::uint32_t previous(std::uint32_t c) const {
+    return c == s_.face_begin[face_[c]] ? s_.face_begin[face_[c] + 1] - 1 : c - 1;
+  }
+  const Common_subdivision& subdivision() const { return s_; }
   // the face of a corner
   std::uint32_t face(std::uint32_t c) const { return face_[c]; }
 
@@ -42,4 +47,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_CONFORMAL_PIECE_GLUER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_PIECE_GLUER_H
