@@ -65,7 +65,7 @@ class ConformalMap:
 
     On a sphere `positions` of shape (n, 3) are the vertices; of a torus, `period` is a complex
     number. `layout` is a `Layout`, with `certificate` and `distortion` as those of a `PlaneMap`;
-    None for spheres, and with `start="delaunay"`.
+    None for spheres.
     """
 
     def __init__(self, target, found):
@@ -165,7 +165,8 @@ class _Maps:
             result.injective_on_input = _core.is_injective_on_input(core, uv)
         return result
 
-    def uniformize(self, angles=None, *, cones=None, target=None, start="input", progress=None):
+    def uniformize(self, angles=None, *, cones=None, target=None, start="delaunay",
+                   progress=None):
         """Finds scale factors with which the surface has prescribed angles, and lays it out: a
         `ConformalMap`.
 
@@ -176,8 +177,8 @@ class _Maps:
 
         `target` is "plane", "sphere", "torus", or "disk": that of Poincaré, for surfaces with
         handles and, with a geodesic border, others; by default what the surface allows. `start` is
-        "input": lengths of the triangles of the mesh are scaled; or "delaunay": those of the
-        intrinsic Delaunay triangulation, without a layout.
+        "delaunay": lengths of the triangles of the intrinsic Delaunay triangulation are scaled; or
+        "input": those of the triangles of the mesh.
         """
         if start not in ("input", "delaunay"):
             raise ValueError(f'start="{start}" does not exist; give "input" or "delaunay"')

@@ -104,9 +104,8 @@ Found_map on_sphere(Ideal& ideal) {
   return found;
 }
 
-template <class Ideal>
-Found_map in_plane(Ideal& ideal, const IT::Input_names& names, const Asked_map& asked,
-                   Watch& watch) {
+template <class T, class Ideal>
+Found_map in_plane(const T& t, Ideal& ideal, const Asked_map& asked, Watch& watch) {
   IT::Flat_surface start = IT::flat_surface(ideal);
   Found_map found;
   found.angles = asked.cones ? IT::place_cones(ideal, *asked.cones) : IT::flat_angles(ideal);
@@ -122,11 +121,12 @@ Found_map in_plane(Ideal& ideal, const IT::Input_names& names, const Asked_map& 
   std::optional<IT::Flat_torus> torus;
   if (asked.target == "torus") torus = IT::flat_torus(IT::flat_surface(ideal));
   if (torus) found.period = torus->period;
-  if (asked.starts_from_input && found.metric.status != IT::Status::cancelled)
-    found.layout =
-        IT::lay_out_scaled(IT::scaled_surface(ideal, std::move(start), found.metric.scale_factors,
-                                              found.angles, names, is_hyperbolic),
-                           torus ? &*torus : nullptr);
+  if (found.metric.status == IT::Status::cancelled) return found;
+  IT::Scaled_surface scaled =
+      IT::scaled_surface(ideal, std::move(start), found.metric.scale_factors, found.angles,
+                         t.input().names(), is_hyperbolic);
+  if (!asked.starts_from_input) IT::add_mesh(scaled, t, ideal);
+  found.layout = IT::lay_out_scaled(scaled, torus ? &*torus : nullptr);
   return found;
 }
 
@@ -139,8 +139,7 @@ Found_map found_map(const T& t, const Asked_map& asked, Watch& watch) {
     refuse("scale factors belong to the user's vertices, and others were inserted; give "
            "start=\"input\"");
   Ideal ideal(asked.starts_from_input ? IT::ideal_start(t.input()) : IT::ideal_start(t));
-  return asked.target == "sphere" ? on_sphere(ideal)
-                                  : in_plane(ideal, t.input().names(), asked, watch);
+  return asked.target == "sphere" ? on_sphere(ideal) : in_plane(t, ideal, asked, watch);
 }
 
 py::dict dict_of_sphere(const IT::Conformal_sphere& s) {

@@ -468,8 +468,7 @@ void add_uniformize_options(CLI::App& command, Options& options) {
   command
       .add_option("--start", u.start,
                   "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
-                  "triangulation) or input (those of the mesh); by default delaunay, but input for "
-                  "a layout in the plane that is written or shown")
+                  "triangulation) or input (those of the mesh); by default delaunay")
       ->check(CLI::IsMember({"delaunay", "input"}));
   command
       .add_option("--target", u.target,

@@ -162,7 +162,7 @@ class Parametrize(Cli_test):
                                            math.dist(points[a], points[b]))
             self.assertEqual(stats["parametrize"]["max_scale_ratio"] == 1, mesh == flat)
         # the same as that of uniformize
-        stats = self.stats("uniformize", bent, "-o", "m.vtp")
+        stats = self.stats("uniformize", bent, "--start", "input", "-o", "m.vtp")
         for key in ("iterations", "mean_quasi_conformal", "max_scale_ratio"):
             self.assertAlmostEqual(stats["conformal"][key], result[key])
         with open(self.path("m.vtp"), encoding="utf-8") as file:

@@ -89,7 +89,8 @@ class Uniformize(Cli_test):
     def layout(self, mesh, *arguments):
         """The corners of the pieces in space and in the plane; all turn counterclockwise."""
         result = self.stats("uniformize", mesh, "-o", "x.obj", *arguments)["conformal"]
-        self.assertEqual((result["status"], result["start"]), ("done", "input"))
+        start = arguments[-1] if "--start" in arguments else "delaunay"
+        self.assertEqual((result["status"], result["start"]), ("done", start))
         self.assertEqual((result["flipped_faces"], result["degenerate_faces"]), (0, 0))
         self.assertTrue(result["locally_injective"])
         points, places, faces = read_obj(self.path("x.obj"))
@@ -134,6 +135,28 @@ class Uniformize(Cli_test):
             text = file.read()
         self.assertIn('Name="homogeneous_uv"', text)
         self.assertIn('NumberOfComponents="3"', text)
+
+    def test_layouts_from_both_starts(self):
+        points, faces = torus(12, 8)
+        faces = triangles(faces)
+        sheared = [(x + 2 * z, y, z) for x, y, z in points]  # far from Delaunay
+        disk = self.write_off("d.off", [(x, y, x * x / 9) for x, y, _ in grid(6)[0]], grid(6)[1])
+        sizes = []
+        for mesh in (self.write_off("t.off", sheared, faces), disk):
+            for start in ("delaunay", "input"):
+                result, x, places, corners = self.layout(mesh, "--cones", "4", "--start", start)
+                sizes.append(len(corners))
+                area = 0
+                for face in corners:  # their sides are on the faces of the mesh: the same area
+                    a, *rest = (x[v] for v, _ in face)
+                    for b, c in zip(rest, rest[1:]):
+                        p, q = ([s - t for s, t in zip(y, a)] for y in (b, c))
+                        area += math.hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                                           p[0] * q[1] - p[1] * q[0])
+                sizes.append(area)
+        for delaunay, given in ((sizes[1], sizes[3]), (sizes[5], sizes[7])):
+            self.assertLess(abs(delaunay / given - 1), 1e-9)
+        self.assertGreater(sizes[0], len(faces))
 
     def test_tori_repeat(self):
         points, faces = torus(12, 8)
@@ -222,8 +245,6 @@ class Uniformize(Cli_test):
                           "(-4 pi)")
         self.assert_fails(refused("--target", "disk", "--cones", "8"), "list cones", "file")
         self.assert_fails(refused("--target", "sphere", "--cones", "8"), "leave --angles and")
-        self.assert_fails(refused("--cones", "8", "--start", "delaunay", "-o", "x.obj"), "x.obj",
-                          "--start input")
         self.assert_fails(refused("--cones", "2"), "place at least 3")
         for text, words in (("pi\n", ("has 1 angles", "8 vertices")),
                             ("-1\n" * 8, ("a.txt:1:", "not positive")),

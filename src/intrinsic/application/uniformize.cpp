@@ -170,7 +170,8 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   Options options = given;
   Uniformize_options& asked = options.uniformize;
   asked.target = target_of(t, asked);
-  if (asked.start.empty()) asked.start = "delaunay";
+  const bool has_inserted = t.number_of_vertices() > t.input().number_of_rows();
+  if (asked.start.empty()) asked.start = has_inserted ? "input" : "delaunay";
   Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
   if (asked.target == "sphere") return on_sphere(ideal, points, options);
   IT::Flat_surface start = IT::flat_surface(ideal);
@@ -188,8 +189,8 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
     IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
                                                    t.input().names(), is_hyperbolic);
     if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
-    computed.laid_out = shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points,
-                                     computed.json);
+    computed.laid_out =
+        shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points, computed.json);
   }
   report_scale(computed);
   return computed;

@@ -67,7 +67,8 @@ Flat_surface flat_surface(const Triangulation& t) {
 */
 inline Flat_surface flat_surface(const Input& surface) {
   Flat_surface s;
-  s.gluing = internal::numbered_gluing(surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), s.side);
+  s.gluing =
+      internal::numbered_gluing(surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), s.side);
   s.length.resize(s.gluing.origin.size());
   for (std::uint32_t h = 0; h < s.side.size(); ++h)
     if (s.side[h] != Gluing::none)

@@ -43,12 +43,12 @@ struct Scaled_mesh {
 struct Scaled_surface {
   Flat_surface start; ///< the triangles of the start, with their lengths
   Flat_surface flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
-  Common_subdivision subdivision;  ///< of both; faces of the start by their numbers
-  std::vector<std::uint32_t> row;  ///< of each vertex
-  std::vector<double> factors;     ///< of each row
-  const Input_names& names;        ///< of the mesh
-  const Prescribed_angles& angles; ///< of each row
-  bool is_hyperbolic = false;      ///< whether triangles are hyperbolic
+  Common_subdivision subdivision;    ///< of both; faces of the start by their numbers
+  std::vector<std::uint32_t> row;    ///< of each vertex
+  std::vector<double> factors;       ///< of each row
+  const Input_names& names;          ///< of the mesh
+  const Prescribed_angles& angles;   ///< of each row
+  bool is_hyperbolic = false;        ///< whether triangles are hyperbolic
   std::optional<Scaled_mesh> mesh{}; ///< none: the start has the triangles of the mesh
 };
 

@@ -70,10 +70,12 @@ struct Flat_subdivision {
   /// Nonzero for each vertex of `flat.gluing` that is a cone; seams end there if the surface is
   /// hyperbolic. Empty: none is.
   std::vector<char> is_cone{};
-  /// The pieces to lay out, if the flat triangulation did not start from the mesh but from a third
-  /// triangulation, the input of `subdivision` and of its lengths: the overlay of the subdivision of
-  /// both with `subdivision`. Cuts and wanted faces are those of the mesh. Null: there is no third
-  /// one.
+  /// \brief The pieces to lay out, if the flat triangulation started from another triangulation
+  /// than that of the mesh.
+  ///
+  /// That one is then the input of `subdivision`, of which `input_lengths` are; and this is the
+  /// overlay of its subdivision with the mesh and `subdivision`. Cuts and wanted faces are those of
+  /// the mesh. Null: the input of `subdivision` is the mesh.
   const Overlaid_subdivision* overlay = nullptr;
 };
 

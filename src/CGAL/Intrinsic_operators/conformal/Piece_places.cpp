@@ -32,8 +32,8 @@ Piece_places::Piece_places(const Flat_subdivision& in)
 Piece_places::Weighted Piece_places::at(std::uint32_t c) const {
   const std::uint32_t i = own(c);
   if (in_.overlay == nullptr || pieces_.corner[c] < pieces_.vertices.size()) return at_own(i);
-  const double part = along(pieces_, c, pieces_.intrinsic_halfedge[c],
-                            &Common_subdivision::Crossing::on_intrinsic);
+  const double part =
+      along(pieces_, c, pieces_.intrinsic_halfedge[c], &Common_subdivision::Crossing::on_intrinsic);
   return between(at_own(i), at_own(next_[i]), part);
 }
 
@@ -53,8 +53,8 @@ Disk_motion Piece_places::motion(std::uint32_t side, std::uint32_t partner) cons
 }
 
 Piece_places::Weighted Piece_places::at_own(std::uint32_t own) const {
-  const double part = along(s_, own, s_.intrinsic_halfedge[own],
-                            &Common_subdivision::Crossing::on_intrinsic);
+  const double part =
+      along(s_, own, s_.intrinsic_halfedge[own], &Common_subdivision::Crossing::on_intrinsic);
   return {place(flat_side(own), part), weight(own)};
 }
 
@@ -87,8 +87,8 @@ Piece_places::Weighted Piece_places::between(const Weighted& a, const Weighted& 
   if (!in_.is_hyperbolic) return {(p * a.z + r * b.z) / (p + r), p + r};
   const double gap_a = 1 - std::norm(a.z), gap_b = 1 - std::norm(b.z);
   // of a sum of time-like vectors of lengths p and r
-  const double q = std::sqrt((p + r) * (p + r) +
-                             4 * p * r * std::norm(a.z - b.z) / (gap_a * gap_b));
+  const double q =
+      std::sqrt((p + r) * (p + r) + 4 * p * r * std::norm(a.z - b.z) / (gap_a * gap_b));
   const double time = p * (1 + std::norm(a.z)) / gap_a + r * (1 + std::norm(b.z)) / gap_b;
   return {(2 * p / gap_a * a.z + 2 * r / gap_b * b.z) / (q + time), q};
 }

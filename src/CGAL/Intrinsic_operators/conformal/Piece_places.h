@@ -22,7 +22,7 @@ class Piece_places {
 public:
   using Complex = std::complex<double>;
 
-  // A place, and the number q there: homogeneous coordinates are linear on faces of the subdivision.
+  // A place, and the number q there: homogeneous coordinates are linear on pieces.
   struct Weighted {
     Complex z;
     double q;
@@ -47,9 +47,7 @@ private:
   std::uint32_t own(std::uint32_t c) const {
     return in_.overlay == nullptr ? c : in_.overlay->corner[pieces_.intrinsic_halfedge[c]];
   }
-  std::uint32_t flat_side(std::uint32_t own) const {
-    return in_.side[s_.intrinsic_halfedge[own]];
-  }
+  std::uint32_t flat_side(std::uint32_t own) const { return in_.side[s_.intrinsic_halfedge[own]]; }
   Weighted at_own(std::uint32_t own) const;
   Complex place(std::uint32_t h, double along) const;
   double weight(std::uint32_t own) const;
@@ -57,9 +55,9 @@ private:
 
   const Flat_subdivision& in_;
   const Common_subdivision &s_, &pieces_;
-  std::vector<Complex> sides_;       // in the plane
-  std::vector<Disk_motion> frames_;  // in the disk
-  std::vector<std::uint32_t> next_;  // of each corner of the subdivision, with an overlay
+  std::vector<Complex> sides_;      // in the plane
+  std::vector<Disk_motion> frames_; // in the disk
+  std::vector<std::uint32_t> next_; // of each corner of the subdivision, with an overlay
 };
 
 // Where corner `c` is along a halfedge that it lies on, if it is the point of an edge.

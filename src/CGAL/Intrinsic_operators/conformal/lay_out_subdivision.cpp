@@ -170,7 +170,8 @@ private:
     for (std::uint32_t f = 0; f < p.size(); ++f)
       for (std::uint32_t c = p.begin[f]; c < p.begin[f + 1]; ++c) {
         p.side.push_back(place(p.next(f, c)) - place(c));
-        if (p.glue[c] != none && side(c) != none) p.turn[c] = places_.turn(side(c), side(p.glue[c]));
+        if (p.glue[c] != none && side(c) != none)
+          p.turn[c] = places_.turn(side(c), side(p.glue[c]));
       }
     const Developed_pieces developed = develop(p);
     layout_.positions = rows_of_points(developed.position);

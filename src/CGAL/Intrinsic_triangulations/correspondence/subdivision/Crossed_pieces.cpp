@@ -34,7 +34,7 @@ double crossing_part(const std::array<double, 3>& p, const std::array<double, 3>
   return std::isfinite(part) ? std::clamp(part, 0., 1.) : 0.5;
 }
 
-// The faces of the second subdivision in each face of the middle triangulation, as corners of chords.
+// The sides of the second subdivision inside of each middle face, each by one of its two corners.
 struct Inner_sides {
   std::vector<std::uint32_t> begin, corner;
 };
@@ -63,8 +63,8 @@ Crossed_pieces::Crossed_pieces(const Common_subdivision& first, const Common_sub
                                const Input& input, const Gluing_map& middle)
     : a_(first), b_(second), input_(input), middle_(middle), first_(first), second_(second),
       glue_(first_.run()), partner_(second_.run()),
-      edges_(first_, second_, middle.number_of_halfedges()),
-      halfedge_(second.corner.size(), none), entering_(second.corner.size(), none) {
+      edges_(first_, second_, middle.number_of_halfedges()), halfedge_(second.corner.size(), none),
+      entering_(second.corner.size(), none) {
   for (std::uint32_t e = 0; e < middle.number_of_edges(); ++e)
     if (!edges_.second()[2 * e].empty()) add_pieces(e);
   const Inner_sides inner = inner_sides(second, partner_, middle);
@@ -107,8 +107,7 @@ void Crossed_pieces::add_pieces(std::uint32_t edge) {
   std::size_t i = 1;
   for (std::size_t j = 0; j < of_b.size(); ++j) {
     const std::uint32_t e = add_edge(of_b[j], back[of_b.size() - 1 - j]);
-    const double from = j == 0 ? 0 : parameter(j),
-                 to = j + 1 == of_b.size() ? 1 : parameter(j + 1);
+    const double from = j == 0 ? 0 : parameter(j), to = j + 1 == of_b.size() ? 1 : parameter(j + 1);
     for (; i < of_a.size(); ++i) {
       const auto x = static_cast<std::uint32_t>(a_.corner[of_a[i]] - a_.vertices.size());
       if (edges_.second_before(x) > j) break;
@@ -182,8 +181,8 @@ Crossed_pieces::Place Crossed_pieces::point_of_first(std::uint32_t corner) const
 
 Crossed_pieces::Place Crossed_pieces::point_of_second(std::uint32_t corner) const {
   const std::uint32_t v = b_.corner[corner], h = b_.input_halfedge[corner];
-  return point(
-      h, v < b_.vertices.size() ? h % 2 : b_.crossings[v - b_.vertices.size()].on_input.parameter);
+  return point(h, v < b_.vertices.size() ? h % 2
+                                         : b_.crossings[v - b_.vertices.size()].on_input.parameter);
 }
 
 // Sorts the ends of input edges between corners of the first subdivision along the border; those at
@@ -227,8 +226,8 @@ void Crossed_pieces::cross(std::uint32_t corner) {
   meet(partner_[corner]);
 }
 
-// Where the side of a corner starts at a crossing of both subdivisions, the input edge from there is
-// the side or runs into the face on one side of it.
+// Where the side of a corner starts at a crossing of both subdivisions, the input edge from there
+// is the side or runs into the face on one side of it.
 void Crossed_pieces::meet(std::uint32_t corner) {
   const auto vertices = static_cast<std::uint32_t>(b_.vertices.size());
   const std::uint32_t v = b_.corner[corner], next = second_.next(corner);
@@ -253,11 +252,10 @@ Common_subdivision::Edge_point Crossed_pieces::on_input(std::uint32_t corner, do
     return a_.crossings[a_.corner[c] - a_.vertices.size()].on_input.parameter;
   };
   const std::uint32_t h = x & ~1U;
-  const double place = (1 - along) * parameter(corner, false) +
-                       along * parameter(first_.next(corner), true);
-  return {x / 2,
-          {input_.names().row(input_.source(h)), input_.names().row(input_.target(h))},
-          place};
+  const double place =
+      (1 - along) * parameter(corner, false) + along * parameter(first_.next(corner), true);
+  return {
+      x / 2, {input_.names().row(input_.source(h)), input_.names().row(input_.target(h))}, place};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -18,8 +18,7 @@ Corners_along::Corners_along(const Piece_gluer& pieces, Subdivided which, std::u
   const bool is_input = which == Subdivided::input;
   const std::vector<std::uint32_t>& halfedge = is_input ? s.input_halfedge : s.intrinsic_halfedge;
   const auto crossing = [&s](std::uint32_t c) {
-    return s.corner[c] < s.vertices.size() ? none
-                                           : s.corner[c] - std::uint32_t(s.vertices.size());
+    return s.corner[c] < s.vertices.size() ? none : s.corner[c] - std::uint32_t(s.vertices.size());
   };
   // each crossing is on one edge
   std::vector<std::uint32_t> first(halfedges, none), from(2 * s.crossings.size(), none);

@@ -67,9 +67,7 @@ public:
     return first_[h][h % 2 == 0 ? before : first_[h].size() - 1 - before];
   }
   // How many crossings of the second subdivision are before one of the first one, along the edge.
-  std::uint32_t second_before(std::uint32_t crossing) const {
-    return of_first_[crossing].before;
-  }
+  std::uint32_t second_before(std::uint32_t crossing) const { return of_first_[crossing].before; }
 
   const Corners_along& first() const { return first_; }
   const Corners_along& second() const { return second_; }

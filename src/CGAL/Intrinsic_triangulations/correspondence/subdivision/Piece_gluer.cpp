@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <algorithm>

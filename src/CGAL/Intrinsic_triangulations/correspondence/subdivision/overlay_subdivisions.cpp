@@ -45,8 +45,8 @@ private:
 
   // A point of the border of a face of the second subdivision.
   struct Point {
-    std::uint32_t vertex; // of the result
-    std::uint32_t corner; // of the face; the point is there or on the side from there
+    std::uint32_t vertex;          // of the result
+    std::uint32_t corner;          // of the face; the point is there or on the side from there
     std::uint32_t entering = none; // see `Crossed_pieces`
   };
   // An end of a cut.
@@ -105,9 +105,9 @@ private:
 
   // The crossing of the first subdivision at a vertex of the second one, or `none`.
   std::uint32_t first_at(std::uint32_t vertex) const {
-    return vertex < b_.vertices.size() ? none
-                                       : crossed_.edges().first_at(static_cast<std::uint32_t>(
-                                             vertex - b_.vertices.size()));
+    return vertex < b_.vertices.size()
+               ? none
+               : crossed_.edges().first_at(static_cast<std::uint32_t>(vertex - b_.vertices.size()));
   }
   bool is_vertex_of_first(std::uint32_t c) const { return a_.corner[c] < a_.vertices.size(); }
 
@@ -175,7 +175,8 @@ private:
   std::size_t corner_at_end(std::uint32_t side) const {
     const std::uint32_t h = a_.intrinsic_halfedge[crossed_.first().next(side)];
     std::size_t i = 0;
-    while (points_[i].vertex >= b_.vertices.size() || b_.input_halfedge[points_[i].corner] != h) ++i;
+    while (points_[i].vertex >= b_.vertices.size() || b_.input_halfedge[points_[i].corner] != h)
+      ++i;
     return i;
   }
 
@@ -217,8 +218,8 @@ private:
     if (is_crossing(p.vertex)) // the edge of the input comes from the cell before
       return crossed_.first().next(crossed_.partner(p.entering));
     if (p.vertex < b_.vertices.size()) return crossed_.edges().first()[h].front();
-    return crossed_.edges().first_around(
-        p.vertex - static_cast<std::uint32_t>(b_.vertices.size()), h);
+    return crossed_.edges().first_around(p.vertex - static_cast<std::uint32_t>(b_.vertices.size()),
+                                         h);
   }
 
   Common_subdivision::Side side(const Point& p, std::uint32_t cut) const {
