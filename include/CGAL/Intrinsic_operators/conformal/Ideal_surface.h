@@ -8,6 +8,7 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,10 +21,18 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The plane that triangles are in.
 enum class Geometry : std::uint8_t { euclidean, hyperbolic };
 
+// How much longer the two other sides of a triangle are together than each.
+template <class Number>
+std::array<Number, 3> surpluses(const std::array<Number, 3>& sides) {
+  const auto& [a, b, c] = sides;
+  return {(b - a) + c, (c - b) + a, (a - c) + b};
+}
+
 // A face of an ideal triangulation: side k runs from corner k to the next one.
 struct Ideal_face {
-  std::array<int, 3> rows;      // of the corners
-  std::array<double, 3> lambda; // of the sides, scaled
+  std::array<int, 3> rows;       // of the corners
+  std::array<double, 3> lambda;  // of the sides, scaled
+  std::array<double, 3> surplus; // of the sides, with the digits that needles lose in `surpluses()`
 
   // of the Euclidean triangle; zero if there is none
   double area() const;
@@ -32,8 +41,13 @@ struct Ideal_face {
 // The same with the vertices in place of their rows, and enclosed values.
 struct Enclosed_ideal_face {
   std::array<std::uint32_t, 3> vertices;
-  std::array<Interval_nt<false>, 3> lambda;
+  std::array<Interval_nt<false>, 3> lambda, surplus;
 };
+
+// Whether a triangle is so near to a segment that surpluses of its sides lose ten bits or more.
+inline bool is_needle(const std::array<double, 3>& sides) {
+  return std::ranges::min(surpluses(sides)) < 0x1p-10 * (sides[0] + sides[1] + sides[2]);
+}
 
 // Whether all factors are so near 1 that predicates, of degree four in lambda lengths with two
 // factors each, neither overflow nor underflow.

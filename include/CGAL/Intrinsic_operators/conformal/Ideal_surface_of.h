@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -74,12 +76,17 @@ public:
         f.rows[k] = static_cast<int>(row_[vertices[k]]);
         f.lambda[k] = t_.metric().approximate_lambda(sides[k]);
       }
+      f.surplus = surpluses(f.lambda);
+      if constexpr (is_exact)
+        if (is_needle(f.lambda)) {
+          const std::array<Precise, 3> precise = precise_surpluses(sides);
+          for (std::size_t k = 0; k < 3; ++k) f.surplus[k] = precise[k].to_double();
+        }
     });
   }
 
   std::optional<std::vector<Enclosed_ideal_face>> enclosures() const override {
-    if constexpr (!Triangulation::Metric::is_exact &&
-                  !std::is_same_v<typename Triangulation::FT, Interval_nt<false>>)
+    if constexpr (!is_exact && !std::is_same_v<typename Triangulation::FT, Interval_nt<false>>)
       return std::nullopt;
     else {
       std::vector<Enclosed_ideal_face> result;
@@ -87,18 +94,37 @@ public:
       for_each_face([&](const auto& vertices, const auto& sides) {
         Enclosed_ideal_face& f = result.emplace_back();
         f.vertices = vertices;
-        for (std::size_t k = 0; k < 3; ++k)
+        std::array<double, 3> near;
+        for (std::size_t k = 0; k < 3; ++k) {
           f.lambda[k] = CGAL::to_interval(t_.metric().lambda(sides[k]));
+          near[k] = f.lambda[k].inf();
+        }
+        f.surplus = surpluses(f.lambda);
+        if constexpr (is_exact)
+          if (is_needle(near)) {
+            const std::array<Precise, 3> precise = precise_surpluses(sides);
+            for (std::size_t k = 0; k < 3; ++k) f.surplus[k] = precise[k].interval();
+          }
       });
       return result;
     }
   }
 
 private:
+  using Precise = Ball<Double_double>;
+  static constexpr bool is_exact = requires(Triangulation& t, std::uint32_t e) {
+    t.metric().sharpen(e, t.exact_values());
+  };
+
+  std::array<Precise, 3> precise_surpluses(const std::array<std::uint32_t, 3>& sides) const {
+    const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+    return surpluses(t_.metric().template lambdas<Precise>(sides, t_.exact_values()));
+  }
+
   // Intervals that flips have widened get their digits from the input again: beside needles angles
   // need nearly all of them.
   void sharpen() {
-    if constexpr (requires { t_.metric().sharpen(std::uint32_t(), t_.exact_values()); }) {
+    if constexpr (is_exact) {
       constexpr double width = 0x1p-48; // relative; four units in the last place at least
       const typename Triangulation::Metric::Scope scope;
       const auto exact = t_.exact_values();

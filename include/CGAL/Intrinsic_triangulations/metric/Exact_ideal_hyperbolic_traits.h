@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Lambda_values.h>
@@ -123,6 +124,22 @@ public:
     const auto [from, to] = exact.rows(e);
     store(e, {scaled(better, from, to), better});
   }
+  /*!
+  \brief computes lambda lengths in any number type from where edges run on the input, with factors
+  of vertices.
+  \tparam Number a model of `FieldNumber`
+  \complexity linear in the numbers of crossings
+  */
+  template <FieldNumber Number, std::size_t n, class Exact>
+  std::array<Number, n> lambdas(const std::array<std::uint32_t, n>& edges,
+                                const Exact& exact) const {
+    std::array<Number, n> result = exact.template lambdas<Number>(edges);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [from, to] = exact.rows(edges[k]);
+      result[k] = scaled(result[k], from, to);
+    }
+    return result;
+  }
   /// returns how predicates were decided, which may be reset.
   Predicate_statistics& statistics() const { return statistics_; }
 
@@ -184,11 +201,7 @@ private:
   // of `Ideal_delaunay_expression`, by strips
   template <class Number, class Exact>
   Number value(const Diamond& d, const Exact& exact) const {
-    std::array<Number, 5> l = exact.template lambdas<Number>(edges(d));
-    for (std::size_t k = 0; k < l.size(); ++k) {
-      const auto [from, to] = exact.rows(edges(d)[k]);
-      l[k] = scaled(l[k], from, to);
-    }
+    const std::array<Number, 5> l = lambdas<Number>(edges(d), exact);
     return Ideal_delaunay_expression()(Ideal_diamond_values<Number>{l[0], l[1], l[2], l[3], l[4]});
   }
 

@@ -35,11 +35,16 @@ void Angle_system::read(const std::vector<Ideal_face>& faces) {
   entries_.clear();
   entries_.reserve(3 * faces.size());
   for (const Ideal_face& f : faces) {
-    std::array<double, 3> sides{f.lambda[1], f.lambda[2], f.lambda[0]}; // opposite the corners
-    if (geometry_ == Geometry::hyperbolic)
-      for (double& side : sides) side *= unit_;
+    const bool is_hyperbolic = geometry_ == Geometry::hyperbolic;
+    std::array<double, 3> sides{f.lambda[1], f.lambda[2], f.lambda[0]}, // opposite the corners
+        surplus{f.surplus[1], f.surplus[2], f.surplus[0]};
+    if (is_hyperbolic)
+      for (std::size_t k = 0; k < 3; ++k) {
+        sides[k] *= unit_;
+        surplus[k] *= unit_;
+      }
     const Triangle_angles t =
-        geometry_ == Geometry::hyperbolic ? hyperbolic_angles(sides) : euclidean_angles(sides);
+        is_hyperbolic ? hyperbolic_angles(sides, surplus) : euclidean_angles(sides, surplus);
     for (std::size_t k = 0; k < 3; ++k) {
       sums_[f.rows[k]] += t.angle[k];
       const int i = f.rows[(k + 1) % 3], j = f.rows[(k + 2) % 3];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
+#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/triangle_angles.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
@@ -58,7 +59,7 @@ std::vector<Disk_motion> frames_of_sides(const Surface_to_cut& s) {
                                  "lengths that are positive and satisfy the triangle inequality");
     std::array<double, 3> lambda; // opposite the corners
     for (std::size_t k = 0; k < 3; ++k) lambda[k] = 2 * std::sinh(l[(k + 1) % 3] / 2);
-    const std::array<double, 3> angle = hyperbolic_angles(lambda).angle;
+    const std::array<double, 3> angle = hyperbolic_angles(lambda, surpluses(lambda)).angle;
     Disk_motion m;
     for (std::size_t k = 0; k < 3; ++k) {
       result.push_back(m);

@@ -35,11 +35,12 @@ Angle_interval prescribed(const Prescribed_angles& angles, std::size_t row) {
 
 } // namespace
 
-std::array<Angle_interval, 3> enclosed_angles(const std::array<Angle_interval, 3>& sides) {
+std::array<Angle_interval, 3> enclosed_angles(const std::array<Angle_interval, 3>& sides,
+                                              const std::array<Angle_interval, 3>& surplus) {
   const Angle_interval sum = sides[0] + sides[1] + sides[2];
   std::array<Angle_interval, 3> x; // 1 - a_k if half of the sum is 1; positive in a triangle
   for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = ((sides[(k + 1) % 3] - sides[k]) + sides[(k + 2) % 3]) / sum;
+    x[k] = surplus[k] / sum;
     x[k] = {std::max(x[k].inf(), 0.), std::max(x[k].sup(), 0.)};
   }
   std::array<Angle_interval, 3> result;
@@ -57,12 +58,14 @@ std::array<Angle_interval, 3> enclosed_angles(const std::array<Angle_interval, 3
 }
 
 std::array<Angle_interval, 3>
-enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda) {
+enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda,
+                           const std::array<Angle_interval, 3>& surplus) {
   const auto positive = [](const Angle_interval& x) {
     return Angle_interval(std::max(x.inf(), 0.), std::max(x.sup(), 0.));
   };
   std::array<Angle_interval, 3> result = squared_half_tangents<Angle_interval>(
-      {lambda[0] / 2, lambda[1] / 2, lambda[2] / 2}, positive);
+      {lambda[0] / 2, lambda[1] / 2, lambda[2] / 2},
+      {surplus[0] / 2, surplus[1] / 2, surplus[2] / 2}, positive);
   for (Angle_interval& angle : result) angle = Angle_interval(2) * enclosed_atan(CGAL::sqrt(angle));
   return result;
 }
@@ -78,11 +81,14 @@ std::optional<double> proven_residual(const Ideal_surface& surface, const Prescr
   std::vector<char> has_faces(rows.size(), 0);
   const double unit = std::ldexp(1., -surface.scale_exponent());
   for (const Enclosed_ideal_face& f : *faces) {
-    const auto& [a, b, c] = f.lambda;
-    const std::array<Angle_interval, 3> angle =
-        geometry == Geometry::hyperbolic
-            ? enclosed_hyperbolic_angles({b * unit, c * unit, a * unit})
-            : enclosed_angles({b, c, a});
+    std::array<Angle_interval, 3> sides, surplus; // opposite the corners
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides[k] = f.lambda[(k + 1) % 3] * unit;
+      surplus[k] = f.surplus[(k + 1) % 3] * unit;
+    }
+    const std::array<Angle_interval, 3> angle = geometry == Geometry::hyperbolic
+                                                    ? enclosed_hyperbolic_angles(sides, surplus)
+                                                    : enclosed_angles(sides, surplus);
     for (std::size_t k = 0; k < 3; ++k) {
       sum[f.vertices[k]] += angle[k];
       has_faces[f.vertices[k]] = 1;

@@ -17,10 +17,15 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Enclosures of the angles at the corners opposite the sides of a triangle: a Euclidean one, or the
 // hyperbolic one whose sides have lengths l with lambda = 2 sinh(l/2). The functions of the C
 // library may err by four units in the last place: that of GNU documents one, for each direction of
-// rounding. \pre rounding is upwards
-std::array<Interval_nt<false>, 3> enclosed_angles(const std::array<Interval_nt<false>, 3>& sides);
+// rounding.
+// \param surplus see `surpluses()`
+// \pre rounding is upwards
 std::array<Interval_nt<false>, 3>
-enclosed_hyperbolic_angles(const std::array<Interval_nt<false>, 3>& lambda);
+enclosed_angles(const std::array<Interval_nt<false>, 3>& sides,
+                const std::array<Interval_nt<false>, 3>& surplus);
+std::array<Interval_nt<false>, 3>
+enclosed_hyperbolic_angles(const std::array<Interval_nt<false>, 3>& lambda,
+                           const std::array<Interval_nt<false>, 3>& surplus);
 
 // A bound of the differences between the angles at vertices and prescribed ones, in radians;
 // nothing if the surface does not enclose values.

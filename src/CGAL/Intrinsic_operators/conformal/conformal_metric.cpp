@@ -21,13 +21,17 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double near = 1e-8; // residuals in radians that rounding may leave
 
+// The scale u at rows. Doubles have too few digits: a unit in the last place of u = 50 changes a
+// factor exp(u/2) by 30 of its own.
+using Scale = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
 // Newton's method.
 class Conformal_newton {
 public:
   Conformal_newton(Ideal_surface& surface, const Prescribed_angles& angles,
                    const Conformal_options& options)
       : surface_(surface), options_(options),
-        u_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(surface.number_of_rows()))) {
+        u_(Scale::Zero(static_cast<Eigen::Index>(surface.number_of_rows()))) {
     surface_.read(faces_);
     components_ = components_of(faces_, surface.number_of_rows());
     prescribe(angles);
@@ -43,13 +47,13 @@ private:
   bool is_hyperbolic() const { return options_.geometry == Geometry::hyperbolic; }
   void prescribe(const Prescribed_angles& angles);
   // Scales by `u`, where angles may be out of reach.
-  void go_to(const Eigen::VectorXd& u) {
+  void go_to(const Scale& u) {
     u_ = u;
     excess_ = excess_at(u).value_or(Eigen::VectorXd::Constant(u.size(), infinity));
   }
   // Scales by `u`. \return angles minus prescribed ones, zero where it is free; nothing if they
   // cannot be computed
-  std::optional<Eigen::VectorXd> excess_at(const Eigen::VectorXd& u);
+  std::optional<Eigen::VectorXd> excess_at(const Scale& u);
   double residual(const Eigen::VectorXd& excess) const {
     return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
   }
@@ -71,7 +75,8 @@ private:
   std::vector<char> is_fixed_;
   Eigen::VectorXd total_; // prescribed angle of each row, on all sheets
   std::optional<Angle_system> system_;
-  Eigen::VectorXd u_, excess_;
+  Scale u_;
+  Eigen::VectorXd excess_;
   std::vector<double> factors_;
   std::size_t flips_ = 0;
 };
@@ -93,10 +98,10 @@ void Conformal_newton::prescribe(const Prescribed_angles& angles) {
   }
 }
 
-std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Eigen::VectorXd& u) {
+std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Scale& u) {
   factors_.resize(static_cast<std::size_t>(u.size()));
   for (std::size_t r = 0; r < factors_.size(); ++r)
-    factors_[r] = std::exp(u[static_cast<Eigen::Index>(r)] / 2);
+    factors_[r] = static_cast<double>(std::exp(u[static_cast<Eigen::Index>(r)] / 2));
   const std::optional<std::size_t> flips = surface_.scale(factors_);
   if (!flips) return std::nullopt;
   flips_ += *flips;
@@ -123,7 +128,7 @@ void Conformal_newton::match_areas() {
       if (is_fixed_[r] != 0) is_kept[c] = 1;
     }
   const double unit = std::ldexp(1., -surface_.scale_exponent());
-  Eigen::VectorXd u = u_;
+  Scale u = u_;
   for (std::size_t r = 0; r < is_fixed_.size(); ++r)
     if (const std::uint32_t c = components_.of_row[r];
         c != Gluing::none && is_kept[c] == 0 && area[c] > 0)
@@ -146,7 +151,7 @@ double Conformal_newton::step() {
   const double largest = direction.lpNorm<Eigen::Infinity>();
   if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
   for (double part = std::min(1., longest / largest); part >= shortest; part /= 2) {
-    const Eigen::VectorXd u = u_ + part * direction;
+    const Scale u = u_ + (part * direction).cast<long double>();
     std::optional<Eigen::VectorXd> excess = excess_at(u);
     if (excess && -direction.dot(*excess) <= -slope / 10) {
       u_ = u;
@@ -171,10 +176,11 @@ void Conformal_newton::balance() {
           ++count[static_cast<std::size_t>(row)];
         }
       }
-    Eigen::VectorXd u = u_;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(u_.size());
     for (std::size_t r = 0; r < count.size(); ++r)
-      if (is_fixed_[r] == 0) u[static_cast<Eigen::Index>(r)] += mean - sum[r] / count[r];
-    system_->centre(u);
+      if (is_fixed_[r] == 0) change[static_cast<Eigen::Index>(r)] = mean - sum[r] / count[r];
+    system_->centre(change);
+    const Scale u = u_ + change.cast<long double>();
     std::optional<Eigen::VectorXd> excess = excess_at(u);
     if (!excess) break;
     u_ = u;
@@ -187,7 +193,7 @@ void Conformal_newton::iterate(Conformal_metric& result) {
   result.residual = residual(excess_);
   result.status = Status::cap;
   while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
-    const Eigen::VectorXd u = u_;
+    const Scale u = u_;
     const double part = step();
     ++result.iterations;
     const double now = residual(excess_);
@@ -218,7 +224,7 @@ Conformal_metric Conformal_newton::solve() {
     iterate(result);
   }
   result.flips = flips_;
-  result.u.assign(u_.data(), u_.data() + u_.size());
+  result.u.assign(u_.begin(), u_.end());
   result.scale_factors = std::move(factors_);
   return result;
 }

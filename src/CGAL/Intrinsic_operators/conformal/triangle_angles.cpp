@@ -19,14 +19,11 @@ struct Incircle {
   std::array<double, 3> x;
   double r;
 
-  explicit Incircle(const std::array<double, 3>& sides)
+  Incircle(const std::array<double, 3>& sides, const std::array<double, 3>& surplus)
       : half((sides[0] + sides[1] + sides[2]) / 2) {
     // In an ideal Delaunay triangulation all x are positive; rounding may lose that.
     constexpr double least = 0x1p-60;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double rest = (sides[(k + 1) % 3] - sides[k]) + sides[(k + 2) % 3];
-      x[k] = std::max(rest / (2 * half), least);
-    }
+    for (std::size_t k = 0; k < 3; ++k) x[k] = std::max(surplus[k] / (2 * half), least);
     r = std::sqrt(x[0] * x[1] * x[2]);
   }
   // 2 r times the cotangent of the angle opposite side k
@@ -36,8 +33,9 @@ struct Incircle {
 } // namespace
 
 // tan(angle_k / 2) = r / x_k, and cot(angle_k) = (x_k - x_i x_j) / (2 r).
-Triangle_angles euclidean_angles(const std::array<double, 3>& sides) {
-  const Incircle t(sides);
+Triangle_angles euclidean_angles(const std::array<double, 3>& sides,
+                                 const std::array<double, 3>& surplus) {
+  const Incircle t(sides, surplus);
   Triangle_angles result{};
   for (std::size_t k = 0; k < 3; ++k) {
     result.angle[k] = 2 * std::atan2(t.r, t.x[k]);
@@ -54,17 +52,19 @@ Triangle_angles euclidean_angles(const std::array<double, 3>& sides) {
 // the circumcircle (Bobenko, Pinkall, Springborn 2015, §6). The Euclidean triangle with sides
 // lambda has the same circumcircle in the plane through its corners in the hyperboloid model, of
 // radius sinh R there, and the angle A opposite the side: tan(d) = cot(A) / cosh(R).
-Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda) {
-  const Incircle t(lambda);
-  std::array<double, 3> s;
+Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda,
+                                  const std::array<double, 3>& surplus) {
+  const Incircle t(lambda, surplus);
+  std::array<double, 3> s, x;
   double product = t.half; // sides are up to 2 times half of their sum
   for (std::size_t k = 0; k < 3; ++k) {
     s[k] = lambda[k] / 2;
+    x[k] = surplus[k] / 2;
     product *= lambda[k] / t.half;
   }
   const double least = 0x1p-60 * t.half;
   const std::array<double, 3> squares =
-      squared_half_tangents(s, [least](double x) { return std::max(x, least); });
+      squared_half_tangents(s, x, [least](double y) { return std::max(y, least); });
   Triangle_angles result{};
   for (std::size_t k = 0; k < 3; ++k) {
     result.angle[k] = 2 * std::atan(std::sqrt(squares[k]));

@@ -19,11 +19,15 @@ struct Triangle_angles {
 };
 
 // Of a Euclidean triangle: the weights are halves of the cotangents, and there is no excess.
-Triangle_angles euclidean_angles(const std::array<double, 3>& sides);
+// \param surplus see `surpluses()`
+Triangle_angles euclidean_angles(const std::array<double, 3>& sides,
+                                 const std::array<double, 3>& surplus);
 
 // Of the hyperbolic triangle whose sides have lengths l with lambda = 2 sinh(l/2), see
 // `hyperbolic_metric()`.
-Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda);
+// \param surplus see `surpluses()`
+Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda,
+                                  const std::array<double, 3>& surplus);
 
 // The squared tangents of half of the angles opposite the sides of a hyperbolic triangle, from
 // s = sinh(l/2) of its sides: with half of the perimeter p
@@ -33,14 +37,15 @@ Triangle_angles hyperbolic_angles(const std::array<double, 3>& lambda);
 // The addition theorem gives the factors without subtractions but in x_k = s_i + s_j - s_k, which
 // are positive in an ideal Delaunay triangulation. For small triangles they become those of
 // Euclid's formula.
+// \param x `surpluses()`
 // \param positive makes a number positive that is so but for rounding
 template <class Number, class Positive>
 std::array<Number, 3> squared_half_tangents(const std::array<Number, 3>& s,
-                                            const Positive& positive) {
+                                            std::array<Number, 3> x, const Positive& positive) {
   const Number one(1);
-  std::array<Number, 3> x, cosh, cosh_minus_1, result;
+  std::array<Number, 3> cosh, cosh_minus_1, result;
   for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = positive((s[(k + 1) % 3] - s[k]) + s[(k + 2) % 3]);
+    x[k] = positive(x[k]);
     cosh[k] = CGAL::sqrt(one + s[k] * s[k]);
     cosh_minus_1[k] = s[k] * s[k] / (one + cosh[k]);
   }
