@@ -143,6 +143,18 @@ TEST(Exact_ideal_hyperbolic_traits, end_certified_after_huge_factors) {
   }
 }
 
+// The expression overflows in doubles, but not after a division by a power of two.
+TEST(Exact_ideal_hyperbolic_traits, no_rational_numbers_for_factors_over_120_powers_of_ten) {
+  const auto input = meshes::potato(3, 6).input();
+  Exact<IT::Integer_coordinates> t(input);
+  t.scale_vertices(random_factors(t.number_of_vertices(), 199, 7));
+  EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
+  EXPECT_GT(t.metric().statistics().escalations[53], 0U);
+  EXPECT_EQ(t.metric().statistics().escalations[106], 0U);
+  EXPECT_EQ(t.metric().statistics().integer, 0U);
+  EXPECT_TRUE(IT::certify_delaunay(t).is_delaunay());
+}
+
 TEST(Exact_ideal_hyperbolic_traits, factors_of_1e300_do_not_spoil_decisions) {
   Exact<IT::Integer_coordinates> t(meshes::potato(1, 8).input());
   std::vector<double> w(t.number_of_vertices(), 1e-300);

@@ -49,8 +49,8 @@ inline bool is_needle(const std::array<double, 3>& sides) {
   return std::ranges::min(surpluses(sides)) < 0x1p-10 * (sides[0] + sides[1] + sides[2]);
 }
 
-// Whether all factors are so near 1 that predicates, of degree four in lambda lengths with two
-// factors each, neither overflow nor underflow.
+// Whether all factors are so near 1 that products of two lambda lengths, with two factors each,
+// neither overflow nor underflow.
 bool are_in_range(std::span<const double> factors);
 
 // The components of a surface by its rows.

@@ -25,9 +25,12 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -76,13 +79,13 @@ public:
   template <class Exact>
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d, const Exact& exact) const {
     ++statistics_.checks;
-    const std::optional<Sign> s = filtered_sign(d);
+    const std::optional<Sign> s = filtered_sign(values(d));
     return (s ? *s : exact_sign(d, exact)) != NEGATIVE;
   }
   /// returns the exact sign of `Ideal_delaunay_expression`.
   template <class Exact>
   Sign delaunay_sign(const Diamond& d, const Exact& exact) const {
-    const std::optional<Sign> s = filtered_sign(d);
+    const std::optional<Sign> s = filtered_sign(values(d));
     return s ? *s : exact_sign(d, exact);
   }
   /// tells whether an edge can be flipped: always.
@@ -155,15 +158,29 @@ private:
   }
 
   // the two terms of `Ideal_delaunay_expression`, faster
-  std::optional<Sign> filtered_sign(const Diamond& d) const {
+  static std::optional<Sign> filtered_sign(const Ideal_diamond_values<FT>& v) {
     const auto times = [](const FT& a, const FT& b) { return product_with_nonnegative(a, b); };
-    const Ideal_diamond_values<FT> v = values(d);
     const FT outer =
         times(times(v.jk, v.im) + times(v.ki, v.mj), times(v.jk, v.mj) + times(v.ki, v.im));
     const FT inner = times(times(v.ij, v.ij), times(v.jk, v.ki) + times(v.im, v.mj));
     if (outer.inf() > inner.sup()) return POSITIVE;
     if (outer.sup() < inner.inf()) return NEGATIVE;
     return std::nullopt;
+  }
+
+  // The power of two that divides all lambda lengths of a diamond such that the largest is near one:
+  // the expression, of degree four, overflows in doubles beyond 1e77.
+  static double unit(const Ideal_diamond_values<FT>& v) {
+    const double most = std::max({v.ij.sup(), v.jk.sup(), v.ki.sup(), v.im.sup(), v.mj.sup()});
+    if (!(most <= std::numeric_limits<double>::max())) return 1; // out of range already
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    return std::ldexp(1., std::clamp(-exponent, -1000, 1000));
+  }
+  template <class Number>
+  static Ideal_diamond_values<Number> multiplied(const Ideal_diamond_values<Number>& v, double by) {
+    const Number x(by);
+    return {v.ij * x, v.jk * x, v.ki * x, v.im * x, v.mj * x};
   }
 
   // not within the loop that flips
@@ -176,7 +193,8 @@ private:
     }
     for (const std::uint32_t e : edges(d))
       if (!is_narrow(e)) sharpen(e, exact);
-    if (const std::optional<Sign> s = filtered_sign(d)) {
+    const Ideal_diamond_values<FT> sharp = values(d);
+    if (const std::optional<Sign> s = filtered_sign(multiplied(sharp, unit(sharp)))) {
       ++statistics_.escalations[53];
       return *s;
     }
@@ -185,7 +203,7 @@ private:
       signs_.remember(d.ij, {s.make_certain(), false});
       return s.make_certain();
     }
-    const Sign s = CGAL::sign(value<Gmpq>(d, exact));
+    const Sign s = CGAL::sign(Ideal_delaunay_expression()(exact_values<Gmpq>(d, exact)));
     ++(s == ZERO ? statistics_.certified_zero : statistics_.integer);
     signs_.remember(d.ij, {s, false});
     return s;
@@ -194,15 +212,17 @@ private:
   // decides what nearly is a tie because input lengths were rounded
   template <class Exact>
   Uncertain<Sign> precise_sign(const Diamond& d, const Exact& exact) const {
+    const double by = unit(values(d));
     const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    return value<Ball<Double_double>>(d, exact).sign();
+    return Ideal_delaunay_expression()(multiplied(exact_values<Ball<Double_double>>(d, exact), by))
+        .sign();
   }
 
-  // of `Ideal_delaunay_expression`, by strips
+  // by strips
   template <class Number, class Exact>
-  Number value(const Diamond& d, const Exact& exact) const {
+  Ideal_diamond_values<Number> exact_values(const Diamond& d, const Exact& exact) const {
     const std::array<Number, 5> l = lambdas<Number>(edges(d), exact);
-    return Ideal_delaunay_expression()(Ideal_diamond_values<Number>{l[0], l[1], l[2], l[3], l[4]});
+    return {l[0], l[1], l[2], l[3], l[4]};
   }
 
   std::vector<double> input_lambda_; // of the edges of the input

@@ -8,10 +8,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Predicates are of degree four in lengths that two factors scale: beyond this range they overflow
-// in doubles, and rational numbers have to decide each of them.
+// Flips multiply two lengths that two factors scale each: beyond this range the products overflow in
+// doubles, and rational numbers have to decide.
 bool are_in_range(std::span<const double> factors) {
-  return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-120 && w <= 0x1p120; });
+  return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-240 && w <= 0x1p240; });
 }
 
 double Ideal_face::area() const {
