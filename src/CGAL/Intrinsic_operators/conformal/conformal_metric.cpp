@@ -59,6 +59,9 @@ private:
   }
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
+  // Takes whole steps where rounding of factors decides on the residual, as if by lot, and keeps the
+  // best of all places.
+  void polish(Conformal_metric& result);
   // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
   // powers of ten, triangles are needles whose angles are lost in rounding.
   void balance();
@@ -216,6 +219,25 @@ void Conformal_newton::iterate(Conformal_metric& result) {
   if (result.residual <= options_.tolerance) result.status = Status::done;
 }
 
+void Conformal_newton::polish(Conformal_metric& result) {
+  constexpr unsigned most = 16;
+  Scale best = u_;
+  for (unsigned n = 0; n < most && result.residual > options_.tolerance; ++n) {
+    const Scale u = u_ + system_->solve(excess_).cast<long double>();
+    std::optional<Eigen::VectorXd> excess = excess_at(u);
+    if (!excess) break;
+    ++result.iterations;
+    u_ = u;
+    excess_ = *std::move(excess);
+    if (const double now = residual(excess_); now < result.residual) {
+      result.residual = now;
+      best = u_;
+    }
+  }
+  go_to(best);
+  if (result.residual <= options_.tolerance) result.status = Status::done;
+}
+
 Conformal_metric Conformal_newton::solve() {
   Conformal_metric result;
   iterate(result);
@@ -223,6 +245,7 @@ Conformal_metric Conformal_newton::solve() {
     balance();
     iterate(result);
   }
+  if (result.status == Status::stalled && result.residual <= near) polish(result);
   result.flips = flips_;
   result.u.assign(u_.begin(), u_.end());
   result.scale_factors = std::move(factors_);
