@@ -25,11 +25,11 @@ struct Conformal_metric {
   /// `done`: the residual is at most the tolerance; `cap`: the number of iterations was reached;
   /// `stalled`: rounding hides how to go on; `cancelled`: by the visitor.
   Status status = Status::done;
-  /// u at each vertex of the user, rounded to doubles, zero where it is free or isolated, and with mean zero on
-  /// components without free vertices if the metric is flat.
+  /// u at each vertex of the user, rounded to doubles: zero where it is free or isolated, and with
+  /// mean zero on components without free vertices if the metric is flat.
   std::vector<double> u;
-  /// The doubles nearest exp(u/2), for u with more digits. They define the metric: lambda_ij becomes
-  /// w_i lambda_ij w_j exactly.
+  /// The doubles nearest exp(u/2), for u before it is rounded. They define the metric: lambda_ij
+  /// becomes w_i lambda_ij w_j exactly.
   std::vector<double> scale_factors;
   /// Steps of Newton's method.
   unsigned iterations = 0;

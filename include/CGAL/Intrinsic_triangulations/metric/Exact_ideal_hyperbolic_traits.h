@@ -168,8 +168,8 @@ private:
     return std::nullopt;
   }
 
-  // The power of two that divides all lambda lengths of a diamond such that the largest is near one:
-  // the expression, of degree four, overflows in doubles beyond 1e77.
+  // The power of two that takes the largest lambda length of a diamond near one: the expression, of
+  // degree four, overflows in doubles beyond 1e77.
   static double unit(const Ideal_diamond_values<FT>& v) {
     const double most = std::max({v.ij.sup(), v.jk.sup(), v.ki.sup(), v.im.sup(), v.mj.sup()});
     if (!(most <= std::numeric_limits<double>::max())) return 1; // out of range already

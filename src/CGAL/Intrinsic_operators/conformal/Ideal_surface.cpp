@@ -8,7 +8,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips multiply two lengths that two factors scale each: beyond this range the products overflow in
+// Flips multiply two lengths that two factors scale each: beyond this range products overflow in
 // doubles, and rational numbers have to decide.
 bool are_in_range(std::span<const double> factors) {
   return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-240 && w <= 0x1p240; });

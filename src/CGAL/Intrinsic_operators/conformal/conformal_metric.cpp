@@ -59,8 +59,8 @@ private:
   }
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
-  // Takes whole steps where rounding of factors decides on the residual, as if by lot, and keeps the
-  // best of all places.
+  // Takes whole steps where the rounding of factors decides on the residual, and keeps the best of
+  // all places.
   void polish(Conformal_metric& result);
   // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
   // powers of ten, triangles are needles whose angles are lost in rounding.
