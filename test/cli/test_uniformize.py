@@ -246,6 +246,11 @@ class Uniformize(Cli_test):
         self.assert_fails(refused("--target", "disk", "--cones", "8"), "list cones", "file")
         self.assert_fails(refused("--target", "sphere", "--cones", "8"), "leave --angles and")
         self.assert_fails(refused("--cones", "2"), "place at least 3")
+        self.stats("refine", mesh, "--max-circumradius", "0.3", "-o", "r.idt")
+        self.assertEqual(self.stats("uniformize", "r.idt", "-o", "u.txt")["conformal"]["start"],
+                         "input")
+        self.assert_fails(self.run_program("uniformize", "r.idt", "--start", "delaunay"),
+                          "inserted", "--start input")
         for text, words in (("pi\n", ("has 1 angles", "8 vertices")),
                             ("-1\n" * 8, ("a.txt:1:", "not positive")),
                             ("xpi\n" * 8, ("a.txt:1:", "3/2pi")),

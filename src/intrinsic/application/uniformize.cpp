@@ -172,6 +172,9 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   asked.target = target_of(t, asked);
   const bool has_inserted = t.number_of_vertices() > t.input().number_of_rows();
   if (asked.start.empty()) asked.start = has_inserted ? "input" : "delaunay";
+  if (asked.start == "delaunay" && has_inserted)
+    throw std::runtime_error("scale factors belong to the vertices of the file, and others were "
+                             "inserted; take --start input");
   Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
   if (asked.target == "sphere") return on_sphere(ideal, points, options);
   IT::Flat_surface start = IT::flat_surface(ideal);
