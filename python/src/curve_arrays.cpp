@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,17 @@ std::array<std::int64_t, 3> corners_from(const IT::Input& input, std::uint32_t h
 }
 
 } // namespace
+
+void expect_on_input(const IT::Input& input, const IT::Traced_curve& curve,
+                     const std::string& name) {
+  const auto is_there = [&](const IT::Surface_point& p) {
+    return p.halfedge < input.number_of_halfedges();
+  };
+  const auto is_face = [&](std::uint32_t f) { return f < input.number_of_faces(); };
+  if (curve.faces.size() + 1 < curve.points.size() ||
+      !std::ranges::all_of(curve.points, is_there) || !std::ranges::all_of(curve.faces, is_face))
+    refuse(name + " is a curve of another surface; give one of this surface");
+}
 
 py::dict point_arrays(const IT::Input& input, const Points& coordinates,
                       const std::vector<IT::Surface_point>& points,

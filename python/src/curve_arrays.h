@@ -31,6 +31,11 @@ struct Way {
 /// adds the class to the module: an object that can be pickled, but has no members there.
 void bind_way(py::module_& m);
 
+/// \throws Invalid_input if a curve has elements that the input does not have: it is another
+/// surface's. \param name what messages call the curve: "curves[2]"
+void expect_on_input(const IT::Input& input, const IT::Traced_curve& curve,
+                     const std::string& name);
+
 /*!
 \brief returns points of the input as arrays: `points` in space (none without coordinates),
 `faces` of the user, `corners`, the vertices whose weights are `barycentric`, and `vertices` of the

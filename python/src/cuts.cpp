@@ -49,12 +49,13 @@ void expect_no_cover(const IT::Input& input) {
 
 // Inserts curves into a copy of a triangulation, and cuts along them.
 template <class T>
-Cut cut_along_ways(T t, const std::vector<std::vector<IT::Surface_point>>& ways) {
+Cut cut_along_ways(T t, const std::vector<const Way*>& ways) {
   expect_no_cover(t.input());
   std::vector<IT::Inserted_polyline<T>> paths;
-  for (const std::vector<IT::Surface_point>& way : ways) {
-    paths.push_back(IT::insert_polyline(t, way));
-    const std::string curve = "curve " + std::to_string(paths.size() - 1);
+  for (const Way* way : ways) {
+    const std::string curve = "curves[" + std::to_string(paths.size()) + "]";
+    expect_on_input(t.input(), way->curve, curve);
+    paths.push_back(IT::insert_polyline(t, way->curve.points));
     if (paths.back().status != IT::Move_status::done)
       throw IT::Invalid_input(IT::Element_kind::none, 0,
                               curve + " cannot be inserted into the triangulation; choose another");
@@ -148,12 +149,9 @@ py::dict cut_network(const Surface& s, const Curve_edges& edges) {
 }
 
 py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways) {
-  std::vector<std::vector<IT::Surface_point>> points;
-  for (const Way* way : ways) points.push_back(way->curve.points);
   Watch watch;
   return cut_arrays(
-      with_triangulation(s, watch,
-                         [&]<class T>(const T& t) { return cut_along_ways<T>(t, points); }),
+      with_triangulation(s, watch, [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways); }),
       s.points);
 }
 

@@ -161,8 +161,6 @@ void add_pieces(const T& t, const IT::Traced_curve& curve,
                 std::vector<IT::Polyline_source>& pieces) {
   const IT::Input& input = t.input();
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    if (curve.faces[i] >= input.number_of_faces())
-      refuse("a curve is that of another surface; give curves of this one");
     const auto p = IT::internal::seen_in_face(input, curve.points[i], curve.faces[i]);
     const auto q = IT::seen_from(
         input, IT::internal::seen_in_face(input, curve.points[i + 1], curve.faces[i]), p.halfedge);
@@ -185,11 +183,12 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
                                  IT::Signed_heat_distance<T>& method) {
   std::vector<std::vector<typename T::halfedge_descriptor>> edges;
   std::vector<IT::Polyline_source> pieces;
-  for (const auto& curve : curves)
-    if (const Way* way = std::get_if<Way>(&curve))
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (const Way* way = std::get_if<Way>(&curves[i])) {
+      expect_on_input(t.input(), way->curve, "curves[" + std::to_string(i) + "]");
       add_pieces(t, way->curve, pieces);
-    else
-      edges.push_back(along_edges(t, std::get<std::vector<std::uint32_t>>(curve)));
+    } else
+      edges.push_back(along_edges(t, std::get<std::vector<std::uint32_t>>(curves[i])));
   if (edges.size() == curves.size()) return method.distances(edges);
   for (const auto& curve : edges)
     for (const auto h : curve) {

@@ -253,6 +253,7 @@ class Arguments(unittest.TestCase):
                 (lambda: s.path(0, 1, method="exactly"), "method"),
                 (lambda: s.loop([0, 1]), "loops.* 2 points"), (lambda: s.network(), "curve"),
                 (lambda: s.network([[0]]), "paths"),
+                (lambda: s.cut(it.Surface(*unit_grid(9)).path(0, 99)), r"curves\[0\].*another"),
                 (lambda: s.trace(0, [0, 0, 0], 1), "direction"),
                 (lambda: s.trace(0, [0, 0, 1], 1), "direction"),
                 (lambda: s.trace(0, [0, 1], -1), "length"),
