@@ -264,7 +264,7 @@ class Arguments(unittest.TestCase):
                 (lambda: s.isolines(V[:, 0], 0), "levels"),
                 (lambda: s.isolines(V[:, 0], [np.inf]), "levels"),
                 (lambda: s.isolines(V[:, 0] * np.nan, [0.5]), ""),
-                (lambda: s.cut([V]), "no Curve"),
+                (lambda: s.cut([V]), "not a Curve"),
                 (lambda: s.cut(through=[it.Point(0, (1, 0, 0))]), "vertices")]:
             with self.assertRaisesRegex(ValueError, words):
                 call()
