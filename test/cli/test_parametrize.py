@@ -184,7 +184,7 @@ class Parametrize(Cli_test):
                           "0 borders of 1 components", "uniformize")
         mesh = self.write_off("m.off", *self.moebius(6))
         self.assert_fails(self.run_program("parametrize", mesh, "--method", "conformal"),
-                          "no oriented manifold", "uniformize")
+                          "not an oriented manifold", "uniformize")
         for more in (("--cut", "auto"), ("--refine",), ("--sharp-angle", "20")):
             run = self.run_program("parametrize", mesh, "--method", "conformal", *more)
             self.assertEqual(run.code, 2)
