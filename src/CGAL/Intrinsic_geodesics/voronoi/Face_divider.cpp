@@ -31,12 +31,12 @@ Plane_point left_of(Plane_point p) { return {-p.y, p.x}; }
 Plane_point lerp(Plane_point p, Plane_point q, double t) { return (1 - t) * p + t * q; }
 
 // The smallest box around a part, and what follows from it.
-struct Box {
+struct Face_box {
   Plane_point least{std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
   Plane_point greatest{-least.x, -least.y};
 
-  explicit Box(const Face_part& part) {
+  explicit Face_box(const Face_part& part) {
     for (const Part_corner& c : part) {
       least = {std::min(least.x, c.point.x), std::min(least.y, c.point.y)};
       greatest = {std::max(greatest.x, c.point.x), std::max(greatest.y, c.point.y)};
@@ -137,7 +137,7 @@ void Face_divider::divide(std::uint32_t face, const Face_part& whole) {
 void Face_divider::divide(const Face_part& part, const Sites& all, std::vector<Plane_point> sources,
                           unsigned depth) {
   const std::vector<std::size_t> changes = changes_of(part);
-  const Box box(part);
+  const Face_box box(part);
   const double diameter = box.diameter();
   const bool is_cap = depth >= most_cuts || ++parts_ > most_parts;
   const bool is_last = is_flat_ || is_cap || diameter <= tolerance_;

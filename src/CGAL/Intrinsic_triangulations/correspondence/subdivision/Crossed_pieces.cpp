@@ -18,8 +18,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Common_subdivision::none;
-
 // Twice the signed area of three points, as part of that of the face.
 double area(const std::array<double, 3>& p, const std::array<double, 3>& q,
             const std::array<double, 3>& r) {
@@ -45,7 +43,7 @@ Inner_sides inner_sides(const Common_subdivision& s, const std::vector<std::uint
   result.begin.assign(middle.number_of_faces() + 1, 0);
   std::vector<std::uint32_t> inner;
   for (std::uint32_t c = 0; c < s.corner.size(); ++c)
-    if (s.side[c].input_edge == none && c < partner[c]) inner.push_back(c);
+    if (s.side[c].input_edge == Common_subdivision::none && c < partner[c]) inner.push_back(c);
   const auto face = [&](std::uint32_t c) {
     return middle.face(Gluing_map::Halfedge{s.input_halfedge[c]}).index;
   };

@@ -49,6 +49,7 @@ public:
   std::uint32_t partner(std::uint32_t first_corner) const { return glue_[first_corner]; }
 
 private:
+  static constexpr std::uint32_t none = Common_subdivision::none;
   using Place = std::array<double, 3>; // in a face of the middle triangulation
 
   // An end of an input edge in a middle face.
