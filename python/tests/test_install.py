@@ -22,7 +22,7 @@ print(it.__file__, s.mass().sum())
 
 
 @unittest.skipUnless(shutil.which("cmake") and (program.BUILD / "CMakeCache.txt").exists(),
-                     "this is no build tree")
+                     "this is not a build tree")
 class Installed(With_folder):
     def test_it_imports_and_has_all_files(self):
         subprocess.run(["cmake", "--install", program.BUILD, "--prefix", self.folder,

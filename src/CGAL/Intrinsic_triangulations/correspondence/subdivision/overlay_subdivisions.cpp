@@ -230,7 +230,7 @@ private:
             edge};
   }
 
-  // The halfedge of the input at a vertex that is no crossing.
+  // The halfedge of the input at a vertex that is not a crossing.
   std::uint32_t input_halfedge(const Point& p, std::uint32_t face) const {
     const std::uint32_t h = b_.input_halfedge[p.corner];
     if (const std::uint32_t x = first_at(p.vertex);
