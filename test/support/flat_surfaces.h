@@ -6,7 +6,9 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +18,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 /// Flat surfaces with cones in closed form, with random triangulations.
@@ -228,6 +231,26 @@ inline Surface cube() {
 inline Surface tetrahedron() {
   return Surface({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}},
                  {{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}});
+}
+
+/// A flat surface as input of a triangulation, that keeps its numbers.
+inline IT::Intrinsic_input input_of(const Surface& s) {
+  IT::Gluing_map map(s.gluing);
+  std::vector<double> squares(map.number_of_edges());
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      squares[map.sides({f})[k].index / 2] = std::pow(s.length[3 * f + k], 2);
+  IT::Intrinsic_input in(std::move(map), std::move(squares));
+  in.may_renumber = false;
+  return in;
+}
+
+/// Tries to flip random edges of a triangulation, some of which are refused.
+template <class Triangulation>
+void flip_at_random(Triangulation& t, std::mt19937& random, int flips) {
+  std::vector<typename Triangulation::edge_descriptor> all(edges(t.mesh()).begin(),
+                                                           edges(t.mesh()).end());
+  for (int i = 0; i < flips; ++i) t.flip_edge(halfedge(all[random() % all.size()], t.mesh()));
 }
 
 } // namespace flat

@@ -31,7 +31,8 @@ inline oracle::Answer tufted(const Mesh& m) {
     both.triangles.push_back({i, j, k});
     both.triangles.push_back({j, i, k});
   }
-  // for each edge, by angle, the triangle that runs along it from the lower vertex, and the one that runs back
+  // for each edge, by angle, the triangle that runs along it from the lower vertex, and the one that
+  // runs back
   using Vector = std::array<double, 3>;
   const auto minus = [](const Vector& a, const Vector& b) {
     return Vector{a[0] - b[0], a[1] - b[1], a[2] - b[2]};

@@ -46,17 +46,6 @@ using Euclidean = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidea
 using Ideal = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic_traits<double>,
                                           IT::Integer_coordinates>;
 
-IT::Intrinsic_input input_of(const flat::Surface& s) {
-  IT::Gluing_map map(s.gluing);
-  std::vector<double> squares(map.number_of_edges());
-  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k)
-      squares[map.sides({f})[k].index / 2] = std::pow(s.length[3 * f + k], 2);
-  IT::Intrinsic_input in(std::move(map), std::move(squares));
-  in.may_renumber = false;
-  return in;
-}
-
 struct Mapped {
   std::vector<double> u;
   IT::Scaled_layout layout;

@@ -53,25 +53,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                                   IT::Integer_coordinates>;
 
-// A flat surface as input of a triangulation, that keeps its numbers.
-IT::Intrinsic_input input_of(const flat::Surface& s) {
-  IT::Gluing_map map(s.gluing);
-  std::vector<double> squares(map.number_of_edges());
-  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k)
-      squares[map.sides({f})[k].index / 2] = std::pow(s.length[3 * f + k], 2);
-  IT::Intrinsic_input in(std::move(map), std::move(squares));
-  in.may_renumber = false;
-  return in;
-}
-
-void flip_at_random(Triangulation& t, std::mt19937& random, int flips) {
-  std::vector<Triangulation::edge_descriptor> all(edges(t.mesh()).begin(), edges(t.mesh()).end());
-  for (int i = 0; i < flips; ++i) {
-    const auto h = halfedge(all[random() % all.size()], t.mesh());
-    t.flip_edge(h); // or it is refused
-  }
-}
+using flat::flip_at_random;
 
 struct Laid_out {
   IT::Intrinsic_input in;

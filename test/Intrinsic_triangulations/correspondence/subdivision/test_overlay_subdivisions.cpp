@@ -43,17 +43,6 @@ using Ideal = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic_t
 using Complex = std::complex<double>;
 constexpr std::uint32_t none = IT::Common_subdivision::none;
 
-IT::Intrinsic_input input_of(const flat::Surface& s) {
-  IT::Gluing_map map(s.gluing);
-  std::vector<double> squares(map.number_of_edges());
-  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f)
-    for (std::uint32_t k = 0; k < 3; ++k)
-      squares[map.sides({f})[k].index / 2] = std::pow(s.length[3 * f + k], 2);
-  IT::Intrinsic_input in(std::move(map), std::move(squares));
-  in.may_renumber = false;
-  return in;
-}
-
 // The triangulation with its lengths as lambda lengths.
 Ideal ideal_of(const Euclidean& t) {
   IT::Intrinsic_input in(t.mesh(), std::vector<double>(t.mesh().number_of_edges()),
@@ -63,10 +52,7 @@ Ideal ideal_of(const Euclidean& t) {
   return Ideal(std::move(in));
 }
 
-void flip_at_random(Euclidean& t, std::mt19937& random, int flips) {
-  std::vector<Euclidean::edge_descriptor> all(edges(t.mesh()).begin(), edges(t.mesh()).end());
-  for (int i = 0; i < flips; ++i) t.flip_edge(halfedge(all[random() % all.size()], t.mesh()));
-}
+using flat::flip_at_random;
 
 class Overlay_checker {
 public:
