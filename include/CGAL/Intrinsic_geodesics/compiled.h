@@ -26,7 +26,7 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/compiled.h>
 
 #include <functional>
 #include <vector>
@@ -59,10 +59,7 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
   prefix internal::Corner_table internal::corner_table(const __VA_ARGS__&)
 // instantiates them for the usual triangulations with a correspondence.
 #define CGAL_INTRINSIC_GEODESICS_INSTANCES(prefix)                                                 \
-  CGAL_INTRINSIC_GEODESICS_FUNCTIONS(                                                              \
-      prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);   \
-  CGAL_INTRINSIC_GEODESICS_FUNCTIONS(                                                              \
-      prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>)
+  CGAL_INTRINSIC_TRIANGULATIONS_FOR_INTEGERS(CGAL_INTRINSIC_GEODESICS_FUNCTIONS, prefix)
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 namespace CGAL::Intrinsic_triangulations {

@@ -14,7 +14,7 @@ includes this file.
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/compiled.h>
 
 #include <Eigen/SparseCore>
 
@@ -25,10 +25,7 @@ includes this file.
   prefix Eigen::SparseMatrix<double> lumped_mass_matrix(const __VA_ARGS__&)
 // instantiates them for the usual triangulations with a correspondence.
 #define CGAL_INTRINSIC_OPERATORS_INSTANCES(prefix)                                                 \
-  CGAL_INTRINSIC_OPERATORS_MATRICES(                                                               \
-      prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);   \
-  CGAL_INTRINSIC_OPERATORS_MATRICES(                                                               \
-      prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>)
+  CGAL_INTRINSIC_TRIANGULATIONS_FOR_INTEGERS(CGAL_INTRINSIC_OPERATORS_MATRICES, prefix)
 
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 namespace CGAL::Intrinsic_triangulations {

@@ -32,6 +32,12 @@ sources of the library, see `src/instances/`.
                                             No_correspondence>);                                   \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
                                             Integer_coordinates>)
+// calls a macro with a prefix and each of the usual triangulations with a correspondence.
+#define CGAL_INTRINSIC_TRIANGULATIONS_FOR_INTEGERS(instances, prefix)                              \
+  instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
+                                            Integer_coordinates>);                                 \
+  instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
+                                            Integer_coordinates>)
 // calls a macro with a prefix and each exact triangulation with another correspondence.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(instances, prefix)                                \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
