@@ -45,20 +45,15 @@ def sphere(rounds):
     return points, faces
 
 
-class Ideal_triangulation:
-    """Halfedges 3 f + k, each with its twin; lambda lengths in two kinds of numbers."""
+class Triangulation:
+    """Halfedges 3 f + k, each with its twin, or -1 on the border. Numbers of a halfedge are in
+    lists, equal for both sides of an edge."""
 
-    def __init__(self, points, faces, factors):
+    def __init__(self, faces, lists):
         self.origin = [v for f in faces for v in f]
         ends = {(self.origin[h], self.origin[self.next(h)]): h for h in range(len(self.origin))}
-        self.twin = [ends[w, v] for v, w in sorted(ends, key=ends.get)]
-        self.double, self.exact = [0] * len(self.twin), [0] * len(self.twin)
-        for (v, w), h in ends.items():
-            if v < w:
-                length = math.dist(points[v], points[w])
-                for i in (h, self.twin[h]):
-                    self.double[i] = length * factors[v] * factors[w]
-                    self.exact[i] = Fraction(length) * Fraction(factors[v]) * Fraction(factors[w])
+        self.twin = [ends.get((w, v), -1) for v, w in sorted(ends, key=ends.get)]
+        self.lists = [[None] * len(self.twin) for _ in range(lists)]
 
     @staticmethod
     def next(h):
@@ -68,18 +63,11 @@ class Ideal_triangulation:
         t = self.twin[h]
         return [h, self.next(h), self.next(self.next(h)), self.next(t), self.next(self.next(t))]
 
-    def excess(self, h, numbers):
-        """The sum of two cosines, negative if the edge is not Delaunay: 2 cos is
-        (a^2 + b^2 - e^2) / (a b)."""
-        e, a, b, c, d = (numbers[i] for i in self.diamond(h))
-        return (a * a + b * b - e * e) / (a * b) + (c * c + d * d - e * e) / (c * d)
-
     def flip(self, h):
         # ij with faces ijk and jim becomes km, with faces kmj and mki
         h, jk, ki, im, mj = self.diamond(h)
         t = self.twin[h]
-        values = [[n[i] for i in (jk, ki, im, mj)] +
-                  [(n[jk] * n[im] + n[ki] * n[mj]) / n[h]] for n in (self.double, self.exact)]
+        values = [[n[i] for i in (jk, ki, im, mj)] + [self.flipped(h, n)] for n in self.lists]
         outer = [self.twin[i] for i in (jk, ki, im, mj)]
         names = {jk: 0, ki: 1, im: 2, mj: 3}
         j, k, i, m = (self.origin[x] for x in (jk, ki, im, mj))
@@ -90,11 +78,13 @@ class Ideal_triangulation:
         for number, at in place.items():
             other = outer[number]
             other = place[names[other]] if other in names else other
-            self.twin[at], self.twin[other] = other, at
-            for n, v in zip((self.double, self.exact), values):
+            self.twin[at] = other
+            if other >= 0:
+                self.twin[other] = at
+            for n, v in zip(self.lists, values):
                 n[at] = v[number]
         self.twin[f], self.twin[g] = g, f
-        for n, v in zip((self.double, self.exact), values):
+        for n, v in zip(self.lists, values):
             n[f] = n[g] = v[4]
 
     def make_delaunay(self, tolerance, most):
@@ -102,19 +92,43 @@ class Ideal_triangulation:
         queue, flips = collections.deque(range(len(self.twin))), 0
         while queue and flips <= most:
             h = queue.popleft()
-            if self.excess(h, self.double) < -tolerance:
+            if self.twin[h] >= 0 and self.excess(h, self.lists[0]) < -tolerance:
                 self.flip(h)
                 flips += 1
                 f, g = h - h % 3, self.twin[h - h % 3]
                 queue.extend([f + 1, f + 2, g - g % 3 + 1, g - g % 3 + 2])
         return flips
 
+
+class Ideal_triangulation(Triangulation):
+    """Lambda lengths in doubles, and as fractions."""
+
+    def __init__(self, points, faces, factors):
+        super().__init__(faces, 2)
+        for h, t in enumerate(self.twin):
+            if h < t:
+                v, w = sorted((self.origin[h], self.origin[t]))
+                numbers = math.dist(points[v], points[w]), factors[v], factors[w]
+                for i in (h, t):
+                    self.lists[0][i] = math.prod(numbers)
+                    self.lists[1][i] = math.prod(map(Fraction, numbers))
+
+    def excess(self, h, numbers):
+        """The sum of two cosines, negative if the edge is not Delaunay: 2 cos is
+        (a^2 + b^2 - e^2) / (a b)."""
+        e, a, b, c, d = (numbers[i] for i in self.diamond(h))
+        return (a * a + b * b - e * e) / (a * b) + (c * c + d * d - e * e) / (c * d)
+
+    def flipped(self, h, numbers):
+        e, a, b, c, d = (numbers[i] for i in self.diamond(h))
+        return (a * c + b * d) / e
+
     def faults(self):
-        edges = sum(h < self.twin[h] and self.excess(h, self.exact) < 0
+        edges = sum(h < self.twin[h] and self.excess(h, self.lists[1]) < 0
                     for h in range(len(self.twin)))
         faces = 0
         for h in range(0, len(self.twin), 3):
-            a, b, c = sorted(self.exact[h:h + 3])
+            a, b, c = sorted(self.lists[1][h:h + 3])
             faces += a + b <= c
         return edges, faces
 
