@@ -136,20 +136,23 @@ def _angle_arrays(angles, vertices):
 
 
 class _Maps:
-    def parametrize(self, method="harmonic", *, cut=None, progress=None):
+    def parametrize(self, method="harmonic", *, cut=None, start=None, progress=None):
         """Maps a disk to the plane: a `PlaneMap`.
 
         `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
         "spectral" or "lscm": as conformal as possible with a free border; or "conformal":
-        discretely conformal, see `uniformize()`, whose `ConformalMap` it returns.
-        Clouds of points have the method "spectral".
+        discretely conformal, with scale 1 on the border, see `uniformize()`, whose `start` it
+        has and whose `ConformalMap` it returns. Clouds of points have the method "spectral".
 
         `cut` is "auto" to cut any surface open to a disk along short curves, or an array of edges
         of shape (k, 2), as pairs of vertices.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
         if method == "conformal":
-            return self.uniformize(target="plane", progress=progress)
+            return self._conformal_map_of_disk(cut, start, progress)
+        if start is not None:
+            raise ValueError(f'start="{start}" is of conformal maps; give it with '
+                             'method="conformal"')
         if self._is_cloud():
             if method != "spectral":
                 raise ValueError('for a cloud of points only method="spectral" works')
@@ -164,6 +167,15 @@ class _Maps:
         if _core.sheets(core) == 1:
             result.injective_on_input = _core.is_injective_on_input(core, uv)
         return result
+
+    def _conformal_map_of_disk(self, cut, start, progress):
+        if cut is not None:
+            raise ValueError('method="conformal" maps disks as they are; leave cut out, or take '
+                             "uniformize(), which cuts any surface open")
+        if not self._is_cloud() and _core.topology(self._core)[2] == 0:
+            raise ValueError('method="conformal" maps disks, and the surface has no border; take '
+                             "uniformize(), with cones where it asks for them")
+        return self.uniformize(target="plane", start=start or "delaunay", progress=progress)
 
     def uniformize(self, angles=None, *, cones=None, target=None, start="delaunay",
                    progress=None):

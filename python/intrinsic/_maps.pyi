@@ -54,6 +54,7 @@ class ConformalMap:
 class _Maps:
     def parametrize(self, method: Literal["harmonic", "lscm", "spectral", "conformal"] = ..., *,
                     cut: Literal["auto"] | ArrayLike | None = ...,
+                    start: Literal["input", "delaunay"] | None = ...,
                     progress: _Progress = ...) -> PlaneMap | ConformalMap: ...
     def uniformize(self, angles: Sequence[_Angle] | ArrayLike | None = ..., *,
                    cones: int | Mapping[int, _Angle] | None = ...,

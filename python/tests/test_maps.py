@@ -44,6 +44,14 @@ class Closed_forms(unittest.TestCase):
             found = np.linalg.norm(uv[:, None] - uv[None], axis=2)
             np.testing.assert_allclose(found, d, atol=1e-9)
 
+    def test_conformal_maps_of_disks_are_those_of_uniformize(self):
+        s = it.Surface(*bent())
+        for start in (None, "delaunay", "input"):
+            m = s.parametrize("conformal", start=start)
+            same = s.uniformize(start=start or "delaunay")
+            np.testing.assert_array_equal(m.u, same.u)
+            np.testing.assert_array_equal(m.layout.uv, same.layout.uv)
+
     def test_harmonic_maps_go_to_the_unit_disk(self):
         m = it.Surface(*bent()).parametrize()
         self.assertEqual((m.status, m.certificate["injective"], m.injective_on_input),
@@ -153,6 +161,10 @@ class Arguments(unittest.TestCase):
                 ("no edge joins", lambda: cube.parametrize(cut=[[0, 7]])),
                 ("does not exist", lambda: s.uniformize(target="cube")),
                 ("does not exist", lambda: s.uniformize(start="end")),
+                ("does not exist", lambda: s.parametrize("conformal", start="end")),
+                ("of conformal maps", lambda: s.parametrize("lscm", start="input")),
+                ("leave cut out", lambda: cube.parametrize("conformal", cut="auto")),
+                ("no border; take uniformize", lambda: cube.parametrize("conformal")),
                 ("not both", lambda: cube.uniformize([1] * 8, cones=3)),
                 ("has 2 angles", lambda: cube.uniformize([1, 2])),
                 ("vertex 0 is", lambda: cube.uniformize(["2"] * 8)),

@@ -22,6 +22,8 @@ void run_cut(const Options& options);
 void run_distance(const Options& options);
 /// maps a disk to the plane.
 void run_parametrize(const Options& options);
+/// maps disks to the plane as `run_uniformize` lays them out.
+void run_conformal_map(const Options& options);
 /// finds a discrete conformal metric with prescribed angles.
 void run_uniformize(const Options& options);
 /// transports tangent vectors from some vertices to all.

@@ -140,6 +140,7 @@ void add_parametrize(CLI::App& app, Options& options, Command& chosen) {
   command.add_option("--cut", options.application.cut,
                      "auto (default): cut open along few edges unless it is a disk; or a file that "
                      "lists the edges, two vertices a line");
+  program::add_start_option(command, options);
   command.callback([&chosen, &options] {
     if (options.application.cut.empty() && options.application.map != "conformal")
       options.application.cut = "auto";

@@ -447,6 +447,14 @@ void add_application_options(CLI::App& command, Options& options, bool has_sourc
   make_refinement_options_need(*refine, command);
 }
 
+void add_start_option(CLI::App& command, Options& options) {
+  command
+      .add_option("--start", options.uniformize.start,
+                  "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
+                  "triangulation) or input (those of the mesh); by default delaunay")
+      ->check(CLI::IsMember({"delaunay", "input"}));
+}
+
 void add_uniformize_options(CLI::App& command, Options& options) {
   Uniformize_options& u = options.uniformize;
   add_common_options(command, options);
@@ -465,11 +473,7 @@ void add_uniformize_options(CLI::App& command, Options& options) {
                   "of such a vertex and its angle on each line")
       ->excludes(angles)
       ->type_name("NUMBER|RATIO|FILE");
-  command
-      .add_option("--start", u.start,
-                  "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
-                  "triangulation) or input (those of the mesh); by default delaunay")
-      ->check(CLI::IsMember({"delaunay", "input"}));
+  add_start_option(command, options);
   command
       .add_option("--target", u.target,
                   "plane (flat but for cones), sphere (the round one), torus (flat, with its "
@@ -600,9 +604,13 @@ std::string distance_misuse(const Options& o) {
 }
 
 std::string parametrize_misuse(const Options& o) {
-  if (o.application.map == "conformal" &&
-      (!o.application.cut.empty() || o.refines || has_constraints(o)))
-    return "--method conformal maps disks, and flips edges of the triangles of the file; leave "
+  if (o.application.map != "conformal")
+    return o.uniformize.start.empty()
+               ? ""
+               : "lengths of triangles are scaled by conformal maps alone; give --start with "
+                 "--method conformal";
+  if (!o.application.cut.empty() || o.refines || has_constraints(o))
+    return "--method conformal maps disks, between their vertices, and flips all edges; leave "
            "--cut, --refine, --sharp-angle and --marked out";
   return {};
 }

@@ -48,6 +48,8 @@ void add_curve_output_options(CLI::App& command, Options& options);
 void add_application_options(CLI::App& command, Options& options, bool has_sources = false,
                              const std::vector<Contents>& outputs = {Contents::values,
                                                                      Contents::subdivision});
+/// adds the triangles whose lengths conformal maps scale.
+void add_start_option(CLI::App& command, Options& options);
 /// adds prescribed angles, and where results are written.
 void add_uniformize_options(CLI::App& command, Options& options);
 /// adds the method, curves as sources, and the limits of the search.

@@ -92,7 +92,7 @@ struct Application_options {
 struct Uniformize_options {
   std::string angles; ///< file of angles, one per vertex; empty: none
   std::string cones;  ///< number of cones, or file of them; empty: none
-  std::string start;  ///< `delaunay` or `input`; empty: input where a layout is written
+  std::string start;  ///< `delaunay` or `input`; empty: input if vertices were inserted
   std::string target; ///< `plane`, `sphere`, `torus` or `disk`; empty: what the surface allows
 };
 

@@ -161,12 +161,23 @@ class Parametrize(Cli_test):
                     self.assertAlmostEqual(math.dist(rows[a], rows[b]),
                                            math.dist(points[a], points[b]))
             self.assertEqual(stats["parametrize"]["max_scale_ratio"] == 1, mesh == flat)
-        # the same as that of uniformize
-        stats = self.stats("uniformize", bent, "--start", "input", "-o", "m.vtp")
-        for key in ("iterations", "mean_quasi_conformal", "max_scale_ratio"):
-            self.assertAlmostEqual(stats["conformal"][key], result[key])
-        with open(self.path("m.vtp"), encoding="utf-8") as file:
-            self.assertIn('Name="log_scale"', file.read())
+        for start in ("delaunay", "input"):  # the same as that of uniformize
+            stats = self.stats("uniformize", bent, "--start", start, "-o", "u.vtp")["conformal"]
+            result = self.stats("parametrize", bent, "--method", "conformal", "--start", start,
+                                "-o", "m.vtp")["parametrize"]
+            for key in ("status", "start", "iterations", "flips", "residual", "max_scale_ratio",
+                        "mean_quasi_conformal", "flipped_faces"):
+                self.assertEqual(stats[key], result[key])
+            with open(self.path("m.vtp"), "rb") as m, open(self.path("u.vtp"), "rb") as u:
+                text = m.read()
+                self.assertEqual(text, u.read())
+            self.assertIn(b'Name="log_scale"', text)
+        self.assertEqual(self.stats("parametrize", bent, "--method", "conformal")["parametrize"]
+                         ["start"], "delaunay")
+        self.stats("delaunay", bent, "-o", "bent.idt")
+        self.stats("parametrize", "bent.idt", "--method", "conformal", "-o", "i.txt")
+        for a, b in zip(rows, self.read_rows("i.txt")):
+            self.assertLess(math.dist(a, b), 1e-9)
         two = self.write_off("two.off", points + [(x + 9, y, z) for x, y, z in points],
                              [list(f) for f in faces] + [[v + len(points) for v in f]
                                                          for f in faces])
@@ -185,6 +196,11 @@ class Parametrize(Cli_test):
         mesh = self.write_off("m.off", *self.moebius(6))
         self.assert_fails(self.run_program("parametrize", mesh, "--method", "conformal"),
                           "not an oriented manifold", "uniformize")
+        self.stats("refine", self.write_off("g.off", *grid(2)), "--max-circumradius", "0.3", "-o",
+                   "r.idt")
+        self.assert_fails(self.run_program("parametrize", "r.idt", "--method", "conformal"),
+                          "inserted", "start from the mesh")
+        self.assertEqual(self.run_program("parametrize", mesh, "--start", "input").code, 2)
         for more in (("--cut", "auto"), ("--refine",), ("--sharp-angle", "20")):
             run = self.run_program("parametrize", mesh, "--method", "conformal", *more)
             self.assertEqual(run.code, 2)

@@ -79,6 +79,8 @@ struct Computed {
   unsigned isolines = 0; ///< number of steps between lines of equal values of it
   /// Whether the first two functions are places in the plane, shown by a checkerboard.
   bool is_map = false;
+  /// Whether functions have values at vertices of the file alone, not at inserted ones.
+  bool is_of_input = false;
   std::vector<char> is_torn{}; ///< per vertex: where a page shows no checkerboard; empty: nowhere
   std::optional<Direction_field> directions{};
   Marks marks{};

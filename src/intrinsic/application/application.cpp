@@ -326,7 +326,7 @@ template <class Triangulation>
 void write_results(const Loaded<Triangulation>& loaded, const Computed& computed,
                    const Options& options, Json& json, Output_files& files, Progress& progress,
                    Stopwatch& watch) {
-  const bool is_on_input = options.application.on == "input";
+  const bool is_on_input = options.application.on == "input" || computed.is_of_input;
   if (computed.laid_out) {
     expect_points(loaded, options);
     progress.show("writing");

@@ -4,7 +4,6 @@
 #include "../commands.h"
 #include "../status_name.h"
 #include "application.h"
-#include "conformal_disks.h"
 #include "map_by_method.h"
 
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
@@ -64,17 +63,6 @@ Computed mapped(Triangulation& t, const Options& options) {
   return computed;
 }
 
-// On the mesh of the file, values at vertices are all there is of a map.
-template <class Triangulation>
-Computed mapped_conformally(const Triangulation& t, const Points& points, const Options& options) {
-  if (t.number_of_vertices() > t.input().number_of_rows())
-    throw std::runtime_error("--method conformal maps the triangles of the file, without vertices "
-                             "that were inserted; leave --refine out, or start from the mesh");
-  Computed computed = conformal_map_of_disks(t, points);
-  if (options.application.on == "input") computed.laid_out.reset();
-  return computed;
-}
-
 // The conformal map of a cloud of points, which has no faces that could be certified.
 template <class Triangulation>
 Computed map_of_points(const Triangulation& t, const Options& options, const Points& points) {
@@ -97,11 +85,10 @@ Computed map_of_points(const Triangulation& t, const Options& options, const Poi
 } // namespace
 
 void run_parametrize(const Options& options) {
+  if (options.application.map == "conformal") return run_conformal_map(options);
   run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
     if (t.input().names().sheets > 2) return map_of_points(t, options, points);
-    Computed computed = options.application.map == "conformal"
-                            ? mapped_conformally(t, points, options)
-                            : mapped(t, options);
+    Computed computed = mapped(t, options);
     computed.json["method"] = options.application.map;
     Eigen::MatrixX2d uv(t.number_of_vertices(), 2);
     for (const Eigen::Index c : {0, 1})

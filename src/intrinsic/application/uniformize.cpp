@@ -4,6 +4,7 @@
 #include "../commands.h"
 #include "../status_name.h"
 #include "application.h"
+#include "conformal_disks.h"
 #include "conformal_layout.h"
 #include "prescribed_angles.h"
 
@@ -18,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <Eigen/Core>
 
@@ -162,7 +164,24 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
 }
 
 template <class Triangulation>
-Computed uniformized(const Triangulation& t, const Points& points, const Options& given) {
+bool has_inserted(const Triangulation& t) {
+  return t.number_of_vertices() > t.input().number_of_rows();
+}
+
+// The surface, or the double of one with border that was stored, on which results go by the same
+// vertices.
+template <class Triangulation, class Function>
+Computed with_closed(const Triangulation& t, const Function& function) {
+  if (IT::boundary_loops(t.mesh()).empty() || t.input().names().sheets != 1) return function(t);
+  Triangulation closed(double_of(t.input()));
+  IT::flip_to_delaunay(closed);
+  return function(closed);
+}
+
+// \param is_laid_out whether the result has a layout
+template <class Triangulation>
+Computed uniformized(const Triangulation& t, const Points& points, const Options& given,
+                     bool is_laid_out) {
   using Traits =
       std::conditional_t<Triangulation::Metric::is_exact, IT::Exact_ideal_hyperbolic_traits,
                          IT::Ideal_hyperbolic_traits<double>>;
@@ -170,9 +189,8 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   Options options = given;
   Uniformize_options& asked = options.uniformize;
   asked.target = target_of(t, asked);
-  const bool has_inserted = t.number_of_vertices() > t.input().number_of_rows();
-  if (asked.start.empty()) asked.start = has_inserted ? "input" : "delaunay";
-  if (asked.start == "delaunay" && has_inserted)
+  if (asked.start.empty()) asked.start = has_inserted(t) ? "input" : "delaunay";
+  if (asked.start == "delaunay" && has_inserted(t))
     throw std::runtime_error("scale factors belong to the vertices of the file, and others were "
                              "inserted; take --start input");
   Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
@@ -188,7 +206,7 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
     torus = IT::flat_torus(IT::flat_surface(ideal));
     computed.json["period"] = {torus->period.real(), torus->period.imag()};
   }
-  if (writes_shape(options)) {
+  if (is_laid_out) {
     IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
                                                    t.input().names(), is_hyperbolic);
     if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
@@ -199,14 +217,36 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   return computed;
 }
 
+// With the double in place of a surface with border.
+Options closed(const Options& given) {
+  Options options = given;
+  if (options.domain == "auto" && !is_triangulation_file(options.input)) options.domain = "closed";
+  return options;
+}
+
 } // namespace
 
 void run_uniformize(const Options& given) {
-  Options options = given;
-  // the double of a surface with border
-  if (options.domain == "auto" && !is_triangulation_file(options.input)) options.domain = "closed";
+  const Options options = closed(given);
   run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
-    return uniformized(t, points, options);
+    Computed computed = with_closed(
+        t, [&](const auto& s) { return uniformized(s, points, options, writes_shape(options)); });
+    computed.is_of_input = has_inserted(t);
+    return computed;
+  });
+}
+
+void run_conformal_map(const Options& given) {
+  Options options = closed(given);
+  options.uniformize.target = "plane";
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
+    if (has_inserted(t))
+      throw std::runtime_error("--method conformal maps the vertices of the file, and others were "
+                               "inserted; start from the mesh");
+    expect_disks(t.input());
+    return map_of_disks(
+        with_closed(t, [&](const auto& s) { return uniformized(s, points, options, true); }),
+        t.input(), points, options.application.on == "input");
   });
 }
 
