@@ -47,6 +47,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.cpp>

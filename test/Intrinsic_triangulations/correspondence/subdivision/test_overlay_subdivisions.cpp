@@ -246,4 +246,86 @@ TEST(OverlaySubdivisions, keepsEdgesThatCoincideTogether) {
   EXPECT_EQ(checker.subdivision().number_of_vertices(), 20U + diagonals.size());
 }
 
+// The message of the error, which must come.
+std::string refused(const IT::Common_subdivision& first, const IT::Common_subdivision& second,
+                    const Euclidean& t, const IT::Gluing_map& middle) {
+  try {
+    IT::overlay_subdivisions(first, second, t.input(), middle);
+  } catch (const IT::Invalid_input& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(OverlaySubdivisions, refusesSubdivisionsOfOtherTriangulations) {
+  std::mt19937 random(1);
+  flat::Surface s = flat::cube(), other = flat::tetrahedron();
+  s.mix(random, 20, 100);
+  other.mix(random, 20, 100);
+  Euclidean t(input_of(s));
+  const IT::Common_subdivision before = IT::common_subdivision(t);
+  flip_at_random(t, random, 15);
+  Ideal ideal = ideal_of(t);
+  ideal::flip_at_random(ideal, 40, 1);
+  const IT::Gluing_map middle = ideal.input().mesh();
+  const IT::Common_subdivision first = IT::common_subdivision(t),
+                               second = IT::common_subdivision(ideal);
+  EXPECT_EQ(refused(first, second, t, middle), "");
+  // a stale one, and those of other surfaces
+  const std::string stale = refused(before, second, t, middle);
+  EXPECT_NE(stale.find("of the middle triangulation is not that of the first subdivision"),
+            std::string::npos);
+  EXPECT_NE(stale.find("as it is now"), std::string::npos);
+  const Euclidean u(input_of(other));
+  const IT::Common_subdivision foreign = IT::common_subdivision(u);
+  EXPECT_NE(refused(foreign, second, t, middle), "");
+  EXPECT_NE(refused(first, foreign, t, middle), "");
+  EXPECT_NE(refused(foreign, foreign, t, middle), "");
+  EXPECT_NE(refused(second, first, t, middle), "");
+  EXPECT_NE(refused({}, second, t, middle), "");
+  EXPECT_NE(refused(first, {}, t, middle), "");
+  // of the triangulation after other flips, and after more
+  const Ideal early = ideal_of(Euclidean(input_of(s)));
+  EXPECT_NE(refused(first, IT::common_subdivision(early), t, middle).find("second subdivision"),
+            std::string::npos);
+  flip_at_random(t, random, 5);
+  EXPECT_NE(refused(IT::common_subdivision(t), second, t, middle), "");
+  EXPECT_NE(refused(first, second, t, t.mesh()), "");
+}
+
+// Each number in the arrays is changed in turn: the result is an error or a surface.
+TEST(OverlaySubdivisions, endsForArraysThatAreNone) {
+  std::mt19937 random(1);
+  flat::Surface s = flat::tetrahedron();
+  s.mix(random, 2, 20);
+  Euclidean t(input_of(s));
+  flip_at_random(t, random, 10);
+  Ideal ideal = ideal_of(t);
+  ideal::flip_at_random(ideal, 20, 1);
+  const std::array<IT::Common_subdivision, 2> valid{IT::common_subdivision(t),
+                                                    IT::common_subdivision(ideal)};
+  std::size_t refusals = 0, changes = 0;
+  for (const std::size_t which : {0U, 1U})
+    for (std::size_t array = 0; array < 8; ++array)
+      for (std::size_t i = 0; i < 40; ++i) {
+        std::array<IT::Common_subdivision, 2> changed = valid;
+        IT::Common_subdivision& c = changed[which];
+        const std::size_t corner = random() % c.corner.size(), face = random() % c.number_of_faces(),
+                          x = random() % c.crossings.size();
+        const std::array<std::uint32_t*, 8> numbers{
+            &c.corner[corner],
+            &c.side[corner].input_edge,
+            &c.side[corner].intrinsic_edge,
+            &c.intrinsic_halfedge[corner],
+            &c.input_halfedge[corner],
+            &c.face_begin[face],
+            &c.crossings[x].on_input.edge,
+            &c.crossings[x].on_intrinsic.edge};
+        *numbers[array] = i % 2 == 0 ? static_cast<std::uint32_t>(random()) : *numbers[array] ^ 1U;
+        ++changes;
+        if (!refused(changed[0], changed[1], t, ideal.input().mesh()).empty()) ++refusals;
+      }
+  EXPECT_GT(refusals, changes / 2);
+}
+
 } // namespace

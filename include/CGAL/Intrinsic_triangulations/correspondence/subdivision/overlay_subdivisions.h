@@ -48,7 +48,8 @@ result is a surface. Chords cross where they do as straight lines in the middle 
   elements in `first` and of input elements in `second`
 \return the overlay; its intrinsic edges have straight pieces in the middle face, with places along
   them in its metric
-\pre no vertices were inserted
+\throws Invalid_input naming a vertex, edge or face of the middle triangulation with which a
+  subdivision disagrees: that of another or of an earlier triangulation, or with inserted vertices
 \complexity n log n in the size of the result; and linear for each chord in the number of ends of
   crossed chords between its own
 */

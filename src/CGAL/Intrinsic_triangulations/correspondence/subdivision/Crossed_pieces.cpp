@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <algorithm>
@@ -63,8 +64,9 @@ Crossed_pieces::Crossed_pieces(const Common_subdivision& first, const Common_sub
       glue_(first_.run()), partner_(second_.run()),
       edges_(first_, second_, middle.number_of_halfedges()), halfedge_(second.corner.size(), none),
       entering_(second.corner.size(), none) {
-  for (std::uint32_t e = 0; e < middle.number_of_edges(); ++e)
-    if (!edges_.second()[2 * e].empty()) add_pieces(e);
+  expect_paths(first_, glue_, Subdivided::intrinsic, edges_.first(), middle);
+  expect_paths(second_, partner_, Subdivided::input, edges_.second(), middle);
+  for (std::uint32_t e = 0; e < middle.number_of_edges(); ++e) add_pieces(e);
   const Inner_sides inner = inner_sides(second, partner_, middle);
   for (std::uint32_t i = 0, end = 0; i < first.number_of_faces(); i = end) {
     const std::uint32_t f = first.intrinsic_face[i];
@@ -74,6 +76,12 @@ Crossed_pieces::Crossed_pieces(const Common_subdivision& first, const Common_sub
     for (std::uint32_t n = inner.begin[f]; n < inner.begin[f + 1]; ++n) cross(inner.corner[n]);
   }
   begin_.push_back(static_cast<std::uint32_t>(crossings_.size()));
+}
+
+void Crossed_pieces::fail(std::uint32_t corner) const {
+  fail_middle(Element_kind::face,
+              middle_.face(Gluing_map::Halfedge{b_.input_halfedge[corner]}).index,
+              Subdivided::input);
 }
 
 std::uint32_t Crossed_pieces::row(std::uint32_t vertex) const {
@@ -234,6 +242,7 @@ void Crossed_pieces::meet(std::uint32_t corner) {
   const auto distance = [&](std::uint32_t place) { return (place + border_ - from) % border_; };
   const auto e = std::lower_bound(ends_.begin(), ends_.end(), from,
                                   [](const Chord_end& end, std::uint32_t x) { return end.at < x; });
+  if (e == ends_.end()) fail(corner);
   if (e->other == to)
     input_edge_[halfedge_[corner] / 2] = a_.side[e->corner].input_edge;
   else if (distance(e->other) > distance(to))

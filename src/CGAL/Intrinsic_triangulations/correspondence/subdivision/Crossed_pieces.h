@@ -20,6 +20,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // first one, cross them.
 class Crossed_pieces {
 public:
+  // \pre `expect_arrays()` has checked both
+  // \throws Invalid_input as `expect_paths()`
   Crossed_pieces(const Common_subdivision& first, const Common_subdivision& second,
                  const Input& input, const Gluing_map& middle);
 
@@ -47,6 +49,9 @@ public:
   std::uint32_t input_edge(std::uint32_t edge) const { return input_edge_[edge]; }
   // The same side, in the other direction.
   std::uint32_t partner(std::uint32_t first_corner) const { return glue_[first_corner]; }
+
+  // \throws Invalid_input that the middle face of a corner of the second subdivision is another one
+  [[noreturn]] void fail(std::uint32_t corner) const;
 
 private:
   static constexpr std::uint32_t none = Common_subdivision::none;

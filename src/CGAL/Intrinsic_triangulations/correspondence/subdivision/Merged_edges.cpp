@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.h>
 
 #include <cmath>
 #include <cstddef>
@@ -27,6 +28,7 @@ Corners_along::Corners_along(const Piece_gluer& pieces, Subdivided which, std::u
       (crossing(c) == none ? first[halfedge[c]] : from[2 * crossing(c) + halfedge[c] % 2]) = c;
   for (std::uint32_t h = 0; h < halfedges; ++h) {
     for (std::uint32_t c = first[h]; c != none;) {
+      if (corners_.size() == s.corner.size()) fail_middle(Element_kind::edge, h / 2, which);
       corners_.push_back(c);
       const std::uint32_t end = crossing(pieces.next(c));
       c = end == none ? none : from[2 * end + h % 2];
@@ -41,8 +43,7 @@ Merged_edges::Merged_edges(const Piece_gluer& first, const Piece_gluer& second,
       second_(second, Subdivided::input, halfedges),
       of_first_(first.subdivision().crossings.size()),
       of_second_(second.subdivision().crossings.size()), points_(halfedges / 2, 0) {
-  for (std::uint32_t e = 0; e < halfedges / 2; ++e)
-    if (!first_[2 * e].empty()) merge(first, second, e);
+  for (std::uint32_t e = 0; e < halfedges / 2; ++e) merge(first, second, e);
 }
 
 void Merged_edges::merge(const Piece_gluer& first, const Piece_gluer& second, std::uint32_t edge) {

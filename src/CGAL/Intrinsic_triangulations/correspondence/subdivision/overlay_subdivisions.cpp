@@ -5,7 +5,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <algorithm>
@@ -113,6 +115,8 @@ private:
 
   // ---- One face of the second subdivision ----
 
+  [[noreturn]] void fail() const { crossed_.fail(b_.face_begin[face_]); }
+
   void cut(std::uint32_t f) {
     face_ = f;
     collect_points();
@@ -124,6 +128,7 @@ private:
       for (; next < cuts_.size() && cuts_[next].point == i; ++next) {
         open.back().back().cut = cuts_[next].side;
         if (cuts_[next].other < i) {
+          if (open.size() == 1) fail();
           finish(open.back());
           open.pop_back();
         } else {
@@ -174,10 +179,10 @@ private:
   // The corner of the face, at a middle vertex, at which a side of the first subdivision ends.
   std::size_t corner_at_end(std::uint32_t side) const {
     const std::uint32_t h = a_.intrinsic_halfedge[crossed_.first().next(side)];
-    std::size_t i = 0;
-    while (points_[i].vertex >= b_.vertices.size() || b_.input_halfedge[points_[i].corner] != h)
-      ++i;
-    return i;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (points_[i].vertex < b_.vertices.size() && b_.input_halfedge[points_[i].corner] == h)
+        return i;
+    fail();
   }
 
   // ---- One cell ----
@@ -209,7 +214,7 @@ private:
       if (b_.side[points_[c.point].corner].input_edge != none)
         return crossed_.first().face(first_along(points_[c.point]));
     }
-    return none;
+    fail();
   }
 
   // The corner of the first subdivision whose side contains what follows a point of a middle edge.
@@ -235,11 +240,11 @@ private:
     const std::uint32_t h = b_.input_halfedge[p.corner];
     if (const std::uint32_t x = first_at(p.vertex);
         x != none || p.vertex < b_.vertices.size()) { // a corner of the face, too
-      std::uint32_t c = a_.face_begin[face];
-      while (a_.intrinsic_halfedge[c] != h ||
-             (x == none ? !is_vertex_of_first(c) : a_.corner[c] != a_.vertices.size() + x))
-        ++c;
-      return a_.input_halfedge[c];
+      for (std::uint32_t c = a_.face_begin[face]; c < a_.face_begin[face + 1]; ++c)
+        if (a_.intrinsic_halfedge[c] == h &&
+            (x == none ? is_vertex_of_first(c) : a_.corner[c] == a_.vertices.size() + x))
+          return a_.input_halfedge[c];
+      fail();
     }
     const std::uint32_t base = s_.vertices[p.vertex].input_halfedge;
     const bool is_on_edge = a_.side[first_along(p)].input_edge != none;
@@ -263,6 +268,10 @@ private:
 Overlaid_subdivision overlay_subdivisions(const Common_subdivision& first,
                                           const Common_subdivision& second, const Input& input,
                                           const Gluing_map& middle) {
+  using internal::Subdivided;
+  internal::expect_arrays(first, Subdivided::intrinsic, middle, input.number_of_halfedges());
+  internal::expect_arrays(second, Subdivided::input, middle,
+                          2 * internal::intrinsic_edge_bound(second));
   return internal::Piece_cutter(first, second, input, middle).run();
 }
 
