@@ -153,8 +153,9 @@ def _positive(x, name):
     return float(x)
 
 
-def _curves(curves, count):
-    """Returns an array of vertices, or what `_core` has of a `Curve`, for each curve."""
+def _curves(curves, places, count):
+    """Returns what `_core` has of a `Curve`, arrays of places, or an array of vertices, for each
+    curve; `places` makes arrays of points."""
     if isinstance(curves, (Curve, Network)):
         curves = [curves]
     curves = list(curves)
@@ -166,11 +167,13 @@ def _curves(curves, count):
             result += [curve._way for curve in (c if isinstance(c, Network) else [c])]
             continue
         if any(isinstance(p, Point) for p in c):
-            raise ValueError(f"curves[{i}] has a Point; give vertices, or the Curve that path() "
-                             "finds through points")
-        result.append(_arrays.indices(c, f"curves[{i}]", (None,), count=count))
-    if not any(not isinstance(r, np.ndarray) or len(r) > 1 for r in result):
-        raise ValueError("curves has no curve; give a Curve, or lists of two or more vertices each")
+            result.append(places(c, f"curves[{i}]"))
+        else:
+            result.append(_arrays.indices(c, f"curves[{i}]", (None,), count=count))
+    counts = [len(r) if isinstance(r, np.ndarray) else len(r[0]) if isinstance(r, tuple) else 2
+              for r in result]
+    if max(counts, default=0) < 2:
+        raise ValueError("curves has no curve; give a Curve, or lists of two or more points each")
     return result
 
 
@@ -252,11 +255,12 @@ class _Fields:
         """Returns signed distances from curves, of shape (n,): negative on their left, positive on
         their right, by heat.
 
-        `curves` is a list of vertices, or a `Curve` of `path()`, `isolines()` and others, a
+        `curves` is a list of points, or a `Curve` of `path()`, `isolines()` and others, a
         `Network`, or a list of such curves. From each vertex in a list to the next one, a curve
-        follows the shortest way along edges; a loop ends at its first vertex.
+        follows the shortest way along edges; if there are `Point`s in it, each point is in one face
+        with the next one, and the curve is straight there. A loop ends at its first point.
         """
-        rows = _curves(curves, self._core.number_of_vertices)
+        rows = _curves(curves, self._places, self._core.number_of_vertices)
         return _core.signed_distance(self._flipped(), rows, _positive(time_factor, "time_factor"),
                                      progress)
 

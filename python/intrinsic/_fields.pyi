@@ -56,7 +56,7 @@ class _Fields:
     def direction_field(self, degree: int = ..., *, align: float | None = ...,
                         fixed: tuple[_Places, ArrayLike] | None = ...,
                         progress: _Progress = ...) -> DirectionField: ...
-    def signed_distance(self, curves: Curve | Network | Sequence[int] | ArrayLike
-                        | Sequence[Curve | Network | ArrayLike], *, time_factor: float = ...,
+    def signed_distance(self, curves: Curve | Network | _Places | ArrayLike
+                        | Sequence[Curve | Network | _Places | ArrayLike], *, time_factor: float = ...,
                         progress: _Progress = ...) -> _Numbers: ...
     def connection_laplacian(self, degree: int = ...) -> Any: ...

@@ -173,8 +173,43 @@ void add_pieces(const T& t, const IT::Traced_curve& curve,
   }
 }
 
-// Curves that the user gives: ways through faces, or lists of vertices to follow edges between.
-using Signed_curves = std::vector<std::variant<Way, std::vector<std::uint32_t>>>;
+// A corner of a face of the input at a vertex, or the place in its face.
+template <class T>
+IT::Surface_point on_input(const T& t, const Place& p) {
+  const IT::Input& input = t.input();
+  if (!p.is_vertex()) return point_on_input(input, p);
+  const auto v = Place_finder<T>(t).vertex(p.vertex);
+  if (t.is_inserted(v))
+    refuse("vertex " + std::to_string(p.vertex) +
+           " was inserted; between points in faces give the Point where it is");
+  const std::uint32_t h = input.outgoing_halfedge(t.index(v));
+  return {input.is_border(h) ? input.next(h ^ 1U) : h, {1, 0, 0}};
+}
+
+// A curve through places, each in one face with the next one, where the curve is straight.
+template <class T>
+IT::Traced_curve through_places(const T& t, const std::vector<Place>& places,
+                                const std::string& name) {
+  IT::Traced_curve curve;
+  for (const Place& p : places) {
+    const IT::Surface_point q = on_input(t, p);
+    if (!curve.points.empty()) {
+      const auto in_common = IT::internal::in_one_face(t.input(), curve.points.back(), q);
+      if (!in_common)
+        refuse("points " + std::to_string(curve.faces.size()) + " and " +
+               std::to_string(curve.faces.size() + 1) + " of " + name +
+               " are not in one face; give points between them, or the Curve that path() finds");
+      curve.faces.push_back(t.input().face(in_common->first.halfedge));
+    }
+    curve.points.push_back(q);
+  }
+  return curve;
+}
+
+// Curves that the user gives: ways through faces, places to go straight between, or lists of
+// vertices to follow edges between.
+using Signed_curves =
+    std::vector<std::variant<Way, std::vector<Place>, std::vector<std::uint32_t>>>;
 
 // From edges of the triangulation if all are lists of vertices, as the program does, else from
 // pieces in its faces.
@@ -183,12 +218,17 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
                                  IT::Signed_heat_distance<T>& method) {
   std::vector<std::vector<typename T::halfedge_descriptor>> edges;
   std::vector<IT::Polyline_source> pieces;
-  for (std::size_t i = 0; i < curves.size(); ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    std::string name = "curves[" + std::to_string(i);
+    name += ']';
     if (const Way* way = std::get_if<Way>(&curves[i])) {
-      expect_on_input(t.input(), way->curve, "curves[" + std::to_string(i) + "]");
+      expect_on_input(t.input(), way->curve, name);
       add_pieces(t, way->curve, pieces);
-    } else
+    } else if (const auto* places = std::get_if<std::vector<Place>>(&curves[i]))
+      add_pieces(t, through_places(t, *places, name), pieces);
+    else
       edges.push_back(along_edges(t, std::get<std::vector<std::uint32_t>>(curves[i])));
+  }
   if (edges.size() == curves.size()) return method.distances(edges);
   for (const auto& curve : edges)
     for (const auto h : curve) {
@@ -198,13 +238,15 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
   return method.distances(pieces);
 }
 
-py::array_t<double> signed_distance(Surface& s,
-                                    const std::vector<std::variant<Way, Integers>>& given,
-                                    double time_factor, const py::object& progress) {
+py::array_t<double>
+signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, Integers>>& given,
+                double time_factor, const py::object& progress) {
   Signed_curves curves;
   for (const auto& c : given)
     if (const Way* way = std::get_if<Way>(&c))
       curves.emplace_back(*way);
+    else if (const auto* places = std::get_if<Place_arrays>(&c))
+      curves.emplace_back(places_of(*places));
     else
       curves.emplace_back(
           numbers_of(std::get<Integers>(c), std::numeric_limits<std::uint32_t>::max(), "vertex"));

@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
 #include <algorithm>
@@ -107,6 +108,16 @@ Surface_ptr points(const Doubles& points, std::size_t neighbors, bool exact,
     return surface_of(program::mesh_of(std::move(soup), program::surface_of(options)), options,
                       exact);
   });
+}
+
+// The triangles at each point of a cloud among its neighbours.
+py::array_t<std::uint32_t> triangles_at_points(const Doubles& points, std::size_t neighbors) {
+  const std::vector<Point> p = points_of(points);
+  Watch watch;
+  return array_of(without_interpreter(watch, [&] {
+    IT::Point_cloud_report report;
+    return IT::internal::triangles_at_points(p, neighbors, report);
+  }));
 }
 
 // ---- Lengths -----------------------------------------------------------------------------------
@@ -252,6 +263,7 @@ void bind_surface(py::module_& m) {
       });
   m.def("build", &build);
   m.def("points", &points);
+  m.def("triangles_at_points", &triangles_at_points);
   m.def("build_abstract", &build_abstract);
   m.def("read", &read);
   m.def("save", &save);

@@ -34,6 +34,7 @@ class Robust_laplacian(unittest.TestCase):
         V, F = rng.random((30, 3)), rng.integers(0, 30, (60, 3))
         F = F[(F[:, 0] != F[:, 1]) & (F[:, 1] != F[:, 2]) & (F[:, 2] != F[:, 0])]  # any soup
         L, M = robust_laplacian.mesh_laplacian(V, F)
+        self.assertEqual((L.format, M.format), ("csc", "csc"))
         self.assertEqual((L.shape, M.shape), ((30, 30), (30, 30)))
         self.assertLess(abs(L - L.T).max(), 1e-12)
         off = L - np.diag(L.diagonal())
@@ -73,6 +74,20 @@ class Pygeodesic(unittest.TestCase):
         distances, best = g.geodesicDistances([3], [4, 5])
         np.testing.assert_allclose(distances, [1, 2])
         np.testing.assert_array_equal(best, [0, 0])
+        for sources in None, [0, 80]:
+            distances, best = g.geodesicDistances(sources, max_distance=2.5)
+            far = np.abs(expected[:, 0] if sources is None else expected.min(axis=1)) > 2.5
+            np.testing.assert_array_equal(np.isinf(distances), far)
+            np.testing.assert_array_equal(best == -1, far)
+            self.assertEqual(best.dtype, np.int32)
+
+    def test_a_vertex_on_a_path_is_one_point(self):
+        V, F = grid(5)
+        along = geodesic.PyGeodesicAlgorithmExact(V, F).geodesicDistance(20, 4)[1]
+        self.assertEqual(len(along), 9)  # across four squares, and four of their diagonals
+        V, F = CUBE
+        path = geodesic.PyGeodesicAlgorithmExact(V, F).geodesicDistance(0, 3)[1]
+        self.assertEqual(len(path), 2)
 
     def test_reads_its_files(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -95,6 +110,17 @@ class Potpourri3d(unittest.TestCase):
         D, G = it.Surface(*grid()).laplacian(), pp3d.cotan_laplacian(*grid())
         np.testing.assert_allclose((D - G).toarray(), 0, atol=1e-12)  # a grid is Delaunay
         self.assertEqual(len(pp3d.edges(V, F)), 3 * len(F) // 2)
+        np.testing.assert_array_equal(pp3d.edges(np.eye(4, 3), [[2, 0, 1], [3, 1, 0]]),
+                                      [[2, 0], [0, 1], [1, 2], [3, 1], [0, 3]])
+
+    def test_arrays_are_checked(self):
+        V, F = grid()
+        pp3d.validate_mesh(V, F, force_triangular=True, test_indices=True)
+        pp3d.validate_mesh(V, F + 1)
+        for call in (lambda: pp3d.validate_mesh(V, F + 1, test_indices=True),
+                     lambda: pp3d.validate_mesh(V, [[0, 1, 2, 3]], force_triangular=True),
+                     lambda: pp3d.validate_mesh(V, [[0, 1]]), lambda: pp3d.validate_points(V[0])):
+            self.assertRaises(ValueError, call)
 
     def test_distances(self):
         V, F = sphere()
@@ -109,10 +135,44 @@ class Potpourri3d(unittest.TestCase):
         V, F = grid()
         d = pp3d.MeshSignedHeatSolver(V, F).compute_distance([[(36, []), (44, [])]])
         np.testing.assert_allclose(d, 4 - V[:, 1], atol=1e-9)
+        np.testing.assert_allclose(pp3d.MeshSignedHeatSolver(V, F).compute_distance(
+            [[(36, []), (44, [])]], [True], [(0, [])])[:3], [0, 1, 2], atol=0.3)
         poly = pp3d.PolygonMeshHeatSolver(V, [list(f) for f in F])
         self.assertEqual(poly.compute_distance([12, 17])[17], 0)
         np.testing.assert_allclose(poly.compute_signed_distance([[36, 44]]), d, atol=1e-12)
         self.assertEqual(poly.transport_tangent_vectors([3], [[1, 0]]).shape, (81, 2))
+
+    def test_points_by_elements(self):
+        V, F = grid()
+        edges, elements = pp3d.edges(V, F), []
+        for line in pp3d.marching_triangles(V, F, V[:, 0] - 0.3 * V[:, 1], 2.5):
+            for i, t in line:
+                at = (1 - t[0]) * V[edges[i][0]] + t[0] * V[edges[i][1]] if t else V[i]
+                self.assertAlmostEqual(at[0] - 0.3 * at[1], 2.5, 12)
+            elements.append(line)
+        line = (V[:, 0] - 0.3 * V[:, 1] - 2.5) / np.hypot(1, 0.3)  # smaller on the left
+        for solve in (pp3d.MeshSignedHeatSolver(V, F).compute_distance,
+                      lambda c: pp3d.MeshFastMarchingDistanceSolver(V, F).compute_distance(
+                          c, sign=True)):
+            d = solve(elements)
+            near = np.abs(line) < 2
+            np.testing.assert_allclose(d[near], line[near], atol=0.1)
+        closed, = pp3d.marching_triangles(V, F, np.hypot(*(V[:, :2] - 4).T), 2.7)
+        self.assertEqual(closed[0], closed[-1])
+
+    def test_exact_distances_from_elements(self):
+        V, F = grid()
+        solver = pp3d.MeshFastMarchingDistanceSolver(V, F)
+        edges = pp3d.edges(V, F)
+        places = [V[12], 0.25 * V[edges[5][0]] + 0.75 * V[edges[5][1]],
+                  np.array([0.2, 0.3, 0.5]) @ V[F[60]]]
+        expected = np.linalg.norm(V[:, None] - places, axis=2)
+        curves = [[(12, []), (5, [0.75])], [(60, [0.2, 0.3])]]
+        np.testing.assert_allclose(solver.compute_distance(curves), expected.min(axis=1),
+                                   atol=1e-12)
+        np.testing.assert_allclose(solver.compute_distance(curves, [[2.0], [-1.0]]),
+                                   (expected + [2, 0, -1]).min(axis=1), atol=1e-12)
+        self.assertRaises(ValueError, solver.compute_distance, curves, [[2.0]], True)
 
     def test_vectors(self):
         V, F = sphere()
@@ -134,6 +194,7 @@ class Potpourri3d(unittest.TestCase):
         for strategy in ("VectorHeat", "AffineLocal", "AffineAdaptive"):
             self.assertEqual(solver.compute_log_map(1, strategy).shape, (len(V), 2))
         C = solver.get_connection_laplacian()
+        self.assertEqual(C.format, "csc")
         self.assertEqual(C.shape, (len(V), len(V)))
         self.assertLess(abs(C - C.getH()).max(), 1e-12)
 
@@ -150,19 +211,15 @@ class Potpourri3d(unittest.TestCase):
         np.testing.assert_allclose(loop[0], loop[-1])
         tracer = pp3d.GeodesicTracer(*grid())
         way = tracer.trace_geodesic_from_vertex(40, np.array([0.3, 0.5, 0.4]))
-        d = np.array([0.3, 0.5]) / np.hypot(0.3, 0.5) * np.sqrt(0.5)
-        np.testing.assert_allclose(way[-1], [4 + d[0], 4 + d[1], 0], atol=1e-12)
+        np.testing.assert_allclose(way[-1], [4.3, 4.5, 0], atol=1e-12)
         way = tracer.trace_geodesic_from_face(3, [0.2, 0.3, 0.5], [0, 1, 0])
         start = np.array([0.2, 0.3, 0.5]) @ grid()[0][grid()[1][3]]
         np.testing.assert_allclose(way[[0, -1]], [start, start + [0, 1, 0]], atol=1e-12)
 
-    def test_contours_and_files(self):
+    def test_files(self):
         V, F = grid()
-        curve, = pp3d.marching_triangles(V, F, V[:, 0], 2.5)
-        for face, weights in curve:
-            self.assertAlmostEqual((np.array(weights) @ V[F[face]])[0], 2.5, 12)
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("m.obj", "m.off"):
+            for name in ("m.obj", "m.off", "m.ply"):
                 path = str(Path(folder) / name)
                 pp3d.write_mesh(V, F, path)
                 points, faces = pp3d.read_mesh(path)
@@ -176,6 +233,10 @@ class Potpourri3d(unittest.TestCase):
                      for f in pp3d.read_polygon_mesh(path)[1]]
             self.assertEqual(faces, squares)
             self.assertRaises(ValueError, pp3d.read_mesh, path)
+            path = path[:-3] + "obj"
+            soup = np.array([[2, 1, 0], [0, 1, 2], [3, 3, 4]])
+            pp3d.write_mesh(V, soup, path)
+            np.testing.assert_array_equal(pp3d.read_mesh(path)[1], soup)
             for kind, size in ("per-vertex", 81), ("per-face", 128), ("per-corner", 384):
                 pp3d.write_mesh(V, F, path[:-3] + "obj", np.zeros((size, 2)), kind)
             self.assertRaises(ValueError, pp3d.write_mesh, V, F, path[:-3] + "stl")
@@ -195,6 +256,24 @@ class Potpourri3d(unittest.TestCase):
         log = solver.compute_log_map(1)
         np.testing.assert_allclose(np.hypot(*log.T), np.linalg.norm(P - P[1], axis=1), atol=1e-9)
         self.assertEqual(solver.extend_scalar([1, 22], [0.0, 6.0]).shape, (200,))
+
+    def test_triangles_at_points(self):
+        P = np.random.default_rng(7).random((200, 3)) * [1, 1, 0]
+        triangles = pp3d.PointCloudLocalTriangulation(P).get_local_triangulation()
+        self.assertEqual(triangles.shape[::2], (200, 3))
+        has_points = triangles[:, :, 0] >= 0
+        self.assertTrue((np.diff(has_points.astype(int), axis=1) <= 0).all())  # -1 at the end
+        i, j, k = (P[triangles[has_points][:, c]] for c in range(3))
+        self.assertTrue((np.cross(j - i, k - i)[:, 2] > 0).all())
+        number = np.broadcast_to(np.arange(200)[:, None], has_points.shape)
+        np.testing.assert_array_equal(triangles[:, :, 0][has_points], number[has_points])
+        inside = (np.abs(P[:, :2] - 0.5) < 0.3).all(axis=1)  # Delaunay: empty circles
+        for t in triangles[inside].reshape(-1, 3)[::7]:
+            if t[0] >= 0:
+                a, b, c = P[t, :2]
+                center = np.linalg.solve([b - a, c - a], [(b @ b - a @ a) / 2, (c @ c - a @ a) / 2])
+                distances = np.linalg.norm(P[:, :2] - center, axis=1)
+                self.assertGreater(distances.min(), np.linalg.norm(a - center) * (1 - 1e-9))
 
 
 if __name__ == "__main__":

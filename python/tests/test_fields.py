@@ -148,6 +148,17 @@ class Closed_forms(unittest.TestCase):
         line, = s.isolines(self.V[:, 0], [3.3])  # larger values on its left
         np.testing.assert_allclose(s.signed_distance(line), 3.3 - self.V[:, 0], atol=1e-9)
 
+    def test_signed_distances_from_points_in_faces(self):
+        flat = it.Surface(self.V * [1, 0.2, 1], self.F)  # which has other edges after flips
+        for surface in self.s, flat:
+            for curve in surface.isolines(self.V[:, 0] + self.V[:, 1], [4.3, 7.9]):
+                expected = surface.signed_distance(curve)
+                np.testing.assert_allclose(surface.signed_distance(curve.places()), expected,
+                                           atol=1e-9)
+        corner = it.Point(0, (1.0, 0.0, 0.0))
+        d = self.s.signed_distance([corner, 1, 2, 3, 4, 5, 6, 7, 8])
+        np.testing.assert_allclose(d, -self.V[:, 1], atol=1e-9)
+
     def test_fields_turn_as_often_as_the_surface_demands(self):
         for degree in (1, 2, 4, 6):
             field = it.Surface(*CUBE).direction_field(degree)
@@ -196,7 +207,8 @@ class Arguments(unittest.TestCase):
                 ("curves", lambda: s.signed_distance([])),
                 ("curves", lambda: s.signed_distance([3])),
                 (r"curves\[1\]", lambda: s.signed_distance([[0, 1], [0, 16]])),
-                ("path", lambda: s.signed_distance([[0, it.Point(0, (0.5, 0.5, 0))]])),
+                ("path", lambda: s.signed_distance([[15, it.Point(0, (0.5, 0.5, 0))]])),
+                ("curves", lambda: s.signed_distance([[it.Point(0, (0.5, 0.5, 0))]])),
                 ("another surface", lambda: s.signed_distance(it.Surface(*grid(9)).path(0, 80)))):
             with self.assertRaisesRegex(ValueError, message):
                 call()

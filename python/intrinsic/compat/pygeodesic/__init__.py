@@ -4,4 +4,6 @@
 
 from . import geodesic
 
+__version__ = "0.1.11"  # the one whose names these are
+
 __all__ = ["geodesic"]

@@ -30,20 +30,29 @@ class PyGeodesicAlgorithmExact:
         """Returns the distance between two vertices, and a shortest path from the target to the
         source, of shape (k, 3)."""
         way = self.surface.path(int(targetIndex), int(sourceIndex))
-        return way.length, way.points
+        return way.length, _different_points(way)
 
-    def geodesicDistances(self, source_indices=None, target_indices=None):
+    def geodesicDistances(self, source_indices=None, target_indices=None, max_distance=np.inf):
         """Returns the distances of the targets, by default of all vertices, from the nearest of
-        the sources, and the number of that source in the list; infinity and -1 where no path
-        leads."""
-        sources = np.atleast_1d(source_indices)
+        the sources, by default vertex 0, and the number of that source in the list; infinity and -1
+        where no path leads, or beyond `max_distance`."""
+        sources = np.atleast_1d(0 if source_indices is None else source_indices)
         if len(sources) == 1:
-            distances = self.surface.distance(sources)
-            nearest = np.where(np.isfinite(distances), 0, -1)
+            distances = self.surface.distance(sources, max_distance=max_distance)
+            nearest = np.zeros(len(distances), dtype=np.int32)
         else:
             cells = self.surface.voronoi(sources)
-            distances, nearest = cells.distances, np.asarray(cells.labels)
+            distances, nearest = cells.distances, cells.labels.astype(np.int32)
+            distances[distances > max_distance] = np.inf
+        nearest[np.isinf(distances)] = -1
         if target_indices is None:
             return distances, nearest
         targets = np.atleast_1d(target_indices)
         return distances[targets], nearest[targets]
+
+
+def _different_points(way):
+    """Returns the points of a path, of which those at a vertex, which each face there has, are
+    one."""
+    steps = np.linalg.norm(np.diff(way.points, axis=0), axis=1)
+    return way.points[np.append(True, steps > 1e-12 * way.length)]
