@@ -134,12 +134,12 @@ class Potpourri3d(unittest.TestCase):
         self.assertEqual(pp3d.compute_distance(V, F, 7).shape, (len(V),))
         V, F = grid()
         d = pp3d.MeshSignedHeatSolver(V, F).compute_distance([[(36, []), (44, [])]])
-        np.testing.assert_allclose(d, 4 - V[:, 1], atol=1e-9)
+        np.testing.assert_allclose(d, V[:, 1] - 4, atol=1e-9)  # positive on the left
         np.testing.assert_allclose(pp3d.MeshSignedHeatSolver(V, F).compute_distance(
             [[(36, []), (44, [])]], [True], [(0, [])])[:3], [0, 1, 2], atol=0.3)
         poly = pp3d.PolygonMeshHeatSolver(V, [list(f) for f in F])
         self.assertEqual(poly.compute_distance([12, 17])[17], 0)
-        np.testing.assert_allclose(poly.compute_signed_distance([[36, 44]]), d, atol=1e-12)
+        np.testing.assert_allclose(poly.compute_signed_distance([[36, 44]]), -d, atol=1e-12)
         self.assertEqual(poly.transport_tangent_vectors([3], [[1, 0]]).shape, (81, 2))
 
     def test_points_by_elements(self):
@@ -151,7 +151,7 @@ class Potpourri3d(unittest.TestCase):
                 self.assertAlmostEqual(at[0] - 0.3 * at[1], 2.5, 12)
             elements.append(line)
         line = (V[:, 0] - 0.3 * V[:, 1] - 2.5) / np.hypot(1, 0.3)  # smaller on the left
-        for solve in (pp3d.MeshSignedHeatSolver(V, F).compute_distance,
+        for solve in (lambda c: -pp3d.MeshSignedHeatSolver(V, F).compute_distance(c),
                       lambda c: pp3d.MeshFastMarchingDistanceSolver(V, F).compute_distance(
                           c, sign=True)):
             d = solve(elements)
@@ -180,6 +180,7 @@ class Potpourri3d(unittest.TestCase):
         values = solver.extend_scalar([1, 22], [0.0, 6.0])
         self.assertTrue(0 <= values.min() and values.max() <= 6)
         x, y, normal = solver.get_tangent_frames()
+        self.assertIs(solver.get_tangent_frames()[0], x)
         for a, b, product in ((x, x, 1), (y, y, 1), (normal, normal, 1), (x, y, 0), (x, normal, 0)):
             np.testing.assert_allclose((a * b).sum(axis=1), product, atol=1e-12)
         np.testing.assert_allclose((normal * V).sum(axis=1), 1, atol=0.02)  # outward

@@ -28,16 +28,20 @@ class HeatDistance:
 class VectorHeat(HeatDistance):
     """Vectors by heat on `surface`."""
 
+    _frames = None
+
     def extend_scalar(self, v_inds, values):
         """Extends values at vertices to all, of shape (n,)."""
         return self.surface.extend(v_inds, values, time_factor=self.t_coef)
 
     def get_tangent_frames(self):
         """Returns the axes X, Y and the normals at all vertices, three arrays of shape (n, 3)."""
-        x, y = self.surface.frames().vertices.transpose(1, 0, 2)
-        normals = self._normals(x, y)
-        x = unit(x - (x * normals).sum(axis=1)[:, None] * normals)
-        return x, np.cross(normals, x), normals
+        if self._frames is None:
+            x, y = self.surface.frames().vertices.transpose(1, 0, 2)
+            normals = self._normals(x, y)
+            x = unit(x - (x * normals).sum(axis=1)[:, None] * normals)
+            self._frames = x, np.cross(normals, x), normals
+        return self._frames
 
     def _normals(self, x, y):
         return unit(np.cross(x, y))

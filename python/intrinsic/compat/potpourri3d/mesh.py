@@ -162,13 +162,14 @@ class MeshSignedHeatSolver(_WithElements, HeatDistance):
 
     def compute_distance(self, curves, curve_signs=(), points=(), preserve_source_normals=False,
                          level_set_constraint="ZeroSet", soft_level_set_weight=-1):
-        """Returns distances from curves, signed, and from points, unsigned. Each point of a curve
-        is in one face with the next one; the distance there is zero (the constraint "ZeroSet")."""
+        """Returns distances from curves, positive on their left, as this solver has them there and
+        no other, and from points, unsigned. Each point of a curve is in one face with the next one;
+        the distance there is zero (the constraint "ZeroSet")."""
         expect_zero_set(level_set_constraint, soft_level_set_weight, preserve_source_normals)
         if len(curve_signs) and not all(curve_signs):
             raise ValueError("all curves are signed; give the points of others as points")
-        found = self.surface.signed_distance([self._elements.curve(c) for c in curves],
-                                             time_factor=self.t_coef)
+        found = -self.surface.signed_distance([self._elements.curve(c) for c in curves],
+                                              time_factor=self.t_coef)
         if len(points):
             near = self.compute_distance_multisource([self._elements.point(p) for p in points])
             found = np.where(near < np.abs(found), near, found)
