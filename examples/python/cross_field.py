@@ -37,6 +37,12 @@ def rounded_cube(n=10):
 
 V, F = rounded_cube()
 s = it.Surface(V, F)
+normal = np.cross(V[F[:, 1]] - V[F[:, 0]], V[F[:, 2]] - V[F[:, 0]])
+elevation, azimuth = np.radians([25, 35])
+view = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth),
+                 np.sin(elevation)])
+seen = np.zeros(len(V), dtype=bool)
+seen[F[normal @ view > 0]] = True  # the others are behind
 figure = plt.figure(figsize=(10, 5))
 for k, align in enumerate((None, 1.0)):
     field = s.direction_field(4, align=align)
@@ -44,15 +50,19 @@ for k, align in enumerate((None, 1.0)):
     print(f"align={align}: {len(singular)} singularities, sum of indices {field.index_sum}")
     size = 0.07
     crosses = np.stack([V + size * d for d in field.vectors] + [V] * 4)
-    lines = [(crosses[j + 4][v], crosses[j][v]) for j in range(4) for v in range(len(V))]
+    lines = [(crosses[j + 4][v], crosses[j][v]) for j in range(4) for v in np.flatnonzero(seen)]
     axes = figure.add_subplot(1, 2, k + 1, projection="3d")
-    axes.add_collection3d(Poly3DCollection(V[F] * 0.985, facecolor="white", edgecolor="0.85",
-                                           linewidth=0.3))
-    axes.add_collection3d(Line3DCollection(lines, colors="0.2", linewidths=0.8))
-    axes.scatter(*singular.points.T * 1.02, c=singular.index, cmap="coolwarm", vmin=-1,
-                 vmax=1, s=30, zorder=5)
+    axes.computed_zorder = False
+    axes.add_collection3d(Poly3DCollection(V[F], facecolor="white", edgecolor="0.85",
+                                           linewidth=0.3, zorder=1))
+    axes.add_collection3d(Line3DCollection(lines, colors="0.2", linewidths=0.8, zorder=2))
+    front = seen[F[singular.faces]].all(axis=1)
+    axes.scatter(*singular.points[front].T, c=singular.index[front], cmap="coolwarm", vmin=-1,
+                 vmax=1, s=40, zorder=3, depthshade=False)
     axes.set(title="smoothest" if align is None else "along curvature", xlim=(-1, 1),
              ylim=(-1, 1), zlim=(-1, 1))
     axes.view_init(25, 35)
+    axes.set_box_aspect((1, 1, 1), zoom=1.0)
     axes.set_axis_off()
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "cross_field.png", dpi=150)

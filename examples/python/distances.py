@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 import intrinsic as it
 
@@ -27,13 +27,20 @@ def wavy_torus(n=72, m=36):
     return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
-def draw(axes, title, V, F, values, lines=(), colors="viridis"):
-    faces = Poly3DCollection(V[F], cmap=colors)
-    faces.set_array(values)
-    axes.add_collection3d(faces)
+def draw(axes, title, V, F, values, lines, colors="viridis"):
+    """Draws faces in colours, and lines where they are on faces that one sees."""
+    color = plt.get_cmap(colors)(plt.Normalize()(values))
+    axes.add_collection3d(Poly3DCollection(V[F], facecolors=color, edgecolors=color,
+                                           linewidths=0.3, zorder=1))
+    view = [np.cos(np.radians(55)) * np.cos(np.radians(30)),
+            np.cos(np.radians(55)) * np.sin(np.radians(30)), np.sin(np.radians(55))]
     for line in lines:
         points = line.points[np.r_[:len(line), 0]] if line.is_closed else line.points
-        axes.plot(*points.T, color="black", linewidth=0.6, zorder=3)
+        a, b, c = s.points[s.faces[line.faces[:len(points) - 1]]].transpose(1, 0, 2)
+        seen = np.cross(b - a, c - a) @ view > 0
+        pieces = np.stack([points[:-1], points[1:]], axis=1)[seen]
+        axes.add_collection3d(Line3DCollection(pieces, colors="black", linewidths=0.8, zorder=2))
+    axes.computed_zorder = False
     axes.set(title=title, xlim=(-3, 3), ylim=(-3, 3), zlim=(-3, 3))
     axes.view_init(55, 30)
     axes.set_box_aspect((1, 1, 1), zoom=1.25)
@@ -47,11 +54,18 @@ heat = s.distance(0, method="heat")
 print(f"heat is off by {np.abs(heat - exact).max() / exact.max():.2%} of the greatest distance")
 far = s.farthest_points(6)
 cells = s.voronoi(far.vertices)
+pieces = s.cut(cells.boundaries)  # triangles that are in one cell each
+is_users = pieces.input_vertex >= 0
+label = np.array([np.bincount(cells.labels[pieces.input_vertex[corners[is_users[corners]]]]).argmax()
+                  for corners in (pieces.faces[pieces.component == k]
+                                  for k in range(pieces.number_of_components))])
 
 figure = plt.figure(figsize=(12, 4))
-pictures = [("exact distances", exact[F].mean(axis=1), s.isolines(exact, 12), "viridis"),
-            ("by heat", heat[F].mean(axis=1), s.isolines(heat, 12), "viridis"),
-            ("cells of six vertices", cells.labels[F[:, 0]], cells.boundaries, "Set2")]
-for k, (title, values, lines, colors) in enumerate(pictures):
-    draw(figure.add_subplot(1, 3, k + 1, projection="3d"), title, V, F, values, lines, colors)
+pictures = [("exact distances", V, F, exact[F].mean(axis=1), s.isolines(exact, 12)),
+            ("by heat", V, F, heat[F].mean(axis=1), s.isolines(heat, 12)),
+            ("cells of six vertices", pieces.points, pieces.faces, label[pieces.component],
+             cells.boundaries, "Set2")]
+for k, picture in enumerate(pictures):
+    draw(figure.add_subplot(1, 3, k + 1, projection="3d"), *picture)
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "distances.png", dpi=150)

@@ -44,11 +44,13 @@ for k, method in enumerate(("exact", "affine")):
     colors = plt.cm.viridis(lengths[F].mean(axis=1) / lengths.max())
     colors[:, :3] *= 0.55 + 0.45 * board[:, None]
     axes = figure.add_subplot(1, 2, k + 1, projection="3d")
-    axes.add_collection3d(Poly3DCollection(V[F], facecolors=colors))
+    axes.add_collection3d(Poly3DCollection(V[F], facecolors=colors, edgecolors=colors,
+                                           linewidths=0.3))
     axes.set(title=f"method {method}", xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1))
     x, y, z = V[source]
     axes.view_init(np.degrees(np.arctan2(z, np.hypot(x, y))) + 15,
                    np.degrees(np.arctan2(y, x)) + 20)
     axes.set_box_aspect((1, 1, 1), zoom=1.3)
     axes.set_axis_off()
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "log_map.png", dpi=150)

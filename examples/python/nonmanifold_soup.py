@@ -48,10 +48,12 @@ pictures = ("eigenfunction 2", functions[:, 2]), ("eigenfunction 5", functions[:
     ("exact distance", distance)
 for k, (title, u) in enumerate(pictures):
     axes = figure.add_subplot(1, 3, k + 1, projection="3d")
-    faces = Poly3DCollection(V[F], cmap="viridis" if k == 2 else "coolwarm")
-    faces.set_array(u[F].mean(axis=1))
-    axes.add_collection3d(faces)
+    color = plt.get_cmap("viridis" if k == 2 else "coolwarm")(plt.Normalize()(u[F].mean(axis=1)))
+    axes.add_collection3d(Poly3DCollection(V[F], facecolors=color, edgecolors=color,
+                                           linewidths=0.3))
     axes.set(title=title, xlim=(-1, 1), ylim=(-1, 1), zlim=(-0.5, 1.5))
     axes.view_init(35, 25)
+    axes.set_box_aspect((1, 1, 1), zoom=1.6)
     axes.set_axis_off()
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "nonmanifold_soup.png", dpi=150)

@@ -37,10 +37,12 @@ for k, (title, values) in enumerate(pictures):
     if k < 2:
         axes.scatter(*P.T, c=values, s=4, cmap="coolwarm" if k == 0 else "viridis")
     else:
+        axes.scatter(*P.T, c="0.85", s=2)
         some = np.argsort(distance)[:1500:3]
         axes.quiver(*P[some].T, *field.vectors[some].T, length=0.25, linewidth=0.6)
     axes.set(title=title, xlim=(-3, 3), ylim=(-3, 3), zlim=(-3, 3))
     axes.view_init(45, 20)
     axes.set_box_aspect((1, 1, 1), zoom=1.4)
     axes.set_axis_off()
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "point_cloud.png", dpi=150)

@@ -42,6 +42,7 @@ def draw(axes, title, t):
     triangles, _ = c.triangles()
     faces = Poly3DCollection(c.V[triangles], cmap="inferno", edgecolors="gray", linewidths=0.2)
     faces.set_array(u[triangles].mean(axis=1))
+    faces.set_clim(u.min(), np.quantile(u, 0.995))  # the source itself is a pole
     axes.add_collection3d(faces)
     axes.set(title=f"{title}: {t.number_of_vertices} vertices", xlim=(-3, 3), ylim=(-3, 3),
              zlim=(-3, 3))
@@ -59,4 +60,5 @@ for k, (title, t) in enumerate(pictures):
     quality = t.statistics["quality"]
     print(f"{title}: least angle {quality['min_angle_deg']:.3g} degrees, least weight "
           f"{quality['min_cotan_weight']:.3g}")
+figure.subplots_adjust(0, 0, 1, 0.9, 0, 0)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "refinement.png", dpi=150)

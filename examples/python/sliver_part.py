@@ -33,7 +33,7 @@ def draw(axes, title, c, number):
     axes.add_collection3d(Poly3DCollection([c.V[p] for p in c.polygons], facecolors=colors[number]))
     low, high = c.V.min(axis=0), c.V.max(axis=0)
     axes.set(title=title, xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    axes.set_box_aspect(high - low, zoom=1.3)
+    axes.set_box_aspect(high - low, zoom=1.1)
     axes.set_axis_off()
 
 
@@ -42,10 +42,10 @@ t = s.delaunay()
 c = t.common_subdivision()
 print(f"{t.statistics['delaunay']['flips']} flips; certificate: {t.certificate}")
 figure = plt.figure(figsize=(12, 4))
-draw(figure.add_subplot(1, 3, 1, projection="3d"), "faces of the file", c, c.input_face)
-draw(figure.add_subplot(1, 3, 2, projection="3d"), "Delaunay, on the same surface", c,
+draw(figure.add_axes((0, 0, 0.33, 0.9), projection="3d"), "faces of the file", c, c.input_face)
+draw(figure.add_axes((0.33, 0, 0.33, 0.9), projection="3d"), "Delaunay, on the same surface", c,
      c.intrinsic_face)
-axes = figure.add_subplot(1, 3, 3)
+axes = figure.add_axes((0.73, 0.15, 0.25, 0.75))
 axes.hist([angles(s).ravel(), angles(t).ravel()], bins=36, label=["file", "Delaunay"])
 axes.set(xlabel="angle in degrees", ylabel="number", yscale="log")
 axes.legend()

@@ -2,14 +2,54 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays that users give, checked, and matrices that they get."""
 
+from reprlib import repr as shortened
+
 import numpy as np
 
 
 def expect_word(x, name, words):
     """Checks that an option is one of some words."""
-    if x not in words:
+    if not isinstance(x, str) or x not in words:
         offered = ", ".join(f'"{word}"' for word in words)
-        raise ValueError(f"{name}={x!r} does not exist; give {offered}")
+        raise ValueError(f"{name}={shortened(x)} does not exist; give {offered}")
+
+
+def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
+    """Returns one real number as a float.
+
+    `holds` tells whether it may be given, and `wanted` says to users which may.
+    """
+    try:
+        if np.ndim(x) == 0 and not isinstance(x, (str, bytes)) and holds(float(x)):
+            return float(x)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise ValueError(f"{name} is {shortened(x)}; give {wanted}")
+
+
+def not_negative(x, name):
+    """Returns one number that is not negative, and finite."""
+    return number(x, name, "a number that is not negative", lambda x: 0 <= x < np.inf)
+
+
+def distance(x, name):
+    """Returns one number that is not negative, and may be infinite."""
+    return number(x, name, "a number that is not negative", lambda x: x >= 0)
+
+
+def whole(x, name, wanted="a whole number that is not negative", least=0, most=2**53):
+    """Returns one whole number as an int."""
+    if isinstance(x, (bool, np.bool_)):
+        raise ValueError(f"{name} is {x}; give {wanted}")
+    return int(number(x, name, wanted, lambda x: least <= x <= most and x == int(x)))
+
+
+def sequence(x, name, wanted):
+    """Returns a list of the elements of something."""
+    try:
+        return list(x)
+    except TypeError:
+        raise TypeError(f"{name} is {shortened(x)}; give {wanted}") from None
 
 
 def numbers(x, name, shape=None):

@@ -10,17 +10,20 @@ from ._points import is_point
 
 
 def _is_shortest(method):
-    if method not in ("exact", "flips"):
-        raise ValueError(f'method="{method}" does not exist; give "exact" or "flips"')
+    _arrays.expect_word(method, "method", ("exact", "flips"))
     return method == "exact"
 
 
 def _direction(direction):
     """Returns a complex number, or three numbers."""
     if np.ndim(direction) == 0:
-        z = complex(direction)
+        try:
+            z = np.nan if isinstance(direction, str) else complex(direction)
+        except (TypeError, ValueError, OverflowError):
+            z = np.nan
         if not np.isfinite(z):
-            raise ValueError(f"direction is {z}; give a finite number")
+            raise ValueError(f"direction is {_arrays.shortened(direction)}; give a vector, or a "
+                             "finite complex number")
         return z
     d = _arrays.numbers(direction, "direction")
     if d.shape == (2,):
@@ -66,7 +69,7 @@ class _Curves:
         options = _core.CurveOptions(_is_shortest(method), bool(waypoints), bool(certify))
         curves = []
         for kind, lists, least in ("paths", paths, 2), ("loops", loops, 3):
-            for i, points in enumerate(lists):
+            for i, points in enumerate(_arrays.sequence(lists, kind, "a sequence of curves")):
                 places = self._places(points, f"{kind}[{i}]")
                 if len(places[0]) < least:
                     raise ValueError(f"{kind}[{i}] has {len(places[0])} points; give {least} at "
@@ -90,14 +93,12 @@ class _Curves:
         """
         if not is_point(p):
             raise ValueError("give one point to start from")
-        far = float(length)
-        if not (np.isfinite(far) and far >= 0):
-            raise ValueError(f"length is {far}; give a finite number that is not negative")
+        far = _arrays.not_negative(length, "length")
         direction = _direction(direction)
         core = self._flipped() if isinstance(direction, complex) else self._core
         return Curve(_core.trace(core, self._places(p, "p"), direction, far))
 
-    def isolines(self, u, levels=10):
+    def isolines(self, u, levels=10, *, progress=None):
         """Returns the lines on which a function has given values, as a list of `Curve`s.
 
         `u` has a number per vertex, and is linear in the faces of this triangulation. It may be
@@ -111,14 +112,14 @@ class _Curves:
         values = np.ascontiguousarray(u, dtype=np.float64)
         _arrays.expect_shape(values, "u", (self._core.number_of_vertices,))
         if np.ndim(levels) == 0:
-            if levels != int(levels) or not 1 <= levels <= 10000:
-                raise ValueError(f"levels is {levels}; give a number from 1 to 10000, or an array")
-            levels = _core.even_levels(values, int(levels))
+            count = _arrays.whole(levels, "levels", "a number from 1 to 10000, or an array", 1, 10000)
+            levels = _core.even_levels(values, count)
         else:
             levels = _arrays.numbers(levels, "levels", (None,))
-        return [Curve(line) for line in _core.isolines(self._core, values, levels)]
+        return [Curve(line) for line in _core.isolines(self._core, values, levels,
+                                                    progress)]
 
-    def cut(self, curves=None, *, through=()):
+    def cut(self, curves=None, *, through=(), progress=None):
         """Cuts the surface open along curves, and returns the pieces as a `Cut`.
 
         `curves` is a `Network`, a `Curve` of this surface, or a sequence of curves, which may cross
@@ -129,7 +130,7 @@ class _Curves:
         users = self._core.number_of_input_vertices
         if curves is None:
             places = self._places(through, "through")
-            return Cut(_core.cut_to_disks(self._core, places), users)
+            return Cut(_core.cut_to_disks(self._core, places, progress), users)
         if isinstance(curves, Network) and curves._edges is not None:
             return Cut(_core.cut_network(self._core, curves._edges), users)
         curves = [curves] if isinstance(curves, Curve) else list(curves)
@@ -137,4 +138,4 @@ class _Curves:
             if not isinstance(curve, Curve):
                 raise ValueError(f"curves[{i}] is not a Curve; give what path(), isolines() and "
                                  "others return")
-        return Cut(_core.cut_ways(self._core, [c._way for c in curves]), users)
+        return Cut(_core.cut_ways(self._core, [c._way for c in curves], progress), users)

@@ -46,14 +46,11 @@ class Voronoi(NamedTuple):
 
 
 def _method(method, max_distance, time_factor):
-    if method not in ("exact", "heat"):
-        raise ValueError(f'method="{method}" does not exist; give "exact" or "heat"')
+    _arrays.expect_word(method, "method", ("exact", "heat"))
     if method == "heat" and max_distance is not None:
         raise ValueError('max_distance is for method="exact": heat reaches all vertices at once')
-    far = np.inf if max_distance is None else float(max_distance)
-    if not far >= 0:
-        raise ValueError(f"max_distance is {far}; give a number that is not negative")
-    return _core.DistanceMethod(method == "exact", far, float(time_factor))
+    far = np.inf if max_distance is None else _arrays.distance(max_distance, "max_distance")
+    return _core.DistanceMethod(method == "exact", far, _arrays.number(time_factor, "time_factor"))
 
 
 def _warn_of_cap(status):
@@ -64,7 +61,8 @@ def _warn_of_cap(status):
 
 def _flat(source_sets):
     """Returns the points of all sets, and where each set ends."""
-    sets = [[s] if is_point(s) else list(s) for s in source_sets]
+    sets = [[s] if is_point(s) else list(s)
+            for s in _arrays.sequence(source_sets, "source_sets", "a sequence of sources")]
     return [p for s in sets for p in s], np.cumsum([len(s) for s in sets], dtype=np.int64).tolist()
 
 
@@ -116,10 +114,8 @@ class _Distances:
         elif not isinstance(out, np.ndarray) or out.shape != shape:
             raise ValueError(f"out must be an array of the shape {shape}, not "
                              f"{getattr(out, 'shape', type(out).__name__)}")
-        if threads < 0:
-            raise ValueError(f"threads is {threads}; give a number that is not negative")
         _warn_of_cap(_core.distances(self._flipped(), self._places(points, "source_sets"), ends,
-                                     how, threads, out, progress))
+                                     how, _arrays.whole(threads, "threads"), out, progress))
         return out
 
     def pair_distances(self, A, B, *, method="exact", threads=0, progress=None):
@@ -138,7 +134,8 @@ class _Distances:
         if len(a[0]) != len(b[0]):
             raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
         if method == "exact":
-            return _core.pair_distances(self._flipped(), a, b, threads, progress)
+            return _core.pair_distances(self._flipped(), a, b, _arrays.whole(threads, "threads"),
+                                        progress)
         return self._heat_of_pairs(a[2], b[2], how, threads, progress)
 
     def _heat_of_pairs(self, A, B, how, threads, progress):
@@ -151,7 +148,8 @@ class _Distances:
             part = first[i:i + step]
             columns = np.empty((len(part), self._core.number_of_vertices))
             _core.distances(self._flipped(), self._places(part, "A"),
-                            list(range(1, len(part) + 1)), how, threads, columns, progress)
+                            list(range(1, len(part) + 1)), how, _arrays.whole(threads, "threads"),
+                            columns, progress)
             here = (number >= i) & (number < i + len(part))
             result[here] = columns[number[here] - i, B[here]]
         return result
@@ -167,8 +165,8 @@ class _Distances:
         """
         points, ends = _flat([sources] if is_point(sources) else sources)
         cell = np.repeat(np.arange(len(ends)), np.diff(ends, prepend=0))
-        if tolerance is not None and not tolerance > 0:
-            raise ValueError(f"tolerance is {tolerance}; give a number above 0")
+        if tolerance is not None:
+            tolerance = _arrays.number(tolerance, "tolerance")
         found = _core.voronoi(self._flipped(), self._places(points, "sources"), cell.tolist(),
                               tolerance, progress)
         places = found["junctions"]
@@ -187,6 +185,7 @@ class _Distances:
         array([0, 2])
         """
         first = np.atleast_1d(_arrays.indices(start, "start"))
+        n = _arrays.whole(n, "n")
         if n < len(first):
             raise ValueError(f"n is {n}, but start has {len(first)} vertices; give n above that")
         found, radius = _core.farthest_points(self._flipped(), self._places(first, "start"),

@@ -54,6 +54,9 @@ class Frames:
         self._surface, self._core = surface, surface._flipped()
         self._neighbors = surface._cloud_neighbors()
 
+    def __repr__(self):
+        return f"<intrinsic.Frames: {self._core.number_of_vertices} vertices>"
+
     @property
     def vertices(self):
         """Unit vectors in space with the angles 0 and 90 degrees in the polar coordinates of each
@@ -147,10 +150,8 @@ class DirectionField(VectorField):
                                    self._neighbors) for k in range(self.degree)])
 
 
-def _positive(x, name):
-    if not (np.ndim(x) == 0 and np.isreal(x) and x > 0):
-        raise ValueError(f"{name} is {x!r}; give a positive number")
-    return float(x)
+def _degree(x):
+    return _arrays.whole(x, "degree", "the number of directions at a vertex, from 1 to 999", 1, 999)
 
 
 def _curves(curves, places, count):
@@ -158,7 +159,7 @@ def _curves(curves, places, count):
     curve; `places` makes arrays of points."""
     if isinstance(curves, (Curve, Network)):
         curves = [curves]
-    curves = list(curves)
+    curves = _arrays.sequence(curves, "curves", "a Curve, or lists of vertices")
     if curves and all(is_point(c) and not isinstance(c, Curve) for c in curves):
         curves = [curves]
     result = []
@@ -200,7 +201,7 @@ class _Fields:
         if not is_point(p):
             raise ValueError("p has several points; a logarithmic map has one")
         return _core.log_map(self._flipped(), self._places(p, "p"), method or "",
-                             _positive(time_factor, "time_factor"), float(max_distance),
+                             _arrays.number(time_factor, "time_factor"), _arrays.distance(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)
 
     def transport(self, points, vectors, *, time_factor=1.0, progress=None):
@@ -218,7 +219,7 @@ class _Fields:
             _arrays.expect_shape(vectors, "vectors", (None, 2))
         core = self._flipped()
         field = _core.transport(core, self._places(points, "points"), vectors,
-                                _positive(time_factor, "time_factor"), self._cloud_neighbors(),
+                                _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
                                 progress)
         return VectorField(core, field, self._cloud_neighbors())
 
@@ -227,7 +228,7 @@ class _Fields:
         point, smoothly, never beyond the extremes."""
         values = np.atleast_1d(_arrays.numbers(values, "values"))
         return _core.extend(self._flipped(), self._places(points, "points"), values,
-                            _positive(time_factor, "time_factor"), self._cloud_neighbors(),
+                            _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
                             progress)
 
     def direction_field(self, degree=4, *, align=None, fixed=None, progress=None):
@@ -243,13 +244,12 @@ class _Fields:
         vectors = _arrays.numbers(vectors, "fixed[1]")
         if vectors.ndim == 1 and vectors.size:
             vectors = vectors[None, :]
-        if align is not None and not (np.isreal(align) and 0 <= align < np.inf):
-            raise ValueError(f"align is {align!r}; give a number that is not negative")
-        if not isinstance(degree, (int, np.integer)) or not 0 < degree < 1000:
-            raise ValueError(f"degree is {degree!r}; give the number of directions at a vertex")
-        found = _core.direction_field(core, int(degree), align, self._places(points, "fixed[0]"),
+        if align is not None:
+            align = _arrays.not_negative(align, "align")
+        degree = _degree(degree)
+        found = _core.direction_field(core, degree, align, self._places(points, "fixed[0]"),
                                       vectors, self._cloud_neighbors(), progress)
-        return DirectionField(core, int(degree), found, self._cloud_neighbors())
+        return DirectionField(core, degree, found, self._cloud_neighbors())
 
     def signed_distance(self, curves, *, time_factor=1.0, progress=None):
         """Returns signed distances from curves, of shape (n,): negative on their left, positive on
@@ -261,10 +261,11 @@ class _Fields:
         with the next one, and the curve is straight there. A loop ends at its first point.
         """
         rows = _curves(curves, self._places, self._core.number_of_vertices)
-        return _core.signed_distance(self._flipped(), rows, _positive(time_factor, "time_factor"),
+        return _core.signed_distance(self._flipped(), rows,
+                                     _arrays.number(time_factor, "time_factor"),
                                      progress)
 
     def connection_laplacian(self, degree=1):
         """Returns the Laplacian of tangent vectors, a complex matrix of scipy: in the polar
         coordinates of vertices, for fields with `degree` directions."""
-        return _arrays.sparse(_core.connection_laplacian(self._flipped(), int(degree)))
+        return _arrays.sparse(_core.connection_laplacian(self._flipped(), _degree(degree)))

@@ -156,9 +156,9 @@ class _Maps:
         if self._is_cloud():
             if method != "spectral":
                 raise ValueError('for a cloud of points only method="spectral" works')
-            uv = _core.map_of_points(self._core, self._cloud_neighbors())
+            uv = _core.map_of_points(self._core, self._cloud_neighbors(), progress)
             return PlaneMap(self, uv, "done", None, None, 0, 0)
-        surface, original = self._cut_open(cut)
+        surface, original = self._cut_open(cut, progress)
         core = _core.copy(surface._flipped()) if method == "harmonic" else surface._flipped()
         uv, *found = _core.parametrize(core, method, progress)
         changed = type(self)._of(core) if found[-1] else surface
@@ -192,8 +192,7 @@ class _Maps:
         "delaunay": lengths of the triangles of the intrinsic Delaunay triangulation are scaled; or
         "input": those of the triangles of the mesh.
         """
-        if start not in ("input", "delaunay"):
-            raise ValueError(f'start="{start}" does not exist; give "input" or "delaunay"')
+        _arrays.expect_word(start, "start", ("input", "delaunay"))
         if angles is not None and cones is not None:
             raise ValueError("give angles or cones, not both")
         closed, polygons = self._closed()
@@ -215,11 +214,10 @@ class _Maps:
     def eigen(self, k, *, progress=None):
         """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
         the eigenfunctions, of shape (n, k), orthonormal in the mass matrix."""
-        if isinstance(k, bool) or not isinstance(k, (int, np.integer)) or k < 0:
-            raise ValueError(f"k is {k!r}; give the number of eigenfunctions")
-        return _core.eigen(self._flipped(), int(k), progress)
+        count = _arrays.whole(k, "k", "the number of eigenfunctions")
+        return _core.eigen(self._flipped(), count, progress)
 
-    def deform(self, handles, displacements=None, *, energy="biharmonic"):
+    def deform(self, handles, displacements=None, *, energy="biharmonic", progress=None):
         """Moves some vertices, and the others with them, as smoothly as possible. Returns the
         displacements of all vertices, of shape (n, d).
 
@@ -227,6 +225,7 @@ class _Maps:
         `handles` is a dict. The same handles may move many times: that is fast. `energy` is
         "biharmonic" or "harmonic".
         """
+        _arrays.expect_word(energy, "energy", ("biharmonic", "harmonic"))
         if displacements is None:
             if not isinstance(handles, dict):
                 raise ValueError("displacements are missing; give them, or a dict of handles")
@@ -237,7 +236,7 @@ class _Maps:
         if moved.ndim != 2 or len(moved) != len(rows):
             raise ValueError(f"displacements has the shape {moved.shape}; give a row for each of "
                              f"{len(rows)} handles")
-        return _core.deform(core, rows, moved, energy)
+        return _core.deform(core, rows, moved, energy, progress)
 
     def _is_cloud(self):
         return _core.sheets(self._core) > 2
@@ -262,7 +261,7 @@ class _Maps:
         points, triangles, polygons = self._input_triangles("doubled")
         return self._of_triangles(triangles, points, "closed"), polygons
 
-    def _cut_open(self, cut):
+    def _cut_open(self, cut, progress):
         """Returns the surface, cut open, and the vertex that each of its vertices is a copy of."""
         if cut is None:
             return self, None
@@ -273,15 +272,14 @@ class _Maps:
             cut = None
         else:
             cut = _arrays.indices(cut, "cut", (None, 2), count=len(points))
-        faces, original = _core.cut_open(points, triangles, polygons, cut)
+        faces, original = _core.cut_open(points, triangles, polygons, cut, progress)
         return self._of_triangles(faces, points[original], "auto"), original
 
 
 def _target(core, target, has_angles):
     """Returns what a surface becomes, if the user does not say it."""
-    if target not in (None, "plane", "sphere", "torus", "disk"):
-        raise ValueError(f'target="{target}" does not exist; give "plane", "sphere", "torus" or '
-                         '"disk"')
+    if target is not None:
+        _arrays.expect_word(target, "target", ("plane", "sphere", "torus", "disk"))
     if has_angles and target not in (None, "plane", "disk"):
         raise ValueError(f'target="{target}" has no cones; leave angles and cones out')
     if target is not None:

@@ -28,6 +28,12 @@ def expect_correspondence(x):
     _arrays.expect_word(x, "correspondence", ("integer",))
 
 
+def minimum_angle(x):
+    """Returns the least angle of faces, in degrees."""
+    return _arrays.number(x, "min_angle", "an angle in degrees, at least 0 and below 60",
+                          lambda x: 0 <= x < 60)
+
+
 def kept(keep):
     """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None."""
     if keep is None:

@@ -8,6 +8,10 @@ from . import _arrays, _core, _options
 from ._surface import Surface
 
 
+def _neighbors(x):
+    return _arrays.whole(x, "neighbors", "a number of points, two at least", 2)
+
+
 def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="fan",
          neighbors=None, progress=None):
     """Reads a mesh (OFF, OBJ, PLY, STL, TS), points (XYZ, PWN) or a triangulation (IDT).
@@ -19,6 +23,8 @@ def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="
     left_out = {"domain": "points", "arithmetic": None, "mollification": None}
     _options.expect(polygons=polygons,
                     **{name: x for name, x in given.items() if x != left_out[name]})
+    if neighbors is not None:
+        neighbors = _neighbors(neighbors)
     path = os.fspath(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"{path} does not exist")
@@ -38,8 +44,6 @@ def points(P, *, neighbors=30, arithmetic="exact", mollification="automatic"):
     covered. Matrices have a row for each point.
     """
     _options.expect(arithmetic=arithmetic, mollification=mollification)
-    neighbors = int(_arrays.indices(neighbors, "neighbors", ()))
-    if neighbors < 2:
-        raise ValueError(f"neighbors is {neighbors}; give two at least")
+    neighbors = _neighbors(neighbors)
     return Surface._of(_core.points(_arrays.points(P, "P"), neighbors, arithmetic == "exact",
                                     mollification))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The class `Surface`."""
 
+import copyreg
 import json
 import os
 import threading
@@ -123,9 +124,16 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
             sizes, longest = _arrays.numbers(size, "size", (self.number_of_input_vertices,)), None
             if len(sizes) and not sizes.min() > 0:
                 raise ValueError(f"size[{sizes.argmin()}] is {sizes.min()}; give positive lengths")
-        return Surface._of(_core.refine(self._core, min_angle, sizes, longest, max_circumradius,
-                                        max_insertions, order, conforming, *_options.kept(keep),
-                                        odt_length or 0., progress))
+        if longest is not None:
+            longest = _arrays.number(longest, "size")
+        if max_circumradius is not None:
+            max_circumradius = _arrays.number(max_circumradius, "max_circumradius")
+        if max_insertions is not None:
+            max_insertions = _arrays.whole(max_insertions, "max_insertions")
+        odt = 0. if odt_length is None else _arrays.not_negative(odt_length, "odt_length")
+        return Surface._of(_core.refine(self._core, _options.minimum_angle(min_angle), sizes,
+                                        longest, max_circumradius, max_insertions, order,
+                                        bool(conforming), *_options.kept(keep), odt, progress))
 
     def adapt(self, source=0, *, heat_time=0, tolerance=0.01, max_vertices=100000, min_angle=25,
               keep=None, progress=None):
@@ -136,8 +144,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         error in the L2 norm, in units of the root of the area, or of the norm of the kernel.
         """
         source = int(_arrays.indices(source, "source", (), count=self.number_of_input_vertices))
-        return Surface._of(_core.adapt(self._core, source, heat_time, tolerance, max_vertices,
-                                       min_angle, *_options.kept(keep), progress))
+        return Surface._of(_core.adapt(
+            self._core, source, _arrays.not_negative(heat_time, "heat_time"),
+            _arrays.not_negative(tolerance, "tolerance"),
+            _arrays.whole(max_vertices, "max_vertices"), _options.minimum_angle(min_angle),
+            *_options.kept(keep), progress))
 
     # ---- The triangulation ----------------------------------------------------------------------
 
@@ -216,24 +227,24 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     # ---- The input and the triangulation --------------------------------------------------------
 
-    def to_input(self, u, how="l2"):
+    def to_input(self, u, how="l2", *, progress=None):
         """Takes values at the vertices of the triangulation, (n,) or (n, k), to those of the input.
 
         `how` is "l2": the nearest function there, which keeps integrals; or "pointwise".
         """
-        return self._transfer(u, how, True, self.number_of_vertices)
+        return self._transfer(u, how, True, self.number_of_vertices, progress)
 
-    def from_input(self, u, how="l2"):
+    def from_input(self, u, how="l2", *, progress=None):
         """Takes values at the vertices of the input to those of the triangulation."""
-        return self._transfer(u, how, False, self.number_of_input_vertices)
+        return self._transfer(u, how, False, self.number_of_input_vertices, progress)
 
-    def _transfer(self, u, how, to_input, size):
+    def _transfer(self, u, how, to_input, size, progress):
         _arrays.expect_word(how, "how", ("l2", "pointwise"))
         values = _arrays.numbers(u, "u")
         if values.ndim not in (1, 2) or len(values) != size:
             raise ValueError(f"u has the shape {values.shape}; give a row for each of the {size} "
                              "vertices")
-        result = _core.transfer(self._core, values, to_input, how == "l2")
+        result = _core.transfer(self._core, values, to_input, how == "l2", progress)
         return result[:, 0] if values.ndim == 1 else result
 
     def locate(self, points, *, on="triangulation"):
@@ -253,10 +264,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         faces, weights, vertices = place_arrays(points, "points", 0, self.number_of_faces)
         return _core.locate_on_input(self._core, faces, weights)
 
-    def common_subdivision(self):
+    def common_subdivision(self, *, progress=None):
         """Returns the coarsest mesh in which edges of the input and of the triangulation are paths.
         """
-        return CommonSubdivision(_core.common_subdivision(self._core))
+        return CommonSubdivision(_core.common_subdivision(self._core, progress))
 
     # ---- Keeping --------------------------------------------------------------------------------
 
@@ -265,8 +276,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         _core.save(self._core, os.fspath(path))
 
     def __reduce__(self):
-        core = self._core
-        return _restored, (_core.dump(core), core.is_exact, core.name, core.is_flipped, core.points)
+        return Surface._of, (self._core,)
 
     def __copy__(self):
         return Surface._of(_core.copy(self._core))
@@ -284,4 +294,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
 
 def _restored(contents, exact, name, is_flipped, points):
-    return Surface._of(_core.restore(contents, exact, name, is_flipped, points))
+    return _core.restore(contents, exact, name, is_flipped, points)
+
+
+def _parts_of(core):
+    return _restored, (_core.dump(core), core.is_exact, core.name, core.is_flipped, core.points)
+
+
+copyreg.pickle(_core.Surface, _parts_of)  # of surfaces, and of fields that refer to them

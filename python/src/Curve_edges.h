@@ -6,6 +6,8 @@
 
 #include "Surface.h"
 
+#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,6 +23,13 @@ struct Curve_edges {
   std::vector<std::uint32_t> labels;
   /// A curve that has shrunk to a point, if there is one.
   std::optional<std::uint32_t> contracted;
+};
+
+/// Asks during shortening whether to go on.
+struct Shortening_watch {
+  Watch* watch; ///< what is asked
+  /// is called now and then.
+  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
 };
 
 } // namespace python

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,7 +51,16 @@ public:
     return !error_;
   }
 
-  /// does the same, with the number at which a text starts.
+  /*!
+  \brief asks between two stages whether to go on.
+  \param stage the one that begins
+  \throws std::runtime_error if the work ends, in place of which `rethrow()` throws the reason
+  */
+  void begin(const char* stage) {
+    if (!(*this)(stage)) throw std::runtime_error("the work has been ended");
+  }
+
+  /// asks as visitors do, with the number at which a text starts.
   bool show(const char* stage, const std::string& detail = {}) override {
     return (*this)(stage, std::strtoull(detail.c_str(), nullptr, 10));
   }
@@ -72,6 +82,14 @@ private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::exception_ptr error_;
   std::vector<std::string> warnings_;
+};
+
+/// Asks whether to go on, for visitors that count what is done in a stage.
+struct Counting {
+  Watch* watch;      ///< what is asked
+  const char* stage; ///< what is being done
+  /// is called with a number of what the stage does.
+  bool progress(std::uint64_t count) { return (*watch)(stage, count); }
 };
 
 } // namespace python

@@ -53,6 +53,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
   auto& search = search_of(s, t);
   Search_visitor visitor{&watch};
   search.search(points, IT::parameters::visitor(std::ref(visitor)));
+  watch.begin("cells");
   Found_cells found{t.shared_input(), search.distances(), {}, {}, {}, {}};
   found.cells =
       tolerance ? IT::voronoi_cells(search, cell_of_source, IT::parameters::tolerance(*tolerance))
@@ -61,8 +62,10 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
   for (const auto v : vertices(t.mesh()))
     if (const std::uint32_t i = search.nearest_source(v); i != IT::Gluing::none)
       found.labels[t.input_vertex(v)] = cell_of_source[i];
-  for (const IT::Cell_boundary& b : found.cells.boundaries)
+  for (const IT::Cell_boundary& b : found.cells.boundaries) {
+    watch.begin("boundary");
     found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
+  }
   for (const IT::Cell_junction& j : found.cells.junctions)
     found.junctions.push_back(IT::locate_on_input(t, j.point).value());
   s.cache.erase(exact_tables);

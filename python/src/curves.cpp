@@ -62,11 +62,6 @@ struct Found_curves {
   std::shared_ptr<Curve_edges> edges;
 };
 
-struct Shortening_watch {
-  Watch* watch;
-  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
-};
-
 // Makes curves geodesic on a copy of a triangulation.
 template <class T>
 class Curve_finder {

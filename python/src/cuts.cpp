@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,10 +50,11 @@ void expect_no_cover(const IT::Input& input) {
 
 // Inserts curves into a copy of a triangulation, and cuts along them.
 template <class T>
-Cut cut_along_ways(T t, const std::vector<const Way*>& ways) {
+Cut cut_along_ways(T t, const std::vector<const Way*>& ways, Watch& watch) {
   expect_no_cover(t.input());
   std::vector<IT::Inserted_polyline<T>> paths;
   for (const Way* way : ways) {
+    watch.begin("curve");
     const std::string curve = "curves[" + std::to_string(paths.size()) + "]";
     expect_on_input(t.input(), way->curve, curve);
     paths.push_back(IT::insert_polyline(t, way->curve.points));
@@ -67,16 +69,20 @@ Cut cut_along_ways(T t, const std::vector<const Way*>& ways) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (const auto h : paths[i].halfedges)
       put(labels, edge(h, t.mesh()), static_cast<std::uint32_t>(i + 1));
+  watch.begin("cut");
   return {t.shared_input(), IT::cut_along(t, labels)};
 }
 
 template <class T>
-Cut cut_to_disks(T t, const std::vector<Place>& through) {
+Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
   expect_no_cover(t.input());
   std::vector<typename T::vertex_descriptor> vertices;
   Place_finder<T> find(t);
   for (const Place& p : through) vertices.push_back(find.vertex(p.vertex));
-  const auto cut = IT::flip_to_geodesic_cut(t, vertices);
+  Shortening_watch visitor{&watch};
+  const auto cut =
+      IT::flip_to_geodesic_cut(t, vertices, IT::parameters::visitor(std::ref(visitor)));
+  watch.begin("cut");
   return {t.shared_input(), IT::cut_along(t, cut.edges)};
 }
 
@@ -148,22 +154,25 @@ py::dict cut_network(const Surface& s, const Curve_edges& edges) {
   return cut_arrays(cut, s.points);
 }
 
-py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways) {
-  Watch watch;
-  return cut_arrays(
-      with_triangulation(s, watch, [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways); }),
-      s.points);
+py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways, const py::object& progress) {
+  Watch watch(progress);
+  return cut_arrays(with_triangulation(
+                        s, watch,
+                        [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways, watch); }),
+                    s.points);
 }
 
-py::dict cut_to_disks_through(Surface& s, const Place_arrays& through) {
+py::dict cut_to_disks_through(Surface& s, const Place_arrays& through,
+                              const py::object& progress) {
   const std::vector<Place> places = places_of(through);
   for (const Place& p : places)
     if (!p.is_vertex())
       throw py::value_error("cuts pass through vertices; give no points in faces");
-  Watch watch;
-  return cut_arrays(
-      with_triangulation(s, watch, [&]<class T>(const T& t) { return cut_to_disks<T>(t, places); }),
-      s.points);
+  Watch watch(progress);
+  return cut_arrays(with_triangulation(
+                        s, watch,
+                        [&]<class T>(const T& t) { return cut_to_disks<T>(t, places, watch); }),
+                    s.points);
 }
 
 // Evenly between the least and the greatest finite value.
@@ -181,8 +190,9 @@ py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
   return array_of(std::move(levels));
 }
 
-py::list isolines(Surface& s, const Doubles& u, const Doubles& l) {
-  Watch watch;
+py::list isolines(Surface& s, const Doubles& u, const Doubles& l, const py::object& progress) {
+  Watch watch(progress);
+  Counting visitor{&watch, "levels"};
   std::shared_ptr<const IT::Input> input;
   std::vector<IT::Isoline> lines;
   std::vector<Way> ways;
@@ -190,9 +200,11 @@ py::list isolines(Surface& s, const Doubles& u, const Doubles& l) {
   const std::span levels(l.data(), static_cast<std::size_t>(l.size()));
   with_triangulation(s, watch, [&](const auto& t) {
     input = t.shared_input();
-    lines = IT::isolines(t, values, levels);
-    for (const IT::Isoline& line : lines)
+    lines = IT::isolines(t, values, levels, IT::parameters::visitor(std::ref(visitor)));
+    for (const IT::Isoline& line : lines) {
+      watch.begin("line");
       ways.push_back({IT::trace_isoline(t, line), line.is_closed});
+    }
   });
   py::list result;
   for (std::size_t i = 0; i < lines.size(); ++i) {

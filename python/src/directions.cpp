@@ -59,12 +59,14 @@ struct Directions {
   int border_turns = 0;
 };
 
+constexpr const char* solving = "factorization and solutions";
+
 template <class T>
 IT::Direction_field
 smooth_field(const T& t, const Surface& s, int degree, const std::optional<double>& strength,
              const std::vector<std::pair<typename T::vertex_descriptor, Complex>>& fixed,
              Watch& watch) {
-  Watching visitor{&watch, "factorization and solutions"};
+  Watching visitor{&watch, solving};
   const auto np = IT::parameters::visitor(std::ref(visitor));
   if (!strength) return IT::smoothest_direction_field(t, degree, fixed, np);
   if (degree % 2 != 0)
@@ -94,13 +96,18 @@ void add_singularities(const T& t, const std::vector<Point>& points, Directions&
 }
 
 Directions cloud_directions(Surface& s, int degree, const std::optional<double>& strength,
-                            const Asked_vectors& asked, std::size_t neighbors) {
+                            const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
   if (strength)
     refuse("align needs curvature, which a cloud of points does not have; leave it out");
   const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
+  watch.begin(solving);
+  Watching visitor{&watch, solving};
   Directions result;
   result.field.vectors =
-      cloud.smoothest_direction_field(degree, vectors_of_cloud(cloud, asked)).directions();
+      cloud
+          .smoothest_direction_field(degree, vectors_of_cloud(cloud, asked),
+                                     IT::parameters::visitor(std::ref(visitor)))
+          .directions();
   return result;
 }
 
@@ -108,7 +115,7 @@ Directions directions(Surface& s, int degree, const std::optional<double>& stren
                       const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
   return with_triangulation(s, watch, [&](auto& t) {
     if (is_cloud(t)) {
-      Directions result = cloud_directions(s, degree, strength, asked, neighbors);
+      Directions result = cloud_directions(s, degree, strength, asked, neighbors, watch);
       result.field = cloud_field(t, std::move(result.field.vectors));
       return result;
     }

@@ -86,6 +86,7 @@ const IT::Vector_heat_method<T>& vector_heat(Surface& s, const T& t, const Diffu
   });
   Watching visitor{&watch, "factorization"};
   (void)method.factor(IT::parameters::visitor(std::ref(visitor)));
+  watch.begin("solution");
   return method;
 }
 

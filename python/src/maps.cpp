@@ -61,6 +61,7 @@ namespace {
 struct Map_watch {
   Watch* watch;
   bool progress(const IT::Injective_map& map) { return (*watch)("rounds", map.rounds); }
+  bool progress(std::size_t solutions) { return (*watch)("solutions", solutions); }
 };
 
 // The surface may be refined.
@@ -80,10 +81,13 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
                         dict_of(map.certificate), dict_of(distortion), map.rounds, map.inserted);
 }
 
-py::array_t<double> map_of_points(Surface& s, std::size_t neighbors) {
-  Watch watch;
-  return array_of(
-      without_interpreter(watch, [&] { return IT::conformal_map_of_points(s.points, neighbors); }));
+py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, const py::object& progress) {
+  Watch watch(progress);
+  Counting visitor{&watch, "solutions"};
+  return array_of(without_interpreter(watch, [&] {
+    return IT::conformal_map_of_points(s.points, neighbors,
+                                       IT::parameters::visitor(std::ref(visitor)));
+  }));
 }
 
 // Certifies a map that is linear on the triangles of the mesh.
@@ -143,7 +147,7 @@ std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
 // afterwards, and the vertex that each vertex is a copy of.
 // \param polygons the face that each triangle is a part of: polygons stay whole
 py::tuple cut_open(const Doubles& points, const Integers& triangles, const Integers& polygons,
-                   const std::optional<Integers>& edges) {
+                   const std::optional<Integers>& edges, const py::object& progress) {
   IT::Triangle_soup soup;
   soup.points = points_of(points);
   const std::vector<std::uint32_t> corners = numbers_of(triangles, soup.points.size(), "vertex");
@@ -153,10 +157,11 @@ py::tuple cut_open(const Doubles& points, const Integers& triangles, const Integ
   expect_size(polygons, soup.triangles.size(), "polygons");
   soup.polygon_of_triangle = numbers_of(polygons, IT::Gluing::none, "face");
   if (!soup.triangles.empty()) soup.input_faces = soup.polygon_of_triangle.back() + 1;
-  Watch watch;
+  Watch watch(progress);
   IT::Opened_input opened = without_interpreter(watch, [&] {
     const IT::Intrinsic_input in =
         IT::make_domain(std::move(soup), IT::Domain_kind::manifold).input;
+    watch.begin("cut");
     return IT::cut_open(in, edges ? marks_of(in.mesh, *edges) : IT::cut_to_disk(in));
   });
   return py::make_tuple(array_of(std::move(opened.corners)),
@@ -170,14 +175,9 @@ std::uint32_t sheets(Surface& s) {
 
 // ---- Eigenfunctions ----------------------------------------------------------------------------
 
-struct Solution_watch {
-  Watch* watch;
-  bool progress(std::size_t solutions) { return (*watch)("solutions", solutions); }
-};
-
 py::tuple eigen(Surface& s, std::size_t count, const py::object& progress) {
   Watch watch(progress);
-  Solution_watch visitor{&watch};
+  Counting visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
     return IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
   });
@@ -200,19 +200,24 @@ IT::Deformation_energy energy_of(const std::string& name) {
 }
 
 py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& displacements,
-                           const std::string& energy) {
+                           const std::string& energy, const py::object& progress) {
   const IT::Deformation_energy minimized = energy_of(energy);
   const Row_matrix given = matrix_of(displacements);
   const std::vector<std::uint32_t> rows = numbers_of(
       handles, with_triangulation(s, [](auto& t) { return t.number_of_vertices(); }), "vertex");
-  return array_of(with_triangulation(s, [&](auto& t) -> Row_matrix {
+  Watch watch(progress);
+  return array_of(with_triangulation(s, watch, [&](auto& t) -> Row_matrix {
     std::shared_ptr<void>& place = s.cache["deformation"];
     auto* kept = static_cast<Kept_deformation*>(place.get());
     if (kept == nullptr || kept->rows != rows || kept->energy != energy) {
-      auto made = std::make_shared<Kept_deformation>(
-          Kept_deformation{rows, energy, IT::Surface_deformation(t, rows, minimized)});
+      const Eigen::VectorXd mass = IT::lumped_mass_matrix(t).diagonal(); // first, as the library
+      const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(t);
+      watch.begin("factorization");
+      auto made = std::make_shared<Kept_deformation>(Kept_deformation{
+          rows, energy, IT::Surface_deformation(laplacian, mass, rows, minimized)});
       kept = made.get();
       place = std::move(made);
+      watch.begin("solution");
     }
     return kept->deformation.displacements(given);
   }));

@@ -32,11 +32,14 @@ py::array_t<std::int64_t> whole_numbers(const std::vector<Number>& numbers) {
   return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
 }
 
-py::dict common_subdivision(Surface& s) {
-  Subdivision d = with_triangulation(s, [&](auto& t) {
+py::dict common_subdivision(Surface& s, const py::object& progress) {
+  Watch watch(progress);
+  Subdivision d = with_triangulation(s, watch, [&](auto& t) {
     Subdivision r{IT::common_subdivision(t), {}, {}, {}, {}};
+    watch.begin("matrices");
     r.from_input = IT::interpolation_from_input(r.s);
     r.from_intrinsic = IT::interpolation_from_intrinsic(r.s);
+    watch.begin("places");
     const Faces_in_order order(t);
     for (const std::uint32_t f : r.s.intrinsic_face) r.intrinsic_face.push_back(order[f]);
     IT::label_with_polygons(r.s, t.input().names().polygon_of_triangle);
@@ -57,17 +60,23 @@ py::dict common_subdivision(Surface& s) {
 }
 
 // Values at vertices on the other triangulation, a function per column.
-py::array_t<double> transfer(Surface& s, const Doubles& values, bool to_input, bool is_l2) {
+py::array_t<double> transfer(Surface& s, const Doubles& values, bool to_input, bool is_l2,
+                             const py::object& progress) {
   const Row_matrix given = matrix_of(values);
-  return array_of(with_triangulation(s, [&](auto& t) -> Row_matrix {
+  Watch watch(progress);
+  return array_of(with_triangulation(s, watch, [&](auto& t) -> Row_matrix {
     if (!is_l2) return to_input ? IT::copy_to_input(t, given) : IT::copy_to_intrinsic(t, given);
     const Eigen::MatrixXd columns = given;
     const auto make = [&] {
-      return new IT::L2_transfer(t, IT::common_subdivision(t),
+      const IT::Common_subdivision subdivision = IT::common_subdivision(t);
+      watch.begin("factorization");
+      return new IT::L2_transfer(t, subdivision,
                                  to_input ? IT::Transfer_direction::to_input
                                           : IT::Transfer_direction::to_intrinsic);
     };
-    return s.cached<IT::L2_transfer>(to_input ? "to_input" : "from_input", make)(columns);
+    auto& nearest = s.cached<IT::L2_transfer>(to_input ? "to_input" : "from_input", make);
+    watch.begin("solution");
+    return nearest(columns);
   }));
 }
 

@@ -250,4 +250,24 @@ TEST(Isolines, have_parameters_in_the_whole_range_of_doubles) {
   EXPECT_EQ(crossings(-infinity, infinity, 7), std::vector(3, 0.5));
 }
 
+struct Ends_before {
+  std::size_t last;
+  bool progress(std::size_t levels) const { return levels < last; }
+};
+
+TEST(Isolines, end_when_the_visitor_says_so) {
+  const auto mesh = meshes::surface_mesh<Surface_mesh>(meshes::grid(3, 3));
+  std::vector<double> values;
+  for (const auto v : vertices(mesh)) values.push_back(mesh.point(v).x());
+  const std::vector levels{0.5, 1.5, 2.5};
+  const auto all = IT::isolines(mesh, values, levels);
+  ASSERT_EQ(all.size(), 3U);
+  for (const std::size_t last : {0U, 1U, 3U}) {
+    const auto some =
+        IT::isolines(mesh, values, levels, IT::parameters::visitor(Ends_before{last}));
+    ASSERT_EQ(some.size(), last);
+    if (last > 0) EXPECT_EQ(some.back().level, all[last - 1].level);
+  }
+}
+
 } // namespace

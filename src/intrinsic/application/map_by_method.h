@@ -21,22 +21,26 @@ namespace program {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-/// returns a map that stays as it is, whether it is injective or not.
+/// returns a map that stays as it is, whether it is injective or not; without points, the visitor
+/// has ended the work.
 template <class Triangulation>
 IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
   IT::Injective_map map{IT::Status::done, std::move(uv), {}};
+  if (map.uv.rows() == 0) map.status = IT::Status::cancelled;
+  if (map.status == IT::Status::cancelled) return map;
   map.certificate = IT::certify_map(t, map.uv);
   return map;
 }
 
 /// maps a disk. Harmonic maps are made injective by flips and splits.
 /// \param method "lscm", "spectral", or else harmonic
-/// \param np named parameters of harmonic maps, see `injective_harmonic_map()`
+/// \param np named parameters of the map, see `injective_harmonic_map()` and
+///   `least_squares_conformal_map()`
 template <class Triangulation, class NP = IT::parameters::Parameters<>>
 IT::Injective_map map_by_method(Triangulation& t, const std::string& method,
                                 const NP& np = IT::parameters::default_values()) {
-  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t));
-  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t));
+  if (method == "spectral") return certified(t, IT::spectral_conformal_map(t, np));
+  if (method == "lscm") return certified(t, IT::least_squares_conformal_map(t, np));
   return IT::injective_harmonic_map(t, np);
 }
 

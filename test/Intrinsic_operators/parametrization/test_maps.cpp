@@ -26,7 +26,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -151,6 +153,30 @@ TEST(Conformal_maps, of_developable_surfaces_are_isometries) {
   const Exact flat = delaunay<Exact>(rough_grid(10, 0.3, 0, 9).input());
   expect_isometry(flat, IT::least_squares_conformal_map(flat), "flat, least squares");
   expect_isometry(flat, IT::spectral_conformal_map(flat), "flat, spectral");
+}
+
+TEST(Conformal_maps, end_when_the_visitor_says_so) {
+  struct Visitor {
+    std::size_t calls = 0, last;
+    bool progress(std::size_t) { return calls++ < last; }
+  };
+  const Exact t = delaunay<Exact>(bent_grid(4).input());
+  for (const bool is_spectral : {false, true}) {
+    const auto map = [&](Visitor& v) {
+      const auto np = IT::parameters::visitor(std::ref(v));
+      return is_spectral ? IT::spectral_conformal_map(t, np)
+                         : IT::least_squares_conformal_map(t, np);
+    };
+    Visitor all{0, 1000};
+    const Map uv = map(all);
+    EXPECT_EQ(uv, is_spectral ? IT::spectral_conformal_map(t) : IT::least_squares_conformal_map(t));
+    EXPECT_GE(all.calls, 2U);
+    for (std::size_t last = 0; last < all.calls; ++last) {
+      Visitor some{0, last};
+      EXPECT_EQ(map(some).rows(), 0);
+      EXPECT_EQ(some.calls, last + 1);
+    }
+  }
 }
 
 TEST(Conformal_maps, of_a_bent_sheet_are_nearly_isometries) {

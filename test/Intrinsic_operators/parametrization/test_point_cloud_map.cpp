@@ -88,6 +88,18 @@ TEST(Point_cloud_map, of_a_cap_is_the_stereographic_projection) {
   }
 }
 
+TEST(Point_cloud_map, ends_when_the_visitor_says_so) {
+  struct Visitor {
+    std::size_t last;
+    bool progress(std::size_t solutions) const { return solutions < last; }
+  };
+  const Cap cap = random_cap(100, 0.6, 1);
+  for (const std::size_t last : {0U, 1U, 2U})
+    EXPECT_EQ(
+        IT::conformal_map_of_points(cap.points, 30, IT::parameters::visitor(Visitor{last})).rows(),
+        0);
+}
+
 TEST(Point_cloud_map, refuses_what_is_no_disk) {
   std::mt19937 random(3);
   std::normal_distribution<double> x;

@@ -343,6 +343,18 @@ TEST(Logarithmic_map, near_a_vertex_is_that_of_the_whole_surface) {
   EXPECT_GT(known, 10U);
 }
 
+TEST(Logarithmic_map, ends_when_the_visitor_says_so) {
+  struct Visitor {
+    bool progress(std::uint64_t, double) const { return false; }
+  };
+  const Exact t = delaunay<Exact>(meshes::grid(40, 40).input());
+  const auto v = t.numbers().vertex_at(0);
+  const std::vector<Complex> some =
+      IT::logarithmic_map(t, v, IT::parameters::visitor(Visitor()));
+  const auto is_missing = [](const Complex& z) { return std::isnan(z.real()); };
+  EXPECT_EQ(std::ranges::count_if(some, is_missing), 41 * 41 - 1023);
+}
+
 /// A cone of random height and number of sides, and a triangle beside it: no vector is shorter than
 /// the chord, none is known there.
 TEST(Logarithmic_map, says_where_it_does_not_know) {

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -81,7 +83,9 @@ struct Function_on_halfedges {
 // The value of a row. Throws std::invalid_argument if there is none, or it is NaN.
 double value_of_row(std::span<const double> values, std::uint32_t row);
 
-std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<const double> levels);
+// `progress` is called before each level, with the number of those that are done.
+std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<const double> levels,
+                                    const std::function<bool(std::size_t)>& progress);
 
 // Reads a function; `row` returns the row with the value of a vertex.
 template <class Mesh, class Numbers, class Row>
@@ -129,17 +133,23 @@ passes between them and finite values through the finite vertex.
 \param t the triangulation
 \param values a number per row, see `Intrinsic_triangulation::input_vertex()`
 \param levels the levels, in any order
-\return the lines, level by level; halfedges are those of `t`, by number
+\param np an optional named parameter:
+  - `visitor(v)`: `v.progress(n)` is called before each level with the number of those that are
+    done, a `std::size_t`; it returns whether to go on
+\return the lines, level by level; halfedges are those of `t`, by number. If the visitor ends the
+  work, those of the levels that are done.
 \throws std::invalid_argument if a level is not finite, or a vertex has no value or one that is NaN
 \complexity linear in the number of faces for each level, and in the number of pieces
 */
-template <NumberedTriangulation Triangulation>
+template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<Isoline> isolines(const Triangulation& t, std::span<const double> values,
-                              std::span<const double> levels) {
+                              std::span<const double> levels,
+                              const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
   return internal::trace_isolines(
       internal::function_on_halfedges(t.mesh(), t.numbers(), values,
                                       [&](const auto v) { return t.input_vertex(v); }),
-      levels);
+      levels, internal::progress_of(np));
 }
 
 /*!
@@ -149,17 +159,20 @@ for triangulations.
 \param mesh the mesh
 \param values a number per vertex, by its number in `Mesh_adaptor<Mesh>`
 \param levels the levels
+\param np see the overload for triangulations
 \return the lines; halfedges are those of `mesh`, by number
 \throws std::invalid_argument also if a face has more than three sides
 */
-template <ReadableFaceGraph Mesh>
+template <ReadableFaceGraph Mesh, NamedParameters NP = parameters::Parameters<>>
 std::vector<Isoline> isolines(const Mesh& mesh, std::span<const double> values,
-                              std::span<const double> levels) {
+                              std::span<const double> levels,
+                              const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
   const Mesh_adaptor<Mesh> number(mesh);
   return internal::trace_isolines(
       internal::function_on_halfedges(mesh, number, values,
                                       [&](const auto v) { return number.vertex(v); }),
-      levels);
+      levels, internal::progress_of(np));
 }
 
 /*!

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -14,6 +15,8 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 /*!
@@ -38,12 +41,15 @@ Eigen::SparseMatrix<std::complex<double>>
 conformal_energy(const Eigen::SparseMatrix<double>& laplacian,
                  const std::vector<Disk_border>& borders);
 
+// `progress` is called before each factorization and after each solution.
 Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
-                                             const std::vector<Disk_border>& borders);
+                                             const std::vector<Disk_border>& borders,
+                                             const std::function<bool(std::size_t)>& progress);
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
-                                        const std::vector<Disk_border>& borders);
+                                        const std::vector<Disk_border>& borders,
+                                        const std::function<bool(std::size_t)>& progress);
 
 } // namespace internal
 
@@ -73,19 +79,26 @@ If no conformal map exists, the result depends on the two vertices; that of
 finds out exactly.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\tparam NP a chain of named parameters
 \param t the triangulation of a disk, or of several
+\param np an optional named parameter:
+  - `visitor(v)`: `v.progress(n)` is called before each factorization and after each solution, with
+    the number of solutions, a `std::size_t`; it returns whether to go on
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
-  are at (0, 0)
+  are at (0, 0). If the visitor has ended the work, no points
 \throws Invalid_input if a face has no area, or a component is not a disk, see `circular_border()`
 \throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers
 */
-template <MeasuredTriangulation Triangulation>
+template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  least_squares_conformal_map(const Triangulation& t) {
+  least_squares_conformal_map(const Triangulation& t,
+                              const NP& np = parameters::default_values()) {
+    internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
     return internal::least_squares_conformal_map(
-        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets));
+        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets),
+        internal::progress_of(np));
   }
 
 /*!
@@ -99,19 +112,23 @@ the positive x-axis, and is scaled to the area of the surface. `certify_map()` t
 injective.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
+\tparam NP a chain of named parameters
 \param t the triangulation of a disk, or of several
+\param np see `least_squares_conformal_map()`
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
-  are at (0, 0)
+  are at (0, 0). If the visitor has ended the work, no points
 \throws Invalid_input if a face has no area, or a component is not a disk, see `circular_border()`
 \throws Indefinite_matrix if rounding makes the matrix indefinite
 \complexity that of a sparse factorization of complex numbers, and of some solutions
 */
-template <MeasuredTriangulation Triangulation>
+template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  spectral_conformal_map(const Triangulation& t) {
+  spectral_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
+    internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
     return internal::spectral_conformal_map(
-        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets));
+        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets),
+        internal::progress_of(np));
   }
 
 /// \cond

@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// A long step of the computation of a direction field.
 enum class Direction_step {
   factored, ///< the matrix is factored
-  improved  ///< eigenvectors are better by some solutions; repeated for fields without a guide
+  improved  ///< eigenvectors are better by a solution; repeated for fields without a guide
 };
 
 namespace internal {

@@ -6,11 +6,13 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -91,11 +93,17 @@ public:
   `smoothest_direction_field()`.
   \param degree the number of equivalent directions at a point
   \param fixed points, and their fixed directions in their axes
+  \param np see there
   \throws std::invalid_argument if the degree is not positive, or a direction cannot be fixed
   */
+  template <NamedParameters NP = parameters::Parameters<>>
   Direction_field
   smoothest_direction_field(int degree,
-                            const std::vector<std::pair<std::size_t, Complex>>& fixed = {}) const;
+                            const std::vector<std::pair<std::size_t, Complex>>& fixed = {},
+                            const NP& np = parameters::default_values()) const {
+    internal::expect_names<internal::tags::visitor>(np);
+    return direction_field(degree, fixed, internal::progress_of(np));
+  }
 
   /// returns the number of edges at which the orientations of tangent planes differ: zero unless
   /// the surface has one side, or is
@@ -104,6 +112,9 @@ public:
 
 private:
   void expect_plane(std::size_t i) const;
+  Direction_field direction_field(int degree,
+                                  const std::vector<std::pair<std::size_t, Complex>>& fixed,
+                                  const std::function<bool(Direction_step)>& progress) const;
 
   std::vector<std::array<double, 3>> points_;
   int exponent_ = 0; // computations use the points times 2^-exponent

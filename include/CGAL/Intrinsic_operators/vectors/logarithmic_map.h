@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
@@ -78,14 +79,21 @@ Geodesic exponential_map(const Triangulation& t, const Surface_point& p,
 
 namespace internal {
 
-// The result of `to_frame` for the logarithm of each vertex, by its number.
-template <class Triangulation, class To_frame>
+// The result of `to_frame` for the logarithm of each vertex, by its number. The visitor of the
+// search is asked again and again.
+template <class Triangulation, class NP, class To_frame>
 std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& frames,
                                              const Polyhedral_distance<Triangulation>& distance,
-                                             const To_frame& to_frame) {
+                                             const NP& np, const To_frame& to_frame) {
   expect_tangent_planes(frames.triangulation());
+  auto stored_visitor = object_or<tags::visitor>(np, Polyhedral_distance_visitor());
+  auto& observed = unwrapped(stored_visitor);
   std::vector<std::complex<double>> result(frames.size(), unknown_vector);
+  std::size_t count = 0;
   for (const auto v : vertices(frames.triangulation().mesh())) {
+    if (++count % 1024 == 0 &&
+        !observed.progress(distance.number_of_windows(), distance.reached_distance()))
+      break;
     const Tangent_vector x = distance.logarithm(v);
     if (std::isfinite(x.vector[0])) result[frames.number(v)] = to_frame(x);
   }
@@ -105,7 +113,8 @@ vertices with more than a full turn of angle: all vertices behind such a vertex 
 \param t the triangulation
 \param v the vertex, which is not isolated
 \param np named parameters of `Polyhedral_distance`: `maximum_distance(d)` finds the map near the
-vertex only, and takes less time
+vertex only, and takes less time. The visitor is called while vectors are found, too; if it ends the
+work, the others are NaN
 \return by the numbers of a `Tangent_field`, vectors in the coordinates of `v`; NaN on other
 components and beyond the maximum distance
 \throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
@@ -122,7 +131,7 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
   if (frames.is_isolated(v))
     throw std::invalid_argument("vertex " + std::to_string(i) +
                                 " has no face, so that there are no vectors at it");
-  return internal::logarithms(frames, Polyhedral_distance<Triangulation>(t, v, np),
+  return internal::logarithms(frames, Polyhedral_distance<Triangulation>(t, v, np), np,
                               [&](const Tangent_vector& x) {
                                 return frames.to_field(i, frames.at_corner(x.point, x.vector));
                               });
@@ -139,7 +148,7 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const 
   const internal::Point_frames<Triangulation> frames(t);
   const bool is_at_vertex = internal::corner_of(p) < 3;
   return internal::logarithms(
-      frames, Polyhedral_distance<Triangulation>(t, p, np), [&](const Tangent_vector& x) {
+      frames, Polyhedral_distance<Triangulation>(t, p, np), np, [&](const Tangent_vector& x) {
         return is_at_vertex ? frames.from_corner(p, frames.at_corner(x.point, x.vector))
                             : std::complex(x.vector[0], x.vector[1]);
       });

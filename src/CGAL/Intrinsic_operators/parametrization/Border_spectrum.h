@@ -15,6 +15,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -34,7 +35,9 @@ inline void regularise_isolated(Complex_matrix& c) {
 // singular: on a flat surface its own shape has eigenvalue zero. (Holomorphic functions have no
 // conformal energy: the least eigenvalues are those of the smoothest ones, in the order of squared
 // lengths of edges.)
-inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_border& border) {
+// `progress` returns whether to go on, after each solution; the result is empty if not.
+inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_border& border,
+                                                 const std::function<bool()>& progress) {
   constexpr double shift = 1e-9;
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(c.rows()); // sums to 1
   const double around = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0);
@@ -48,9 +51,11 @@ inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_bo
     start[r] = std::polar(weight[r], static_cast<double>(r) + static_cast<double>(r * r));
   }
   const auto factored = raised_factorization(c);
+  start = factored.solve(start);
+  if (!progress()) return {};
   return Inverse_lanczos(factored, weight, std::vector<std::uint32_t>(row_number(c.rows()), 0),
                          Eigen::MatrixXcd::Ones(c.rows(), 1))
-      .smallest(factored.solve(start));
+      .smallest(start, progress);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -18,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -100,6 +101,7 @@ static std::vector<Disk> disks_of(const Face_table& table,
 }
 
 // Maps each disk by a function of it, and packs them. One disk alone keeps its isolated vertices.
+// If the function returns no points, there are none.
 template <class Map>
 static Eigen::MatrixX2d maps_of_disks(const Face_table& table,
                                       const Eigen::SparseMatrix<double>& laplacian,
@@ -110,15 +112,35 @@ static Eigen::MatrixX2d maps_of_disks(const Face_table& table,
   for (std::uint32_t i = 0; i < borders.size(); ++i) place[component[borders[i].rows[0]]] = i;
   for (std::size_t r = 0; r < place.size(); ++r) place[r] = place[component[r]];
   Eigen::MatrixX2d result = Eigen::MatrixX2d::Zero(laplacian.rows(), 2);
-  for (const Disk& disk : disks_of(table, laplacian, borders, place))
-    result(disk.rows, Eigen::all) = map(disk.table, disk.laplacian, disk.border);
+  for (const Disk& disk : disks_of(table, laplacian, borders, place)) {
+    const Eigen::MatrixX2d uv = map(disk.table, disk.laplacian, disk.border);
+    if (uv.rows() == 0) return uv;
+    result(disk.rows, Eigen::all) = uv;
+  }
   pack_components(result, place);
   return result;
 }
 
+// Counts solutions for a visitor.
+class Counted_solutions {
+public:
+  explicit Counted_solutions(const std::function<bool(std::size_t)>& progress)
+      : progress_(progress) {}
+  // before a factorization
+  bool begins() const { return progress_(solutions_); }
+  // after a solution
+  bool follows() { return progress_(++solutions_); }
+
+private:
+  const std::function<bool(std::size_t)>& progress_;
+  std::size_t solutions_ = 0;
+};
+
 static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
                                                   const Eigen::SparseMatrix<double>& laplacian,
-                                                  const Disk_border& border) {
+                                                  const Disk_border& border,
+                                                  Counted_solutions& solutions) {
+  if (!solutions.begins()) return {};
   Complex_matrix c = conformal_energy(laplacian, {border});
   regularise_isolated(c);
   const double half = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0) / 2;
@@ -133,13 +155,18 @@ static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
   w[second] = 1;
   c = with_fixed_rows(std::move(c), is_fixed);
   w = raised_factorization(c).solve(w);
+  if (!solutions.follows()) return {};
   return scaled_to_area(table, w);
 }
 
 static Eigen::MatrixX2d spectral_map_of_disk(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
-                                             const Disk_border& border) {
-  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, {border}), border);
+                                             const Disk_border& border,
+                                             Counted_solutions& solutions) {
+  if (!solutions.begins()) return {};
+  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, {border}), border,
+                                                [&] { return solutions.follows(); });
+  if (w.size() == 0) return {};
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
   for (Eigen::Index r = 0; r < w.size(); ++r)
@@ -149,14 +176,22 @@ static Eigen::MatrixX2d spectral_map_of_disk(const Face_table& table,
 
 Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
-                                             const std::vector<Disk_border>& borders) {
-  return maps_of_disks(table, laplacian, borders, least_squares_map_of_disk);
+                                             const std::vector<Disk_border>& borders,
+                                             const std::function<bool(std::size_t)>& progress) {
+  Counted_solutions solutions(progress);
+  return maps_of_disks(table, laplacian, borders, [&](auto&... disk) {
+    return least_squares_map_of_disk(disk..., solutions);
+  });
 }
 
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
-                                        const std::vector<Disk_border>& borders) {
-  return maps_of_disks(table, laplacian, borders, spectral_map_of_disk);
+                                        const std::vector<Disk_border>& borders,
+                                        const std::function<bool(std::size_t)>& progress) {
+  Counted_solutions solutions(progress);
+  return maps_of_disks(table, laplacian, borders, [&](auto&... disk) {
+    return spectral_map_of_disk(disk..., solutions);
+  });
 }
 
 } // namespace internal

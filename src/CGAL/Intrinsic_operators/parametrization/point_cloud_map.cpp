@@ -14,6 +14,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -77,15 +78,17 @@ static Disk_border cloud_border(const Cloud_connection& cloud) {
   return border;
 }
 
-} // namespace internal
-
 Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>>& points,
-                                         std::size_t neighbours) {
-  const internal::Cloud_connection cloud(points, neighbours);
-  const internal::Disk_border border = internal::cloud_border(cloud);
-  const internal::Complex_matrix form = internal::area_form(cloud);
-  Eigen::VectorXcd w =
-      internal::first_of_border_spectrum(internal::conformal_energy(cloud, form), border);
+                                         std::size_t neighbours,
+                                         const std::function<bool(std::size_t)>& progress) {
+  if (!progress(0)) return {};
+  const Cloud_connection cloud(points, neighbours);
+  const Disk_border border = cloud_border(cloud);
+  const Complex_matrix form = area_form(cloud);
+  std::size_t solutions = 0;
+  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(cloud, form), border,
+                                                [&] { return progress(++solutions); });
+  if (w.size() == 0) return {};
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
   double area = 0;
@@ -100,5 +103,7 @@ Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>
   }
   return result;
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -25,16 +25,14 @@ Eigen::VectorXcd Inverse_lanczos::smallest(const Eigen::VectorXcd& start,
                                            const std::function<bool()>& progress) const {
   Eigen::VectorXcd z = start;
   for (Eigen::Index k = 0; k < known_.cols(); ++k) remove(known_.col(k), z);
-  for (int round = 0; round < 8; ++round) {
-    if (improve(z)) break;
-    if (progress && !progress()) return {};
-  }
+  for (int round = 0; round < 8; ++round)
+    if (improve(z, progress)) break;
   return z;
 }
 
 // Replaces vectors by the best combinations of some powers of the inverse applied to them; returns
-// whether they are eigenvectors.
-bool Inverse_lanczos::improve(Eigen::VectorXcd& z) const {
+// whether they are eigenvectors, or, if cancelled, empty.
+bool Inverse_lanczos::improve(Eigen::VectorXcd& z, const std::function<bool()>& progress) const {
   constexpr int steps = 16;
   Eigen::MatrixXcd basis(z.size(), steps);
   Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(z.size(), steps), beside = diagonal;
@@ -44,6 +42,10 @@ bool Inverse_lanczos::improve(Eigen::VectorXcd& z) const {
     Eigen::VectorXcd next(z.size());
     for (Eigen::Index i = 0; i < z.size(); ++i) next[i] = masses_[i] * basis(i, j);
     next = factor_.solve(next);
+    if (!progress()) {
+      z.resize(0);
+      return true;
+    }
     for (Eigen::Index k = 0; k < known_.cols(); ++k) remove(known_.col(k), next);
     for (int k = j; k >= 0; --k) { // all of them, since rounding makes them not orthogonal
       const Eigen::VectorXcd c = remove(basis.col(k), next);

@@ -33,13 +33,13 @@ public:
 
   // \param start any vector, zero in parts that are left out; in rows without mass it solves
   //   A z = M x for some x
-  // \param progress returns whether to go on, after each round
+  // \param progress returns whether to go on, after each solution
   // \return eigenvectors of length one by M; empty if cancelled
   Eigen::VectorXcd smallest(const Eigen::VectorXcd& start,
-                            const std::function<bool()>& progress = {}) const;
+                            const std::function<bool()>& progress) const;
 
 private:
-  bool improve(Eigen::VectorXcd& z) const;
+  bool improve(Eigen::VectorXcd& z, const std::function<bool()>& progress) const;
   bool combine(const Eigen::MatrixXcd& basis, const Eigen::MatrixXd& diagonal,
                const Eigen::MatrixXd& beside, Eigen::VectorXcd& z) const;
   Eigen::Index part(Eigen::Index i) const {

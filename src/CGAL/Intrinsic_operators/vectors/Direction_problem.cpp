@@ -36,7 +36,7 @@ public:
 
   // \return empty if cancelled
   Eigen::VectorXcd solve(const std::function<bool(Direction_step)>& progress) const {
-    if (progress && !progress(Direction_step::factored)) return {};
+    if (!progress(Direction_step::factored)) return {};
     std::vector<char> has_wishes(graph_.size, 0); // by part
     for (Eigen::Index i = 0; i < right_.size(); ++i)
       if (right_[i] != 0.) has_wishes[static_cast<std::size_t>(part(i))] = 1;
@@ -50,9 +50,8 @@ public:
       free[i] = Complex(x, y) * 0x1p-31 - Complex(1, 1);
     }
     if (!is_free) return z;
-    free = Inverse_lanczos(factor_, masses_, part_).smallest(free, [&progress] {
-      return !progress || progress(Direction_step::improved);
-    });
+    free = Inverse_lanczos(factor_, masses_, part_).smallest(
+        free, [&progress] { return progress(Direction_step::improved); });
     if (free.size() == 0) return free;
     return z + free;
   }

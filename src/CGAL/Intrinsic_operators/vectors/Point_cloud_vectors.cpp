@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 
 #include <Eigen/Core>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -85,8 +87,9 @@ std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size
   return result;
 }
 
-Direction_field Point_cloud_vectors::smoothest_direction_field(
-    int degree, const std::vector<std::pair<std::size_t, Complex>>& fixed) const {
+Direction_field Point_cloud_vectors::direction_field(
+    int degree, const std::vector<std::pair<std::size_t, Complex>>& fixed,
+    const std::function<bool(Direction_step)>& progress) const {
   if (degree < 1)
     throw std::invalid_argument("a field has at least one direction at a vertex, not " +
                                 std::to_string(degree));
@@ -100,7 +103,9 @@ Direction_field Point_cloud_vectors::smoothest_direction_field(
                                   " cannot be fixed: it is zero or not finite");
     problem.fixed.push_back({i, internal::power_of(u, degree)});
   }
-  return {degree, internal::solve(problem, heat_->graph(), {})};
+  Direction_field field{degree, internal::solve(problem, heat_->graph(), progress)};
+  if (field.powers.empty() && size() > 0) field.status = Status::cancelled;
+  return field;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,68 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Long work tells how far it is, and ends when the user says so. Nothing is spoilt by that."""
+
+import unittest
+
+import numpy as np
+
+import intrinsic as it
+from support import unit_grid
+
+
+class Enough(Exception):
+    """What a user raises."""
+
+
+def stop(stage, count):
+    raise Enough(stage)
+
+
+class Long_work(unittest.TestCase):
+    def setUp(self):
+        self.s = it.Surface(*unit_grid(150))
+        self.u = self.s.points @ [1, 0.3, 0]
+
+    def expect_end(self, call):
+        with self.assertRaises(Enough):
+            call(stop)
+
+    def test_isolines_and_cuts(self):
+        s, u = self.s, self.u
+        self.expect_end(lambda p: s.isolines(u, 3000, progress=p))
+        lines = s.isolines(u, 400)
+        self.expect_end(lambda p: s.cut(lines, progress=p))
+        self.assertEqual(len(s.isolines(u, [0.5])), 1)
+        self.assertEqual(s.cut(lines[200]).number_of_components, 2)
+
+    def test_cells_and_logarithms(self):
+        s = self.s
+        self.expect_end(lambda p: s.voronoi(range(0, 22801, 57), tolerance=1e-5, progress=p))
+        self.expect_end(lambda p: s.log_map(0, progress=p))
+        np.testing.assert_allclose(np.hypot(*s.log_map(0).T), np.hypot(*s.points[:, :2].T),
+                                   atol=1e-12)
+
+    def test_solutions(self):
+        s = self.s
+        self.expect_end(lambda p: s.eigen(60, progress=p))
+        self.expect_end(lambda p: s.direction_field(4, progress=p))
+        self.expect_end(lambda p: s.parametrize("spectral", progress=p))
+        self.expect_end(lambda p: s.transport(0, [1, 0], progress=p))
+        self.assertAlmostEqual(s.eigen(1)[0][0], 0)
+        self.assertEqual(s.parametrize("lscm").status, "done")
+
+    def test_transfer(self):
+        t = self.s.refine(size=0.005)
+        self.expect_end(lambda p: t.to_input(np.ones(t.number_of_vertices), progress=p))
+        np.testing.assert_allclose(t.to_input(np.ones(t.number_of_vertices)), 1, rtol=1e-9)
+
+    def test_maps_of_points(self):
+        V = np.random.default_rng(1).uniform(size=(8000, 3)) * [1, 1, 0]
+        cloud = it.points(V, neighbors=12)
+        self.expect_end(lambda p: cloud.parametrize("spectral", progress=p))
+        self.expect_end(lambda p: cloud.direction_field(progress=p))
+        self.assertEqual(cloud.parametrize("spectral").uv.shape, (8000, 2))
+
+
+if __name__ == "__main__":
+    unittest.main()
