@@ -3,6 +3,7 @@
 """What the tests of the module share: meshes as arrays, a folder for files, a measure of memory."""
 
 import gc
+import os
 import tempfile
 import tracemalloc
 import unittest
@@ -57,6 +58,11 @@ class With_folder(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
+
+
+def has_sanitizer():
+    """Whether memory is checked by AddressSanitizer, which keeps what is freed for a while."""
+    return "asan" in os.environ.get("LD_PRELOAD", "")
 
 
 def grown_memory(work, rounds, before=1):
