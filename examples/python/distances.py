@@ -55,10 +55,10 @@ print(f"heat is off by {np.abs(heat - exact).max() / exact.max():.2%} of the gre
 far = s.farthest_points(6)
 cells = s.voronoi(far.vertices)
 pieces = s.cut(cells.boundaries)  # triangles that are in one cell each
-is_users = pieces.input_vertex >= 0
-label = np.array([np.bincount(cells.labels[pieces.input_vertex[corners[is_users[corners]]]]).argmax()
-                  for corners in (pieces.faces[pieces.component == k]
-                                  for k in range(pieces.number_of_components))])
+label = np.zeros(pieces.number_of_components, dtype=int)
+for k in range(len(label)):
+    users = pieces.input_vertex[pieces.faces[pieces.component == k]]
+    label[k] = np.bincount(cells.labels[users[users >= 0]]).argmax()
 
 figure = plt.figure(figsize=(12, 4))
 pictures = [("exact distances", V, F, exact[F].mean(axis=1), s.isolines(exact, 12)),

@@ -112,7 +112,8 @@ class _Curves:
         values = np.ascontiguousarray(u, dtype=np.float64)
         _arrays.expect_shape(values, "u", (self._core.number_of_vertices,))
         if np.ndim(levels) == 0:
-            count = _arrays.whole(levels, "levels", "a number from 1 to 10000, or an array", 1, 10000)
+            count = _arrays.whole(levels, "levels", "a number from 1 to 10000, or an array", 1,
+                                  10000)
             levels = _core.even_levels(values, count)
         else:
             levels = _arrays.numbers(levels, "levels", (None,))

@@ -201,7 +201,8 @@ class _Fields:
         if not is_point(p):
             raise ValueError("p has several points; a logarithmic map has one")
         return _core.log_map(self._flipped(), self._places(p, "p"), method or "",
-                             _arrays.number(time_factor, "time_factor"), _arrays.distance(max_distance, "max_distance"),
+                             _arrays.number(time_factor, "time_factor"),
+                             _arrays.distance(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)
 
     def transport(self, points, vectors, *, time_factor=1.0, progress=None):

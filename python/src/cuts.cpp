@@ -156,23 +156,22 @@ py::dict cut_network(const Surface& s, const Curve_edges& edges) {
 
 py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways, const py::object& progress) {
   Watch watch(progress);
-  return cut_arrays(with_triangulation(
-                        s, watch,
-                        [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways, watch); }),
-                    s.points);
+  return cut_arrays(
+      with_triangulation(s, watch,
+                         [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways, watch); }),
+      s.points);
 }
 
-py::dict cut_to_disks_through(Surface& s, const Place_arrays& through,
-                              const py::object& progress) {
+py::dict cut_to_disks_through(Surface& s, const Place_arrays& through, const py::object& progress) {
   const std::vector<Place> places = places_of(through);
   for (const Place& p : places)
     if (!p.is_vertex())
       throw py::value_error("cuts pass through vertices; give no points in faces");
   Watch watch(progress);
-  return cut_arrays(with_triangulation(
-                        s, watch,
-                        [&]<class T>(const T& t) { return cut_to_disks<T>(t, places, watch); }),
-                    s.points);
+  return cut_arrays(
+      with_triangulation(s, watch,
+                         [&]<class T>(const T& t) { return cut_to_disks<T>(t, places, watch); }),
+      s.points);
 }
 
 // Evenly between the least and the greatest finite value.

@@ -103,11 +103,10 @@ Directions cloud_directions(Surface& s, int degree, const std::optional<double>&
   watch.begin(solving);
   Watching visitor{&watch, solving};
   Directions result;
-  result.field.vectors =
-      cloud
-          .smoothest_direction_field(degree, vectors_of_cloud(cloud, asked),
-                                     IT::parameters::visitor(std::ref(visitor)))
-          .directions();
+  result.field.vectors = cloud
+                             .smoothest_direction_field(degree, vectors_of_cloud(cloud, asked),
+                                                        IT::parameters::visitor(std::ref(visitor)))
+                             .directions();
   return result;
 }
 

@@ -240,14 +240,13 @@ void bind_fields(py::module_& m) {
   py::class_<Field>(m, "Field")
       .def_property_readonly("coordinates",
                              [](const Field& f) { return array_of(f.coordinates()); })
-      .def(py::pickle(
-          [](const Field& f) { return std::make_pair(f.vectors, f.of_row); },
-          [](std::pair<IT::Tangent_field, std::vector<std::uint32_t>> parts) {
-            for (const std::uint32_t i : parts.second)
-              if (i >= parts.first.size() && i != IT::Gluing::none)
-                refuse("this is no field of vectors; pickle it again");
-            return Field{std::move(parts.first), std::move(parts.second)};
-          }));
+      .def(py::pickle([](const Field& f) { return std::make_pair(f.vectors, f.of_row); },
+                      [](std::pair<IT::Tangent_field, std::vector<std::uint32_t>> parts) {
+                        for (const std::uint32_t i : parts.second)
+                          if (i >= parts.first.size() && i != IT::Gluing::none)
+                            refuse("this is no field of vectors; pickle it again");
+                        return Field{std::move(parts.first), std::move(parts.second)};
+                      }));
   m.def("log_map", &log_map);
   m.def("transport", &transport);
   m.def("extend", &extend);

@@ -182,8 +182,8 @@ class Curved(Random_places):
             # a vector that is carried around the apex along edges turns by what is missing there
             angles, glue, corner = s.frames().angles, s.delaunay().glue, s.delaunay().faces
             turns = np.exp(1j * (angles[tuple(glue.transpose(2, 0, 1))] + np.pi - angles))
-            step = {(i, j): z for i, j, z in zip(corner.ravel(), np.roll(corner, -1, axis=1).ravel(),
-                                                 turns.ravel())}
+            other = np.roll(corner, -1, axis=1)
+            step = {(i, j): z for i, j, z in zip(corner.ravel(), other.ravel(), turns.ravel())}
             around = np.prod([step[1 + i, 1 + (i + 1) % 24] for i in range(24)])
             self.assertLess(abs(around - np.exp(1j * (2 * np.pi - whole))), 1e-9)
 

@@ -349,8 +349,7 @@ TEST(Logarithmic_map, ends_when_the_visitor_says_so) {
   };
   const Exact t = delaunay<Exact>(meshes::grid(40, 40).input());
   const auto v = t.numbers().vertex_at(0);
-  const std::vector<Complex> some =
-      IT::logarithmic_map(t, v, IT::parameters::visitor(Visitor()));
+  const std::vector<Complex> some = IT::logarithmic_map(t, v, IT::parameters::visitor(Visitor()));
   const auto is_missing = [](const Complex& z) { return std::isnan(z.real()); };
   EXPECT_EQ(std::ranges::count_if(some, is_missing), 41 * 41 - 1023);
 }

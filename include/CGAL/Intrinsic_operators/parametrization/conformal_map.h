@@ -92,8 +92,7 @@ finds out exactly.
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  least_squares_conformal_map(const Triangulation& t,
-                              const NP& np = parameters::default_values()) {
+  least_squares_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
     internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
     return internal::least_squares_conformal_map(
@@ -126,9 +125,9 @@ template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::
   spectral_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
     internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
-    return internal::spectral_conformal_map(
-        table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets),
-        internal::progress_of(np));
+    return internal::spectral_conformal_map(table, cotangent_laplacian(t),
+                                            internal::disk_borders(table, t.input().names().sheets),
+                                            internal::progress_of(np));
   }
 
 /// \cond

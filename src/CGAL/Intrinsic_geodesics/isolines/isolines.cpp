@@ -124,15 +124,13 @@ double value_of_row(std::span<const double> values, std::uint32_t row) {
   return values[row];
 }
 
-std::vector<Isoline> trace_isolines(const Function_on_halfedges& f,
-                                    std::span<const double> levels,
+std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<const double> levels,
                                     const std::function<bool(std::size_t)>& progress) {
   if (!std::ranges::all_of(levels, [](double x) { return std::isfinite(x); }))
     throw std::invalid_argument("isolines: a level is not finite");
   std::vector<Isoline> lines;
   Isoline_tracer tracer(f);
-  for (std::size_t i = 0; i < levels.size() && progress(i); ++i)
-    tracer.trace(levels[i], i, lines);
+  for (std::size_t i = 0; i < levels.size() && progress(i); ++i) tracer.trace(levels[i], i, lines);
   return lines;
 }
 

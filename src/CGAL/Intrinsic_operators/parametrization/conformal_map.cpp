@@ -189,9 +189,8 @@ Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const std::vector<Disk_border>& borders,
                                         const std::function<bool(std::size_t)>& progress) {
   Counted_solutions solutions(progress);
-  return maps_of_disks(table, laplacian, borders, [&](auto&... disk) {
-    return spectral_map_of_disk(disk..., solutions);
-  });
+  return maps_of_disks(table, laplacian, borders,
+                       [&](auto&... disk) { return spectral_map_of_disk(disk..., solutions); });
 }
 
 } // namespace internal

@@ -50,8 +50,9 @@ public:
       free[i] = Complex(x, y) * 0x1p-31 - Complex(1, 1);
     }
     if (!is_free) return z;
-    free = Inverse_lanczos(factor_, masses_, part_).smallest(
-        free, [&progress] { return progress(Direction_step::improved); });
+    free = Inverse_lanczos(factor_, masses_, part_).smallest(free, [&progress] {
+      return progress(Direction_step::improved);
+    });
     if (free.size() == 0) return free;
     return z + free;
   }

@@ -87,9 +87,10 @@ std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size
   return result;
 }
 
-Direction_field Point_cloud_vectors::direction_field(
-    int degree, const std::vector<std::pair<std::size_t, Complex>>& fixed,
-    const std::function<bool(Direction_step)>& progress) const {
+Direction_field
+Point_cloud_vectors::direction_field(int degree,
+                                     const std::vector<std::pair<std::size_t, Complex>>& fixed,
+                                     const std::function<bool(Direction_step)>& progress) const {
   if (degree < 1)
     throw std::invalid_argument("a field has at least one direction at a vertex, not " +
                                 std::to_string(degree));
