@@ -102,11 +102,10 @@ Directions cloud_directions(Surface& s, int degree, const std::optional<double>&
   const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
   watch.begin(solving);
   Watching visitor{&watch, solving};
+  const auto np = IT::parameters::visitor(std::ref(visitor));
   Directions result;
-  result.field.vectors = cloud
-                             .smoothest_direction_field(degree, vectors_of_cloud(cloud, asked),
-                                                        IT::parameters::visitor(std::ref(visitor)))
-                             .directions();
+  result.field.vectors =
+      cloud.smoothest_direction_field(degree, vectors_of_cloud(cloud, asked), np).directions();
   return result;
 }
 
