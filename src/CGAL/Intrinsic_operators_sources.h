@@ -30,6 +30,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.cpp>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.cpp>
 #include <CGAL/Intrinsic_operators/conformal/triangle_angles.cpp>
+#include <CGAL/Intrinsic_operators/conformal/turn_back.cpp>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>

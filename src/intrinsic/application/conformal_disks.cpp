@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,14 +28,15 @@ namespace program {
 
 namespace {
 
-std::runtime_error no_disks(const std::string& what) {
-  return std::runtime_error("--method conformal maps disks, but the surface " + what +
-                            "; take intrinsic uniformize, with --cones where it asks for them");
+IT::Invalid_input no_disks(const std::string& what) {
+  return IT::Invalid_input(IT::Element_kind::none, 0,
+                           "--method conformal maps disks, but the surface " + what +
+                               "; take intrinsic uniformize, with --cones where it asks for them");
 }
 
 // The front of a double, or all of a surface that is none: its faces in the order of the file, with
 // the vertices of the file.
-// \throws std::runtime_error if front and back are one side
+// \throws Invalid_input if front and back are one side
 IT::Gluing front_of(const IT::Input& surface) {
   const IT::Gluing all = IT::gluing_from_map(surface.mesh());
   const IT::Input_names& names = surface.names();
@@ -80,7 +81,8 @@ Laid_out on_mesh(const IT::Input& surface, const std::vector<Point>& points,
 
 void expect_disks(const IT::Input& surface) {
   if (surface.names().sheets > 2)
-    throw std::runtime_error("for a cloud of points only --method spectral works");
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "for a cloud of points only --method spectral works");
   const Input_facts facts = facts_of(IT::Gluing_map::from_valid(front_of(surface)));
   if (facts.nonmanifold_vertices > 0) throw no_disks("has parts that meet at a vertex only");
   if (facts.genus != 0) throw no_disks("has handles");

@@ -14,7 +14,7 @@
 namespace program {
 
 /// checks that a surface, or the front of a double, consists of disks.
-/// \throws std::runtime_error naming what it has, and the command that maps it
+/// \throws Invalid_input naming what it has, and the command that maps it
 void expect_disks(const IT::Input& surface);
 
 /// returns the double of a surface before the first move, with its vertices in the order of the

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
@@ -144,8 +145,9 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
                     json_of(s.metric, IT::Prescribed_angles(), options.uniformize),
                     {{"u", vector_of(IT::logarithmic_scale(ideal, s.layout))}}};
   if (!computed.functions.front().values.allFinite())
-    throw std::runtime_error("vertices fall together on the sphere in doubles; take --target plane "
-                             "with --cones");
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "vertices fall together on the sphere in doubles; take --target plane "
+                            "with --cones");
   if (!s.is_convex) computed.json["status"] = name(IT::Status::stalled);
   computed.json["pole"] = s.layout.pole;
   computed.json["rounds"] = s.rounds;
@@ -191,8 +193,9 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   asked.target = target_of(t, asked);
   if (asked.start.empty()) asked.start = has_inserted(t) ? "input" : "delaunay";
   if (asked.start == "delaunay" && has_inserted(t))
-    throw std::runtime_error("scale factors belong to the vertices of the file, and others were "
-                             "inserted; take --start input");
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "scale factors belong to the vertices of the file, and others were "
+                            "inserted; take --start input");
   Ideal ideal(asked.start == "input" ? IT::ideal_start(t.input()) : IT::ideal_start(t));
   if (asked.target == "sphere") return on_sphere(ideal, points, options);
   IT::Flat_surface start = IT::flat_surface(ideal);
@@ -241,8 +244,9 @@ void run_conformal_map(const Options& given) {
   options.uniformize.target = "plane";
   run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
     if (has_inserted(t))
-      throw std::runtime_error("--method conformal maps the vertices of the file, and others were "
-                               "inserted; start from the mesh");
+      throw IT::Invalid_input(IT::Element_kind::none, 0,
+                              "--method conformal maps the vertices of the file, and others were "
+                              "inserted; start from the mesh");
     expect_disks(t.input());
     return map_of_disks(
         with_closed(t, [&](const auto& s) { return uniformized(s, points, options, true); }),

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -127,6 +128,45 @@ TEST(LayOutInPlane, spreadsRoundingOverManyTriangles) {
   s.mix(random, 0, 20000);
   const IT::Flat_layout layout = IT::lay_out_in_plane(s);
   expect_isometric(s, layout, 1e-11);
+}
+
+// Rings of triangles about a point, each half as large as the one around it.
+TEST(LayOutInPlane, keepsTheShapeOfTrianglesThatAreMuchSmallerThanOthers) {
+  constexpr std::uint32_t rings = 80, n = 6;
+  std::vector<std::array<double, 3>> points;
+  for (std::uint32_t r = 0; r < rings; ++r)
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const Complex z = std::polar(std::ldexp(1., -int(r)), 2 * std::numbers::pi * k / n);
+      points.push_back({z.real(), z.imag(), 0});
+    }
+  points.push_back({0, 0, 0});
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t r = 0; r < rings; ++r)
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t a = n * r + k, b = n * r + (k + 1) % n;
+      if (r + 1 == rings)
+        triangles.push_back({a, b, n * rings});
+      else
+        for (const auto& t : {std::array{a, b, b + n}, std::array{a, b + n, a + n}})
+          triangles.push_back(t);
+    }
+  const flat::Surface s(triangles, points);
+  const IT::Flat_layout layout = IT::lay_out_in_plane(s);
+  EXPECT_LT(layout.largest_side_error, 1e-13);
+  EXPECT_TRUE(IT::certify_map(layout).is_injective());
+}
+
+// Lengths are taken as they are: their squares as doubles have another triangle, or none.
+TEST(LayOutInPlane, keepsTheHeightsOfTrianglesThatAreNearlySegments) {
+  flat::Surface s({{0, 1, 2}}, {{0, 0, 0}, {1, 0, 0}, {0.5, 0.5, 0}});
+  for (const int digits : {30, 45, 52}) {
+    const double more = std::ldexp(1., -digits);
+    s.length = {1, (1 + more) / 2, (1 + more) / 2};
+    const IT::Flat_layout layout = IT::lay_out_in_plane(s);
+    const Complex a = place(layout, 1) - place(layout, 0), b = place(layout, 2) - place(layout, 0);
+    const double height = std::sqrt(more * (2 + more)) / 2;
+    EXPECT_NEAR(std::imag(std::conj(a) * b) / std::abs(a), height, 1e-14 * height);
+  }
 }
 
 TEST(LayOutInPlane, reportsCurvatureThatIsNotAtCones) {

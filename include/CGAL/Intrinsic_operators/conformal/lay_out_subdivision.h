@@ -110,6 +110,11 @@ struct Subdivision_layout {
 
 The edges to cut must make disks of the faces that are laid out, and pass through all cones; see
 `cut_to_disk()`. Faces of the triangulation may be on both sides of a cut.
+
+In the plane the smallest piece of a component is at the origin, where doubles are densest. Faces
+that are as small as the distance of doubles at their place, and which rounding has turned over, are
+turned back by moves of vertices of that size, where a local search finds some. `certify_map()`
+counts those that are left.
 \param s the subdivision
 \return the layout
   A hyperbolic one is as `lay_out_in_disk()` makes it; `cut_to_round_disk()` has the cut for it

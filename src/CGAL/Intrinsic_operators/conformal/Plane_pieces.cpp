@@ -13,6 +13,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ public:
   }
 
   Developed_pieces run() {
-    for (std::uint32_t i = 0; i < p_.size(); ++i)
+    for (const std::uint32_t i : by_extent())
       if (result_.rotation[i] == 0.) spread_from(i);
     result_.largest_error = largest_error(result_.position);
     improve();
@@ -48,6 +49,18 @@ public:
   }
 
 private:
+  // The pieces, small ones first: a component begins at the origin with its smallest piece, because
+  // doubles are densest there.
+  std::vector<std::uint32_t> by_extent() const {
+    std::vector<double> extent(p_.size());
+    for (std::uint32_t i = 0; i < p_.size(); ++i) extent[i] = p_.extent(i);
+    std::vector<std::uint32_t> result(p_.size());
+    std::iota(result.begin(), result.end(), 0U);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return extent[i] < extent[j]; });
+    return result;
+  }
+
   // Lays out the component of a piece.
   void spread_from(std::uint32_t first) {
     fixed_.push_back(p_.vertex[p_.begin[first]]);

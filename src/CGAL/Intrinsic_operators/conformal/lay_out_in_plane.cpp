@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
-#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 
 #include <Eigen/Core>
 
@@ -30,18 +29,26 @@ namespace internal {
 
 namespace {
 
+// The square of four times the area of a triangle, with a small relative error even if it is nearly
+// a segment (Kahan, Miscalculating area and angles of a needle-like triangle, 2014).
+double squared_quadruple_area_of(std::array<double, 3> lengths) {
+  std::sort(lengths.begin(), lengths.end());
+  const auto [c, b, a] = lengths;
+  return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+}
+
 // The sides of a triangle of given lengths. The greatest may be longer than the others together by
 // rounding of the lengths.
 std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, std::uint32_t f) {
   const double* l = s.length.data() + 3 * std::size_t{f};
   const double longest = std::max({l[0], l[1], l[2]}), least = std::min({l[0], l[1], l[2]});
   const int e = longest > 0 && std::isfinite(longest) ? std::ilogb(longest) : 0;
-  std::array<double, 3> squares;
+  std::array<double, 3> lengths, squares;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double scaled = std::ldexp(l[k], -e);
-    squares[k] = scaled * scaled;
+    lengths[k] = std::ldexp(l[k], -e);
+    squares[k] = lengths[k] * lengths[k];
   }
-  double area = squared_quadruple_area(squares[0], squares[1], squares[2]);
+  double area = squared_quadruple_area_of(lengths);
   if (!(least > 0) || !std::isfinite(longest) || !(area >= -1e-14 * squares[0]))
     throw Invalid_input::about(Element_kind::face, f,
                                " has sides of which no triangle consists; give lengths that are "

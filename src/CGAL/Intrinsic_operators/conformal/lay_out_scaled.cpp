@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_operators/conformal/Disk_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/Piece_places.h>
+#include <CGAL/Intrinsic_operators/conformal/turn_back.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -219,6 +220,7 @@ private:
     basis << a.real(), b.real(), a.imag(), b.imag();
     rotation << turn.real(), -turn.imag(), turn.imag(), turn.real();
     layout_.positions *= (basis.inverse() * rotation).transpose();
+    turn_back(triangles_of_pieces(s), layout_.positions);
   }
 
   // Labels faces with the polygons of the file.

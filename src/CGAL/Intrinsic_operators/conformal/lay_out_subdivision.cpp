@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_operators/conformal/Piece_places.h>
 #include <CGAL/Intrinsic_operators/conformal/Plane_pieces.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
+#include <CGAL/Intrinsic_operators/conformal/turn_back.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
@@ -252,7 +253,10 @@ Eigen::VectorXd log_scale(const Subdivision_layout& layout) {
 } // namespace internal
 
 Subdivision_layout lay_out_subdivision(const Flat_subdivision& s) {
-  return internal::Subdivision_developer(s).run();
+  Subdivision_layout layout = internal::Subdivision_developer(s).run();
+  if (!layout.is_hyperbolic)
+    internal::turn_back(internal::triangles_of_pieces(layout.subdivision), layout.positions);
+  return layout;
 }
 
 std::vector<std::array<double, 2>> corner_coordinates(const Subdivision_layout& layout,
@@ -268,21 +272,8 @@ std::vector<std::array<double, 2>> corner_coordinates(const Subdivision_layout& 
   return result;
 }
 
-namespace {
-
-// Polygons divided from their first corners.
-std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdivision& s) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (std::size_t f = 0; f < s.number_of_faces(); ++f)
-    for (std::size_t k = 2; k < s.face(f).size(); ++k)
-      triangles.push_back({s.face(f)[0], s.face(f)[k - 1], s.face(f)[k]});
-  return triangles;
-}
-
-} // namespace
-
 Map_certificate certify_map(const Subdivision_layout& layout) {
-  return certify_map(triangles_of_pieces(layout.subdivision), layout.positions);
+  return certify_map(internal::triangles_of_pieces(layout.subdivision), layout.positions);
 }
 
 std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout) {
@@ -291,7 +282,7 @@ std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout) {
     return std::complex<double>(layout.positions(row, 0), layout.positions(row, 1));
   };
   std::size_t flipped = 0;
-  for (const auto& [a, b, c] : triangles_of_pieces(layout.subdivision))
+  for (const auto& [a, b, c] : internal::triangles_of_pieces(layout.subdivision))
     if (orientation_in_disk(place(a), place(b), place(c)) <= 0) ++flipped;
   return flipped;
 }

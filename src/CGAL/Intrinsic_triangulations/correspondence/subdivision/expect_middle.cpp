@@ -24,8 +24,6 @@ void fail_middle(Element_kind kind, std::size_t element, Subdivided middle) {
 
 namespace {
 
-constexpr std::uint32_t none = Common_subdivision::none;
-
 class Middle_checker {
 public:
   Middle_checker(const Common_subdivision& s, Subdivided middle, const Gluing_map& mesh)
@@ -81,6 +79,8 @@ public:
   }
 
 private:
+  static constexpr std::uint32_t none = Common_subdivision::none;
+
   [[noreturn]] void fail_arrays() const {
     throw Invalid_input(Element_kind::none, 0,
                         std::string("arrays of the ") + (is_intrinsic() ? "first" : "second") +
