@@ -36,12 +36,28 @@ void describe_curves(std::ostream& text, const Json& geodesic) {
        << geodesic["initial_length"].get<double>() << "; " << geodesic["flips"] << " flips\n";
 }
 
+void describe_cut(std::ostream& text, const Json& cut) {
+  const std::size_t pieces = cut["components"].size(), loops = cut["border_loops"];
+  text << pieces << (pieces == 1 ? " piece" : " pieces") << " with " << loops
+       << (loops == 1 ? " border" : " borders") << "\n";
+}
+
+void describe_map(std::ostream& text, const Json& conformal) {
+  const bool is_proven = conformal["proven_residual"].is_number();
+  const Json& residual = conformal[is_proven ? "proven_residual" : "residual"];
+  if (residual.is_number())
+    text << "\n"
+         << conformal["cones"] << " cones; angles are right up to " << residual.get<double>()
+         << " radians" << (is_proven ? ", proven" : "");
+}
+
 std::string description(const Json& json) {
   std::ostringstream text;
   text.precision(4);
   const Json& input = json["input"];
   text << input["vertices"] << " vertices, " << input["faces"] << " faces; ";
   if (json.contains("geodesic")) describe_curves(text, json["geodesic"]);
+  if (json.contains("cut")) describe_cut(text, json["cut"]);
   if (!json.contains("delaunay")) return text.str();
   text << json["delaunay"]["flips"] << " flips\nangles from "
        << json["quality"]["min_angle_deg"].get<double>() << " to "
@@ -53,7 +69,8 @@ std::string description(const Json& json) {
          << json["refine"]["insertions"] << " vertices inserted, "
          << json["refine"]["unsatisfied_faces"] << " faces left below the bound\nangles before "
          << bars(json["quality_before"]["angle_histogram"]);
-  text << "\nangles " << bars(json["quality"]["angle_histogram"]) << " (0 to 180 degrees)";
+  text << "\nangles " << bars(json["quality"]["angle_histogram"]) << " (0 to 180\u00b0)";
+  if (json.contains("conformal")) describe_map(text, json["conformal"]);
   return text.str();
 }
 

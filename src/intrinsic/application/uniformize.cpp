@@ -204,6 +204,11 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   const IT::Conformal_metric m =
       is_hyperbolic ? IT::hyperbolic_metric(ideal, angles) : IT::conformal_metric(ideal, angles);
   Computed computed{"conformal", json_of(m, angles, asked), {{"u", vector_of(m.u)}}};
+  if (!asked.cones.empty()) {
+    computed.marks.name = "cones";
+    for (const Json& cone : computed.json["cone_angles"])
+      computed.marks.points.push_back({{points[cone["vertex"].get<std::size_t>()]}, false, 0});
+  }
   std::optional<IT::Flat_torus> torus;
   if (asked.target == "torus") {
     torus = IT::flat_torus(IT::flat_surface(ideal));
