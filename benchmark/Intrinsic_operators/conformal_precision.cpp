@@ -1,32 +1,38 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How many metrics with random cones are found, by the arithmetic of flips, where lambda lengths are
-// scaled by factors over many powers of ten? Each result is checked with exact flips.
-// Usage: conformal_precision [SETS [MOST_POWERS]] > precision.json
+// How many metrics with random cones are found, by the precision of the arithmetic, where lambda
+// lengths are scaled by factors over many powers of ten? A plain Newton's method with so many bits
+// throughout is compared with `conformal_metric()`, which calculates with doubles. Each result is
+// checked with 400 bits.
+// Usage: conformal_precision [SETS [POWERS...]] > precision.json
+
+#include "plain_conformal.h"
 
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
-#include <CGAL/Gmpfr.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -40,12 +46,17 @@ namespace {
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 template <class Traits>
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
-using Exact = Triangulation<IT::Exact_ideal_hyperbolic_traits>;
+template <unsigned decimals>
+using Float = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<decimals, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+using Checked = Float<120>; // of 400 bits
 constexpr double pi = std::numbers::pi;
+constexpr double limit = 1e-8; // of differences of angles, in radians
 
-// A rough sphere with meridians of 16 vertices.
+// A rough sphere with eight meridians of eight vertices.
 Mesh rough_sphere() {
-  constexpr std::uint32_t rings = 16, around = 32;
+  constexpr std::uint32_t rings = 8, around = 8;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> radius(0.8, 1.2);
   Mesh mesh;
@@ -105,82 +116,125 @@ Problem random_problem(const IT::Intrinsic_input& start, std::size_t vertices, d
   return p;
 }
 
-// The largest difference from prescribed angles with these factors, by exact flips.
-double true_residual(const Problem& p, const std::vector<double>& factors) {
-  Exact t(p.input);
-  t.scale_vertices(factors);
-  IT::flip_to_delaunay(t);
-  std::vector<long double> sum(t.number_of_vertices(), 0);
-  for (const auto f : faces(t.mesh())) {
-    auto h = halfedge(f, t.mesh());
-    for (int k = 0; k < 3; ++k, h = next(h, t.mesh())) {
-      const long double a = t.lambda(edge(h, t.mesh())),
-                        b = t.lambda(edge(prev(h, t.mesh()), t.mesh())),
-                        c = t.lambda(edge(next(h, t.mesh()), t.mesh()));
-      const long double square = (c - (a - b)) * (c + (a - b)) / ((a + b + c) * ((a - c) + b));
-      sum[t.input_vertex(source(h, t.mesh()))] += 2 * std::atan(std::sqrt(square));
-    }
+template <class FT>
+Plain_newton<FT> plain(const Problem& p) {
+  Plain_surface<FT> start;
+  for (std::uint32_t h = 0; h < 2 * p.input.squared_lengths.size(); ++h) {
+    const IT::Gluing_map::Halfedge halfedge{h};
+    start.next.push_back(p.input.mesh.next(halfedge).index);
+    start.origin.push_back(p.input.names.row(p.input.mesh.source(halfedge).index));
   }
-  long double largest = 0;
-  for (std::size_t v = 0; v < sum.size(); ++v)
-    largest = std::max(largest, std::abs(sum[v] - p.angles.radians(v)));
-  return double(largest);
+  for (const double l : p.input.squared_lengths) start.lambda.push_back(FT(std::sqrt(l)));
+  using std::atan;
+  typename Plain_newton<FT>::Vector angles(static_cast<Eigen::Index>(p.angles.size()));
+  for (std::size_t v = 0; v < p.angles.size(); ++v) {
+    const IT::Multiple_of_pi m = p.angles.multiple(v);
+    angles[static_cast<Eigen::Index>(v)] =
+        FT(4 * atan(FT(1))) * FT(double(m.numerator)) / FT(double(m.denominator));
+  }
+  return {std::move(start), std::move(angles)};
 }
 
-struct Count {
-  std::size_t solved = 0, sets = 0;
+using Scale = Plain_newton<Checked>::Vector;
+
+// Whether all angles are near the prescribed ones.
+bool is_right(const Problem& p, const Scale& u) {
+  if (u.size() == 0) return false;
+  Plain_newton<Checked> newton = plain<Checked>(p);
+  return Plain_newton<Checked>::size(newton.excess_at(u)) < limit;
+}
+
+constexpr unsigned most_steps = 300;
+
+// Empty if the method itself sees that it has failed.
+template <class FT>
+Scale plain_scale(const Problem& p) {
+  Plain_newton<FT> newton = plain<FT>(p);
+  const auto u = newton.solve(most_steps, 1e-10);
+  return newton.residual() < 1e-3 ? u.template cast<Checked>() : Scale();
+}
+
+template <class Traits>
+Scale our_scale(const Problem& p) {
+  Triangulation<Traits> t(p.input);
+  const std::vector<double> factors =
+      IT::conformal_metric(t, p.angles, IT::parameters::number_of_iterations(most_steps))
+          .scale_factors;
+  Scale u(static_cast<Eigen::Index>(factors.size()));
+  for (std::size_t v = 0; v < factors.size(); ++v)
+    u[static_cast<Eigen::Index>(v)] = 2 * log(Checked(factors[v]));
+  return u;
+}
+
+struct Contender {
+  std::string name;
+  int bits;
+  Scale (*scale)(const Problem&);
+  std::size_t solved = 0;
   double seconds = 0;
 };
 
-template <class Traits>
-void count(Count& c, const Problem& p) {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<double> factors;
-  try {
-    Triangulation<Traits> t(p.input);
-    factors =
-        IT::conformal_metric(t, p.angles, IT::parameters::number_of_iterations(300)).scale_factors;
-  } catch (const IT::Invalid_input&) { // lambda lengths out of range
-  }
-  c.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  ++c.sets;
-  if (!factors.empty() && true_residual(p, factors) < 1e-8) ++c.solved;
+template <class FT>
+Contender plain_contender() {
+  return {"plain", std::numeric_limits<FT>::digits, plain_scale<FT>};
 }
 
-nlohmann::json measure(unsigned sets, double most) {
-  Triangulation<IT::Exact_euclidean_traits> t(rough_sphere());
-  IT::flip_to_delaunay(t);
-  const IT::Intrinsic_input start = IT::ideal_start(t);
-  nlohmann::json result = {{"vertices", t.number_of_vertices()}, {"limit", 1e-8}};
-  const std::vector<std::string> names = {"53 bits", "64 bits", "100 bits", "150 bits", "exact"};
-  for (double powers = 0; powers <= most; powers += 10) {
-    std::vector<Count> counts(names.size());
-    for (unsigned seed = 0; seed < sets; ++seed) {
-      const Problem p = random_problem(start, t.number_of_vertices(), powers, seed);
-      count<IT::Ideal_hyperbolic_traits<double>>(counts[0], p);
-      for (const std::size_t i : {1U, 2U, 3U}) {
-        CGAL::Gmpfr::set_default_precision(i == 1 ? 64 : i == 2 ? 100 : 150);
-        count<IT::Ideal_hyperbolic_traits<CGAL::Gmpfr>>(counts[i], p);
-      }
-      count<IT::Exact_ideal_hyperbolic_traits>(counts[4], p);
+double seconds_of_processor() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+// mpfr takes one to three bits more than so many decimals need
+template <unsigned... decimals>
+std::vector<Contender> contenders() {
+  return {
+      plain_contender<double>(),
+      plain_contender<Float<decimals>>()...,
+      {"conformal_metric, flips in doubles", 53, our_scale<IT::Ideal_hyperbolic_traits<double>>},
+      {"conformal_metric, exact flips", 53, our_scale<IT::Exact_ideal_hyperbolic_traits>}};
+}
+
+void measure(nlohmann::json& rows, const IT::Intrinsic_input& start, double powers, unsigned sets) {
+  std::vector<Contender> all = contenders<19, 24, 30, 33, 35, 38, 45, 48, 50, 53, 60>();
+  // angles and weights differ by twice as many powers of ten as factors: log2(100) bits for each
+  const double most_bits = 8 * powers;
+  for (unsigned seed = 0; seed < sets; ++seed) {
+    const Problem p = random_problem(start, num_vertices(start.mesh), powers, seed);
+    for (Contender& c : all) {
+      if (c.bits > most_bits) continue;
+      const double begin = seconds_of_processor();
+      const Scale u = c.scale(p);
+      c.seconds += seconds_of_processor() - begin;
+      if (is_right(p, u)) ++c.solved;
     }
-    for (std::size_t i = 0; i < names.size(); ++i)
-      result["rows"].push_back({{"arithmetic", names[i]},
-                                {"powers", powers},
-                                {"sets", counts[i].sets},
-                                {"solved", counts[i].solved},
-                                {"seconds", counts[i].seconds}});
-    std::cerr << powers << " powers of ten\n";
+    if (seed % 50 == 49) {
+      std::cerr << powers << " powers of ten, " << seed + 1 << " sets:";
+      for (const Contender& c : all) std::cerr << ' ' << c.solved;
+      std::cerr << '\n';
+    }
   }
-  return result;
+  for (const Contender& c : all)
+    if (c.bits <= most_bits)
+      rows.push_back({{"method", c.name},
+                      {"bits", c.bits},
+                      {"powers", powers},
+                      {"sets", sets},
+                      {"solved", c.solved},
+                      {"seconds", c.seconds}});
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
   try {
-    const auto sets = static_cast<unsigned>(argc > 1 ? std::stoul(argv[1]) : 200);
-    std::cout << measure(sets, argc > 2 ? std::stod(argv[2]) : 60).dump(2) << '\n';
+    const auto sets = static_cast<unsigned>(argc > 1 ? std::stoul(argv[1]) : 1000);
+    std::vector<double> powers;
+    for (int i = 2; i < argc; ++i) powers.push_back(std::stod(argv[i]));
+    if (powers.empty()) powers = {20, 30};
+    Triangulation<IT::Exact_euclidean_traits> t(rough_sphere());
+    IT::flip_to_delaunay(t);
+    const IT::Intrinsic_input start = IT::ideal_start(t);
+    nlohmann::json result = {{"vertices", t.number_of_vertices()}, {"limit", limit}};
+    for (const double p : powers) measure(result["rows"], start, p, sets);
+    std::cout << result.dump(2) << '\n';
+    return 0;
   } catch (const std::exception& e) {
     std::cerr << "conformal_precision: " << e.what() << '\n';
     return 1;
