@@ -273,14 +273,16 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
 }
 
 // Writes a surface that was laid out in the plane; formats without numbers at corners get it cut.
-void write_laid_out(const Laid_out& laid_out, const Options& options, const Json& json,
-                    Output_files& files) {
+void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options& options,
+                    const Json& json, Output_files& files) {
   constexpr std::array<std::string_view, 1> without_corners{"vtp"};
   const Surface_with_fields& opened = laid_out.opened;
   if (!options.view.empty()) {
     Viewed viewed;
     viewed.is_plain = true;
     viewed.curves = laid_out.seams;
+    viewed.marks = marks.points;
+    viewed.marks_name = marks.name;
     std::vector<IT::Subdivision_field> shown;
     for (const IT::Subdivision_field& field : opened.fields)
       if (field.is_function()) shown.push_back(field);
@@ -330,7 +332,7 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
   if (computed.laid_out) {
     expect_points(loaded, options);
     progress.show("writing");
-    write_laid_out(*computed.laid_out, options, json, files);
+    write_laid_out(*computed.laid_out, computed.marks, options, json, files);
   } else if (needs_subdivision(options)) {
     progress.show("subdividing");
     if (is_on_input)
@@ -365,10 +367,11 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
     json["seconds"]["solve"] = watch.lap();
   } else if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
-      write_functions(out, computed, axes_in_space(loaded, computed),
-                      is_on_input ? loaded.triangulation.input().number_of_rows()
-                                  : loaded.triangulation.number_of_vertices(),
-                      loaded.cut);
+      Eigen::Index rows = is_on_input ? loaded.triangulation.input().number_of_rows()
+                                      : loaded.triangulation.number_of_vertices();
+      // scale factors belong to the vertices of the file alone
+      for (const Function& f : computed.functions) rows = std::min(rows, f.values.size());
+      write_functions(out, computed, axes_in_space(loaded, computed), rows, loaded.cut);
     });
 }
 
