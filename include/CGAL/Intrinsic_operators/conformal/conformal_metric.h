@@ -54,7 +54,7 @@ namespace internal {
 
 struct Conformal_options {
   Geometry geometry = Geometry::euclidean;
-  unsigned maximum_iterations = 100;
+  unsigned maximum_iterations = 300;
   double tolerance = 1e-10;
   std::function<bool(const Conformal_progress&)> progress{};
 };
@@ -90,9 +90,9 @@ polyhedra and discrete uniformization, 2020). It is the minimum of a convex ener
     prescribed angle - sum of the angles of Euclidean triangles with sides lambda
 
 and the cotangent Laplacian of the ideal Delaunay triangulation as second derivative. Newton's
-method finds it, in which a step is halved until the energy does not rise at its end (Campen,
-Capouellez, Shen, Zhu, Panozzo and Zorin, Efficient and robust discrete conformal equivalence with
-boundary, 2021). All flips start from the triangulation of the step before. Where rounding hides how
+method finds it, in which a step is halved until neither the energy (Campen, Capouellez, Shen, Zhu,
+Panozzo and Zorin, Efficient and robust discrete conformal equivalence with boundary, 2021) nor the
+norm of its gradient rises at its end. All flips start from the triangulation of the step before. Where rounding hides how
 to go on far from the solution, as factors differ by many powers of ten, vertices are first scaled
 such that the lambda lengths at each have the same mean of logarithms.
 
@@ -105,7 +105,7 @@ copies get the same.
 \tparam Parameters a model of `NamedParameters`
 \param t the triangulation. It is scaled by the result and ideal Delaunay afterwards
 \param angles the angle around each vertex of the user
-\param np `number_of_iterations` (default: 100), a cap; `tolerance` (default: 1e-10), the residual
+\param np `number_of_iterations` (default: 300), a cap; `tolerance` (default: 1e-10), the residual
   in radians at which to stop; `visitor`, an object with `bool progress(const
   Conformal_progress&)`, which returns whether to go on
 \throws Invalid_input if the surface has a border; if there is not one angle per vertex, an angle is

@@ -54,6 +54,13 @@ void Angle_system::read(const std::vector<Ideal_face>& faces) {
   }
 }
 
+Eigen::VectorXd Angle_system::weights() const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(sums_.size());
+  for (const Symmetric_entry& e : entries_)
+    for (const int row : {e.i, e.j}) result[row] += std::abs(e.value);
+  return result;
+}
+
 Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) const {
   diagonal = Eigen::VectorXd::Zero(number_of_unknowns_);
   for (std::size_t r = 0; r < unknown_.size(); ++r)

@@ -33,6 +33,8 @@ public:
   void read(const std::vector<Ideal_face>& faces);
   // the sum of angles at each row
   const Eigen::VectorXd& angle_sums() const { return sums_; }
+  // the sum of the weights of edges at each row, without their signs
+  Eigen::VectorXd weights() const;
 
   // Solves `L x = b` with minus the derivative at the faces. x is zero where it is fixed, and in
   // flat components where it is fixed nowhere it has mean zero.

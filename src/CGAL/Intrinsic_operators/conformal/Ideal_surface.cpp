@@ -16,9 +16,9 @@ bool are_in_range(std::span<const double> factors) {
 
 double Ideal_face::area() const {
   const double half = (lambda[0] + lambda[1] + lambda[2]) / 2;
-  double squared = half;
-  for (const double side : lambda) squared *= std::max(half - side, 0.);
-  return std::sqrt(squared);
+  double squared = 1; // of a triangle with half of the perimeter 1
+  for (const double x : surplus) squared *= std::max(x / (2 * half), 0.);
+  return half * (half * std::sqrt(squared));
 }
 
 Ideal_components components_of(const std::vector<Ideal_face>& faces, std::size_t rows) {

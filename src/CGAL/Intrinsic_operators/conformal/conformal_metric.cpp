@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double near = 1e-8; // residuals in radians that rounding may leave
+constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
 
 // The scale u at rows. Doubles have too few digits: a unit in the last place of u = 50 changes a
 // factor exp(u/2) by 30 of its own.
@@ -57,6 +57,8 @@ private:
   double residual(const Eigen::VectorXd& excess) const {
     return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
   }
+  // Whether the rounding of factors may be all that is left of the excess.
+  bool is_rounding() const;
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
   // Takes whole steps where the rounding of factors decides on the residual, and keeps the best of
@@ -80,6 +82,8 @@ private:
   std::optional<Angle_system> system_;
   Scale u_;
   Eigen::VectorXd excess_;
+  double least_ = infinity; // norm of the excess up to now
+  double reach_ = longest;  // a change of u up to which the next step is tried
   std::vector<double> factors_;
   std::size_t flips_ = 0;
 };
@@ -140,10 +144,12 @@ void Conformal_newton::match_areas() {
 }
 
 // The energy is convex. At the end of the step its derivative along it may be positive by a tenth
-// of what it is at the start: at the minimum rounding decides on its sign.
+// of what it is at the start: at the minimum rounding decides on its sign. The norm of the excess
+// must not rise either, but by some slack for rounding: Newton's direction makes it fall at first,
+// and where it rises, a vertex gets dozens of needles from all over the surface, with an excess of
+// hundreds of radians that later steps hardly reduce.
 double Conformal_newton::step() {
-  constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
-  constexpr double shortest = 0x1p-30;
+  constexpr double shortest = 0x1p-30, slack = 1.05;
   Eigen::VectorXd direction;
   try {
     direction = system_->solve(excess_);
@@ -153,10 +159,13 @@ double Conformal_newton::step() {
   const double slope = -direction.dot(excess_);
   const double largest = direction.lpNorm<Eigen::Infinity>();
   if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
-  for (double part = std::min(1., longest / largest); part >= shortest; part /= 2) {
+  least_ = std::min(least_, excess_.norm());
+  for (double part = std::min(1., reach_ / largest); part >= shortest; part /= 2) {
     const Scale u = u_ + (part * direction).cast<long double>();
     std::optional<Eigen::VectorXd> excess = excess_at(u);
-    if (excess && -direction.dot(*excess) <= -slope / 10) {
+    if (excess && -direction.dot(*excess) <= -slope / 10 && excess->norm() <= slack * least_) {
+      least_ = std::min(least_, excess->norm());
+      reach_ = std::min(longest, 4 * part * largest);
       u_ = u;
       excess_ = *std::move(excess);
       return part;
@@ -192,20 +201,30 @@ void Conformal_newton::balance() {
   if (is_hyperbolic()) match_areas();
 }
 
+// An error of a unit in the last place of a factor changes u by twice as much, and angles by that
+// times the weights of the edges at the vertex, which needles make large.
+bool Conformal_newton::is_rounding() const {
+  constexpr double near = 1e-8; // of good triangles, in radians
+  constexpr double unit = 0x1p-52;
+  return (excess_.cwiseAbs() - 2 * unit * system_->weights()).maxCoeff() <= near;
+}
+
 void Conformal_newton::iterate(Conformal_metric& result) {
   result.residual = residual(excess_);
+  least_ = excess_.norm();
+  reach_ = longest;
   result.status = Status::cap;
   while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
     const Scale u = u_;
+    const bool was_rounding = is_rounding();
     const double part = step();
     ++result.iterations;
     const double now = residual(excess_);
     // Near the solution a step that does not help much ends at rounding errors.
-    if (part == 0 || (result.residual < near && now > result.residual / 2)) {
-      if (part == 0 || now >= result.residual) {
-        u_ = u;
-        excess_at(u_);
-      } else
+    if (part == 0 || (was_rounding && now > result.residual / 2)) {
+      if (part == 0 || now >= result.residual)
+        go_to(u);
+      else
         result.residual = now;
       result.status = Status::stalled;
       break;
@@ -241,11 +260,17 @@ void Conformal_newton::polish(Conformal_metric& result) {
 Conformal_metric Conformal_newton::solve() {
   Conformal_metric result;
   iterate(result);
-  if (result.status == Status::stalled && result.residual > near) {
+  if (result.status == Status::stalled && !is_rounding()) {
+    const Scale u = u_;
+    const double before = result.residual;
     balance();
     iterate(result);
+    if (result.residual > before) {
+      go_to(u);
+      result.residual = before;
+    }
   }
-  if (result.status == Status::stalled && result.residual <= near) polish(result);
+  if (result.status == Status::stalled && is_rounding()) polish(result);
   result.flips = flips_;
   result.u.assign(u_.begin(), u_.end());
   result.scale_factors = std::move(factors_);
