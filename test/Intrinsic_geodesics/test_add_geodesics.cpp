@@ -3,6 +3,7 @@
 
 #include "meshes.h"
 #include "planar_bezier.h"
+#include "soups.h"
 
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
@@ -11,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +100,29 @@ TYPED_TEST(AddGeodesics, TellsWhereVerticesAreNotConnected) {
   EXPECT_EQ(added.status, IT::Status::stalled);
   EXPECT_EQ(added.failed, 1U);
   EXPECT_EQ(network.number_of_curves(), 0U);
+}
+
+// Squares of sides 1 and h, twice, glued along their border: rounding sends lines around in needles
+// of height 1e-300.
+TEST(AddGeodesicsToNetwork, EndsWhereNeedlesSendLinesAround) {
+  constexpr double h = 1e-300;
+  meshes::Mesh m;
+  for (const double y : {0.0, 1.0})
+    for (const double z : {0.0, h, 2 * h})
+      for (const double x : {0.0, 1.0, 2.0})
+        if (x < 2 || z < 2 * h) m.points.push_back({x, y, z});
+  m.triangles = {{1, 4, 3},    {1, 3, 0},    {2, 5, 4},    {2, 4, 1},   {4, 7, 6},    {4, 6, 3},
+                 {9, 1, 0},    {9, 0, 8},    {10, 2, 1},   {10, 1, 9},  {10, 13, 5},  {10, 5, 2},
+                 {5, 13, 12},  {5, 12, 4},   {12, 15, 7},  {12, 7, 4},  {7, 15, 14},  {7, 14, 6},
+                 {6, 14, 11},  {6, 11, 3},   {3, 11, 8},   {3, 8, 0},   {14, 15, 12}, {14, 12, 11},
+                 {11, 12, 9},  {11, 9, 8},   {12, 13, 10}, {12, 10, 9}};
+  using Triangulation = IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>;
+  Triangulation t(IT::make_domain(soups::soup(m), IT::Domain_kind::closed).input);
+  IT::flip_to_delaunay(t);
+  IT::Curve_network<Triangulation> network(t);
+  IT::Curve_through_vertices<Triangulation> loop{{}, true, false};
+  for (const std::uint32_t i : {3U, 5U, 8U, 2U}) loop.vertices.push_back(IT::vertex_of_row(t, i));
+  EXPECT_NE(IT::add_geodesics(network, std::vector{loop}).status, IT::Status::cancelled);
 }
 
 TEST(AddGeodesicsToNetwork, EndsDuringASearchIfTheVisitorSaysSo) {

@@ -286,6 +286,12 @@ TEST(Cut_to_disk, Kept_sides_stay_whole) {
   }
 }
 
+TEST(Cut_to_disk, A_surface_that_is_a_point_becomes_a_disk) {
+  IT::Surface_to_cut s = surface_of(gallery::tetrahedron());
+  s.length.assign(s.length.size(), 0.0);
+  expect_disks(s, IT::cut_to_disk(s), {});
+}
+
 TEST(Cut_to_disk, Refuses_what_it_cannot_cut) {
   IT::Surface_to_cut s = surface_of(gallery::tetrahedron());
   EXPECT_THROW(IT::cut_to_disk(s, std::vector{4U}), IT::Invalid_input);

@@ -91,6 +91,16 @@ TEST(Residual_indicators, of_constants_are_what_the_equation_leaves) {
   }
 }
 
+TEST(Residual_indicators, are_in_range_where_their_squares_are_not) {
+  for (const double side : {0x1p-300, 0x1p300}) {
+    Double t(hexagon(side).input());
+    const Vector u = Vector::Constant(7, 3), f = Vector::Constant(7, 5);
+    const double expected = side * side / 2 * 5 * side * std::sqrt(std::sqrt(3.0) / 4);
+    for (const double eta : IT::residual_indicators(t, {.diffusion = 2}, u, f, Error_norm::L2))
+      EXPECT_NEAR(eta, expected, rounding * expected);
+  }
+}
+
 TEST(Residual_indicators, integrate_residuals_that_are_linear_on_faces) {
   const Shape s{{{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}}};
   Double t(s.input());

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_CURVES_LINE_INSERTER_H
 
 #include <CGAL/Intrinsic_geodesics/curves/Growing_paths.h>
+#include <CGAL/Intrinsic_geodesics/curves/Line_progress.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <numbers>
 #include <utility>
@@ -78,11 +78,12 @@ public:
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
     const double total = length;
     const bool has_target = target != Gluing::none;
-    for (faces_ = 0; faces_ < maximum_faces; ++faces_) {
+    Line_progress progress(total);
+    for (; progress.may_go_on(length); progress.enter_face()) {
       if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
-      const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total);
+      const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total, progress);
       if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
       const bool ends = length <= e.distance + (on_border ? rounding * total : tolerance(walk, e));
@@ -102,7 +103,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
   // Bound for rounding of angles, and of parts of a line, at its ends.
   static constexpr double rounding = 0x1p-26;
   // The part of a line by which it may miss its target.
@@ -164,13 +164,13 @@ private:
   // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line.
   // Returns the way out of the last face.
   typename Walk::Exit cross_flippable(Walk& walk, std::uint32_t target, double& length,
-                                      double distance) {
+                                      double distance, Line_progress& progress) {
     crossed_.clear();
-    for (;; ++faces_) {
+    for (;; progress.enter_face()) {
       const typename Walk::Exit e = walk.exit();
       is_at_target_ = target != Gluing::none && reaches(walk, target, length, distance);
       const std::uint32_t h = walk.halfedge(e);
-      if (is_at_target_ || faces_ == maximum_faces || length <= e.distance ||
+      if (is_at_target_ || !progress.may_go_on(length) || length <= e.distance ||
           is_at_vertex(walk, e) || view_.is_border(h ^ 1U) || !may_flip(h / 2))
         return e;
       length -= e.distance;
@@ -342,7 +342,6 @@ private:
   Growing_paths<Triangulation> paths_;
   std::vector<std::uint32_t> crossed_; // by the line since the last vertex
   bool is_at_target_ = false;
-  std::size_t faces_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -29,8 +29,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Half the cotangents at the corners opposite the sides of a face, finite.
-std::array<double, 3> checked_half_cotangents(const Table_face& f);
+// Half the cotangents at the corners opposite the sides of a face, times a factor: finite, also
+// where entries of a matrix sum them.
+std::array<double, 3> checked_half_cotangents(const Table_face& f, double factor = 1);
 
 // The directions of the frames of the sides of a face, in the frame of side 0: unit complex
 // numbers. An edge is directed along its halfedge with an even number.

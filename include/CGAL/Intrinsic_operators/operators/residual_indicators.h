@@ -42,6 +42,7 @@ class Residual_estimator {
   using Mesh = typename Triangulation::Mesh;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Face = typename Triangulation::face_descriptor;
+  using Real = long double; // fourth powers of lengths are in its range, whatever the unit
 
 public:
   Residual_estimator(const Triangulation& t, const Reaction_diffusion& equation,
@@ -51,43 +52,44 @@ public:
 
   double indicator(Face f) const {
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
-    const double size = std::max({length(h), length(n), length(l)});
-    double sum = face_weight(size) * squared_residual(f, {h, n, l});
+    const Real size = std::max({length(h), length(n), length(l)});
+    Real sum = face_weight(size) * squared_residual(f, {h, n, l});
     for (const Halfedge g : {h, n, l}) sum += edge_weight(length(g)) * squared_jump(g) * length(g);
-    if (!std::isfinite(sum)) throw_degenerate_face(t_, f);
-    return std::sqrt(sum);
+    const auto result = static_cast<double>(std::sqrt(sum));
+    if (!std::isfinite(result)) throw_degenerate_face(t_, f);
+    return result;
   }
 
 private:
-  double squared_length(Halfedge h) const { return t_.squared_length(edge(h, mesh_)); }
-  double length(Halfedge h) const { return std::sqrt(squared_length(h)); }
+  Real squared_length(Halfedge h) const { return t_.squared_length(edge(h, mesh_)); }
+  Real length(Halfedge h) const { return std::sqrt(squared_length(h)); }
   bool is_border(Halfedge h) const {
     return face(h, mesh_) == boost::graph_traits<Mesh>::null_face();
   }
   // at the corner where a halfedge starts
-  double at(const Eigen::VectorXd& function, Halfedge h) const {
+  Real at(const Eigen::VectorXd& function, Halfedge h) const {
     return function[t_.input_vertex(source(h, mesh_))];
   }
 
   // min(h, sqrt(a/c)): beyond that length diffusion has no effect
-  double resolved(double size) const {
-    return std::min(size, std::sqrt(equation_.diffusion / equation_.reaction));
+  Real resolved(Real size) const {
+    return std::min(size, std::sqrt(Real(equation_.diffusion) / equation_.reaction));
   }
-  double norm_weight(double s) const {
+  Real norm_weight(Real s) const {
     return norm_ == Error_norm::L2 ? s * s / equation_.diffusion : 1;
   }
-  double face_weight(double size) const {
-    const double s = resolved(size);
+  Real face_weight(Real size) const {
+    const Real s = resolved(size);
     return norm_weight(s) * s * s / equation_.diffusion;
   }
-  double edge_weight(double size) const {
-    const double s = resolved(size);
+  Real edge_weight(Real size) const {
+    const Real s = resolved(size);
     return norm_weight(s) * s / equation_.diffusion;
   }
 
   // the integral of (f - c u)^2 over a face; div grad u is zero there
-  double squared_residual(Face f, const std::array<Halfedge, 3>& sides) const {
-    std::array<double, 3> r;
+  Real squared_residual(Face f, const std::array<Halfedge, 3>& sides) const {
+    std::array<Real, 3> r;
     for (std::size_t k = 0; k < 3; ++k)
       r[k] = at(f_, sides[k]) - equation_.reaction * at(u_, sides[k]);
     return t_.area(f) / 6 *
@@ -95,24 +97,24 @@ private:
   }
 
   // the share of a face in the squared jump of the flux across one of its sides
-  double squared_jump(Halfedge h) const {
+  Real squared_jump(Halfedge h) const {
     const Halfedge o = opposite(h, mesh_);
     if (is_border(o)) {
-      const double flux = border_ == Border_condition::natural ? outward_flux(h) : 0;
+      const Real flux = border_ == Border_condition::natural ? outward_flux(h) : 0;
       return flux * flux;
     }
-    const double jump = outward_flux(h) + outward_flux(o);
+    const Real jump = outward_flux(h) + outward_flux(o);
     return jump * jump / 2;
   }
 
   // a times the normal derivative of u on side ij of face ijk: from k to the foot of its altitude
   // p, u changes by u(p) - u_k over the length 2A / |ij|
-  double outward_flux(Halfedge h) const {
+  Real outward_flux(Halfedge h) const {
     const Halfedge jk = next(h, mesh_), ki = next(jk, mesh_);
-    const double ij = squared_length(h);
-    const double x = (ij + squared_length(ki) - squared_length(jk)) / (2 * ij);
-    const double u_i = at(u_, h), u_k = at(u_, ki);
-    const double rise = (u_i - u_k) + x * (at(u_, jk) - u_i);
+    const Real ij = squared_length(h);
+    const Real x = (ij + squared_length(ki) - squared_length(jk)) / (2 * ij);
+    const Real u_i = at(u_, h), u_k = at(u_, ki);
+    const Real rise = (u_i - u_k) + x * (at(u_, jk) - u_i);
     return equation_.diffusion * rise * std::sqrt(ij) / (2 * t_.area(face(h, mesh_)));
   }
 

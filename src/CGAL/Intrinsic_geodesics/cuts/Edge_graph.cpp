@@ -157,9 +157,12 @@ void Edge_graph::grow(const Component& c, std::span<const std::uint32_t> roots) 
 }
 
 std::uint32_t Edge_graph::farthest(const Component& c) const {
-  return *std::max_element(
-      c.nodes.begin(), c.nodes.end(),
-      [this](std::uint32_t a, std::uint32_t b) { return distance_[a] < distance_[b]; });
+  // where all lengths are zero, a node that is no root
+  const auto key = [this](std::uint32_t v) {
+    return std::pair(distance_[v], last_edge_[v] != none);
+  };
+  return *std::max_element(c.nodes.begin(), c.nodes.end(),
+                           [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
 }
 
 std::uint32_t Edge_graph::root_face(std::uint32_t f) {

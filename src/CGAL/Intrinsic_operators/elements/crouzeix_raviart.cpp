@@ -14,19 +14,23 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-std::array<double, 3> checked_half_cotangents(const Table_face& f) {
+std::array<double, 3> checked_half_cotangents(const Table_face& f, double factor) {
   std::array<double, 3> result;
   for (std::size_t k = 0; k < 3; ++k) {
-    result[k] = f.half_cotangent(k);
-    if (!std::isfinite(result[k]))
+    result[k] = factor * f.half_cotangent(k);
+    // entries are sums of at most 16 of these
+    if (!std::isfinite(16 * result[k]))
       throw Invalid_input(
-          Element_kind::none, 0,
-          "a face has no area, or one too small for its cotangents; make the triangulation "
-          "Delaunay, or build it with mollification");
+          Element_kind::vertex, static_cast<std::size_t>(f.rows[0]),
+          "the face of vertices " + std::to_string(f.rows[0]) + ", " + std::to_string(f.rows[1]) +
+              " and " + std::to_string(f.rows[2]) +
+              " has no area, or one too small for its cotangents; make the triangulation "
+              "Delaunay, or build it with mollification");
   }
   return result;
 }
@@ -49,7 +53,7 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_t
   Eigen::VectorXd diagonal =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(table.number_of_edges));
   for (const Table_face& f : table.faces) {
-    const auto weights = checked_half_cotangents(f);
+    const auto weights = checked_half_cotangents(f, factor);
     const auto frames = side_frames(f);
     for (std::size_t k = 0; k < 3; ++k) {
       // the cotangents at the ends of a side sum to this, which is positive in spite of rounding
@@ -58,7 +62,7 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_t
       // two sides meet at the corner opposite the third
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       const auto i = static_cast<int>(f.halfedges[a] / 2), j = static_cast<int>(f.halfedges[b] / 2);
-      const double w = 4 * factor * weights[k];
+      const double w = 4 * weights[k];
       const Complex turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
       if (i == j)
         diagonal[i] -= 2 * w * turn.real();

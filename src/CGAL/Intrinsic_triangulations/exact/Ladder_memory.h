@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_LADDER_MEMORY_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
@@ -22,7 +23,6 @@
 #include <CGAL/enum.h>
 
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -158,9 +158,11 @@ public:
       return true;
     }
     if (bits <= Mpfr_number::most_bits) return false;
-    throw std::logic_error("a value that was proven not to be zero shows no sign in " +
-                           std::to_string(Mpfr_number::most_bits) +
-                           " bits; please report this with the mesh");
+    throw Invalid_input(Element_kind::none, 0,
+                        "a value that is not zero shows no sign in " +
+                            std::to_string(Mpfr_number::most_bits) +
+                            " bits, as sizes on the surface differ by hundreds of powers of ten; "
+                            "set the smallest ones to zero, such as coordinates near 1e-300");
   }
 
   Sign sign() const {
