@@ -83,7 +83,8 @@ public:
       if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
-      const typename Walk::Exit e = cross_flippable(walk, target, length, nearness * total, progress);
+      const typename Walk::Exit e =
+          cross_flippable(walk, target, length, nearness * total, progress);
       if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
       const bool ends = length <= e.distance + (on_border ? rounding * total : tolerance(walk, e));

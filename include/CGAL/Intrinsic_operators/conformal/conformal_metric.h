@@ -92,9 +92,9 @@ polyhedra and discrete uniformization, 2020). It is the minimum of a convex ener
 and the cotangent Laplacian of the ideal Delaunay triangulation as second derivative. Newton's
 method finds it, in which a step is halved until neither the energy (Campen, Capouellez, Shen, Zhu,
 Panozzo and Zorin, Efficient and robust discrete conformal equivalence with boundary, 2021) nor the
-norm of its gradient rises at its end. All flips start from the triangulation of the step before. Where rounding hides how
-to go on far from the solution, as factors differ by many powers of ten, vertices are first scaled
-such that the lambda lengths at each have the same mean of logarithms.
+norm of its gradient rises at its end. All flips start from the triangulation of the step before.
+Where rounding hides how to go on far from the solution, as factors differ by many powers of ten,
+vertices are first scaled such that the lambda lengths at each have the same mean of logarithms.
 
 The surface has no border. `make_domain()` with `Domain_kind::closed` makes the double of one that
 has: two copies, glued along the border. Angles and results go by vertices of the user, so that both
