@@ -57,7 +57,8 @@ std::string description(const Json& json) {
   const Json& input = json["input"];
   text << input["vertices"] << " vertices, " << input["faces"] << " faces; ";
   if (json.contains("geodesic")) describe_curves(text, json["geodesic"]);
-  if (json.contains("cut")) describe_cut(text, json["cut"]);
+  // of the command cut; a map is cut open, too, and has other facts
+  if (json.contains(Json::json_pointer("/cut/components"))) describe_cut(text, json["cut"]);
   if (!json.contains("delaunay")) return text.str();
   text << json["delaunay"]["flips"] << " flips\nangles from "
        << json["quality"]["min_angle_deg"].get<double>() << " to "
