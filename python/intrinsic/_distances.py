@@ -127,15 +127,14 @@ class _Distances:
         >>> s.pair_distances([0, 1], 2)
         array([1.41421356, 1.        ])
         """
-        how = _method(method, None, 1)
+        how, threads = _method(method, None, 1), _arrays.whole(threads, "threads")
         a, b = self._places(A, "A"), self._places(B, "B")
         size = max(len(a[0]), len(b[0]))
         a, b = ([np.repeat(x, size, axis=0) if len(x) == 1 else x for x in p] for p in (a, b))
         if len(a[0]) != len(b[0]):
             raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
         if method == "exact":
-            return _core.pair_distances(self._flipped(), a, b, _arrays.whole(threads, "threads"),
-                                        progress)
+            return _core.pair_distances(self._flipped(), a, b, threads, progress)
         return self._heat_of_pairs(a[2], b[2], how, threads, progress)
 
     def _heat_of_pairs(self, A, B, how, threads, progress):
@@ -148,8 +147,7 @@ class _Distances:
             part = first[i:i + step]
             columns = np.empty((len(part), self._core.number_of_vertices))
             _core.distances(self._flipped(), self._places(part, "A"),
-                            list(range(1, len(part) + 1)), how, _arrays.whole(threads, "threads"),
-                            columns, progress)
+                            list(range(1, len(part) + 1)), how, threads, columns, progress)
             here = (number >= i) & (number < i + len(part))
             result[here] = columns[number[here] - i, B[here]]
         return result

@@ -1,10 +1,12 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the module share: meshes as arrays, a folder for files, a measure of memory."""
+"""What the tests of the module share: meshes as arrays, a folder for files, threads, a measure of
+memory."""
 
 import gc
 import os
 import tempfile
+import threading
 import tracemalloc
 import unittest
 from pathlib import Path
@@ -58,6 +60,25 @@ class With_folder(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
+
+
+def failures_of_threads(work, count, seconds=None):
+    """Calls `work(k)` in so many threads at once. Returns what it raised, and the threads that have
+    not ended after the time."""
+    failures = []
+
+    def attempt(k):
+        try:
+            work(k)
+        except Exception as error:
+            failures.append(repr(error))
+
+    threads = [threading.Thread(target=attempt, args=(k,)) for k in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(seconds)
+    return failures + [thread.name for thread in threads if thread.is_alive()]
 
 
 def has_sanitizer():

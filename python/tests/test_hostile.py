@@ -5,14 +5,13 @@
 import copy
 import pickle
 import random
-import threading
 import unittest
 import warnings
 
 import numpy as np
 
 import intrinsic as it
-from support import BOOK, SQUARE, TETRAHEDRON, With_folder, bumpy, grid
+from support import BOOK, SQUARE, TETRAHEDRON, With_folder, bumpy, failures_of_threads, grid
 
 try:
     from hypothesis import given, settings, strategies as st
@@ -162,22 +161,12 @@ class Hostile(With_folder):
                  lambda: s.path(0, far), lambda: s.log_map(0), lambda: s.eigen(3),
                  lambda: s.refine(max_insertions=9), lambda: copy.copy(s).statistics,
                  lambda: pickle.dumps(s), s.common_subdivision]
-        failures = []
 
         def work(k):
-            try:
-                for i in range(len(works)):
-                    works[(i + 3 * k) % len(works)]()
-            except Exception as error:
-                failures.append(repr(error))
+            for i in range(len(works)):
+                works[(i + 3 * k) % len(works)]()
 
-        threads = [threading.Thread(target=work, args=(k,)) for k in range(6)]
-        for t in threads:
-            t.start()
-        for t in threads:
-            t.join(60)
-        self.assertEqual(failures, [])
-        self.assertFalse(any(t.is_alive() for t in threads))
+        self.assertEqual(failures_of_threads(work, 6, 60), [])
         expected = s.copy().distance(0)
         np.testing.assert_allclose(s.distance(0), expected, rtol=1e-12, atol=1e-12)
 

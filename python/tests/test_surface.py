@@ -16,7 +16,7 @@ import unittest
 
 import intrinsic as it
 import numpy as np
-from support import BOOK, PART, With_folder, bumpy, grown_memory, has_sanitizer
+from support import BOOK, PART, With_folder, bumpy, failures_of_threads, grown_memory, has_sanitizer
 
 V, F = bumpy()
 
@@ -139,26 +139,17 @@ class Work(With_folder):
     def test_threads(self):
         s, t = it.Surface(V, F), it.Surface(V, F).delaunay()
         expected = s.laplacian()
-        failures = []
 
         def work(k):
-            try:
-                mine = it.Surface(V + k, F)
-                for _ in range(5):
-                    mine.refine(min_angle=20)
-                    if (s.laplacian() != expected).nnz or (t.laplacian() != expected).nnz:
-                        failures.append("another matrix")
-                    t.common_subdivision()
-                    s.delaunay()
-            except Exception as error:
-                failures.append(repr(error))
+            mine = it.Surface(V + k, F)
+            for _ in range(5):
+                mine.refine(min_angle=20)
+                if (s.laplacian() != expected).nnz or (t.laplacian() != expected).nnz:
+                    raise AssertionError("another matrix")
+                t.common_subdivision()
+                s.delaunay()
 
-        threads = [threading.Thread(target=work, args=(k,)) for k in range(8)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(failures, [])
+        self.assertEqual(failures_of_threads(work, 8), [])
 
     def test_nothing_leaks(self):
         points, faces = bumpy(4)

@@ -19,7 +19,8 @@ def place(bits, part):
 
 
 def draw_axes(drawing):
-    drawing.lines([[place(LEAST, part), place(MOST, part)] for part in (0.25, 0.5, 0.75, 1)], "#ddd")
+    drawing.lines([[place(LEAST, part), place(MOST, part)] for part in (0.25, 0.5, 0.75, 1)],
+                  "#ddd")
     drawing.lines([[place(LEAST, 1), place(LEAST, 0), place(MOST, 0)]], GREY)
     for bits in range(50, MOST, 25):
         x, y = place(bits, 0)

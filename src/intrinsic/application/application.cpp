@@ -367,11 +367,10 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
     json["seconds"]["solve"] = watch.lap();
   } else if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
-      Eigen::Index rows = is_on_input ? loaded.triangulation.input().number_of_rows()
-                                      : loaded.triangulation.number_of_vertices();
-      // scale factors belong to the vertices of the file alone
-      for (const Function& f : computed.functions) rows = std::min(rows, f.values.size());
-      write_functions(out, computed, axes_in_space(loaded, computed), rows, loaded.cut);
+      write_functions(out, computed, axes_in_space(loaded, computed),
+                      is_on_input ? loaded.triangulation.input().number_of_rows()
+                                  : loaded.triangulation.number_of_vertices(),
+                      loaded.cut);
     });
 }
 

@@ -25,9 +25,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 /// has ended the work.
 template <class Triangulation>
 IT::Injective_map certified(const Triangulation& t, Eigen::MatrixX2d uv) {
+  if (uv.rows() == 0) return {IT::Status::cancelled, std::move(uv), {}};
   IT::Injective_map map{IT::Status::done, std::move(uv), {}};
-  if (map.uv.rows() == 0) map.status = IT::Status::cancelled;
-  if (map.status == IT::Status::cancelled) return map;
   map.certificate = IT::certify_map(t, map.uv);
   return map;
 }

@@ -157,7 +157,7 @@ void Edge_graph::grow(const Component& c, std::span<const std::uint32_t> roots) 
 }
 
 std::uint32_t Edge_graph::farthest(const Component& c) const {
-  // where all lengths are zero, a node that is no root
+  // Of nodes that are equally far, one that is not a root: lengths may all be zero.
   const auto key = [this](std::uint32_t v) {
     return std::pair(distance_[v], last_edge_[v] != none);
   };

@@ -310,7 +310,8 @@ TEST(OverlaySubdivisions, endsForArraysThatAreNone) {
       for (std::size_t i = 0; i < 40; ++i) {
         std::array<IT::Common_subdivision, 2> changed = valid;
         IT::Common_subdivision& c = changed[which];
-        const std::size_t corner = random() % c.corner.size(), face = random() % c.number_of_faces(),
+        const std::size_t corner = random() % c.corner.size(),
+                          face = random() % c.number_of_faces(),
                           x = random() % c.crossings.size();
         const std::array<std::uint32_t*, 8> numbers{
             &c.corner[corner],
