@@ -39,6 +39,7 @@ BEGIN {
   group["correspondence/models/Signposts.h"]                 = "ref_correspondence"
   group["correspondence/queries/common_subdivision.h"]       = "ref_subdivision"
   group["correspondence/queries/Vertex_frames.h"]            = "ref_tracing"
+  group["correspondence/queries/Vertex_sectors.h"]           = "ref_tracing"
   group["correspondence/queries/tangent.h"]                  = "ref_tracing"
   group["correspondence/queries/tangent_field.h"]            = "ref_tracing"
   group["correspondence/queries/trace_geodesic.h"]           = "ref_tracing"

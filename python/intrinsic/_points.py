@@ -47,14 +47,25 @@ def _mixed_places(points, name, vertices, faces):
     weights = np.zeros((len(points), 3))
     for i, p in enumerate(points):
         here = f"{name}[{i}]"
-        if not isinstance(p, Point):
-            vertex[i] = _arrays.indices(p, here, (), count=vertices)
-            continue
-        face[i] = _arrays.indices(p.face, here + ".face", (), count=faces)
-        weights[i] = _arrays.numbers(p.barycentric, here + ".barycentric", (3,))
-        total = weights[i].sum()
-        if (weights[i] < 0).any() or abs(total - 1) > 1e-6:
-            raise ValueError(f"{here}.barycentric is {tuple(p.barycentric)}; give three weights "
-                             "that are not negative and sum to 1")
-        weights[i] /= total
+        if isinstance(p, Point):
+            face[i] = _index(p.face, here + ".face", faces)
+            weights[i] = _weights(p.barycentric, here + ".barycentric")
+        else:
+            vertex[i] = _index(p, here, vertices)
     return face, weights, vertex
+
+
+def _index(x, name, count):
+    if type(x) is int and 0 <= x < count:  # needs no array, which takes longer than a short trace
+        return x
+    return _arrays.indices(x, name, (), count=count)
+
+
+def _weights(x, name):
+    if not (type(x) is tuple and len(x) == 3 and all(type(w) is float for w in x)):
+        x = _arrays.numbers(x, name, (3,)).tolist()
+    total = x[0] + x[1] + x[2]
+    if not (min(x) >= 0 and abs(total - 1) <= 1e-6):
+        raise ValueError(f"{name} is {tuple(x)}; give three weights that are not negative and sum "
+                         "to 1")
+    return x[0] / total, x[1] / total, x[2] / total

@@ -21,6 +21,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -141,14 +142,15 @@ private:
     return *IT::tangent_to_intrinsic(t_, v); // integer coordinates find it always
   }
 
-  std::complex<double> polar(Vertex v, const IT::Tangent_vector& x) const {
-    const IT::internal::Point_frames<Triangulation> frames(t_);
-    return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
+  std::complex<double> polar(Vertex v, const IT::Tangent_vector& x) {
+    if (!frames_) frames_.emplace(t_);
+    return frames_->to_field(frames_->number(v), frames_->at_corner(x.point, x.vector));
   }
 
   const Triangulation& t_;
   const std::vector<Point>& points_;
   Place_finder<Triangulation> find_;
+  std::optional<IT::internal::Point_frames<Triangulation>> frames_;
 };
 
 } // namespace python

@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <pybind11/complex.h>
@@ -153,14 +153,16 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
 template <class T>
 std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vectors,
                             const std::vector<std::uint32_t>& of_row, std::size_t neighbors) {
-  std::vector<Point> result(of_row.size(), {unknown, unknown, unknown}), found;
+  std::vector<Point> result(of_row.size(), {unknown, unknown, unknown});
   if (s.points.empty()) refuse("this surface has lengths alone, so that it is not in space");
   if (is_cloud(t)) {
     const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
     for (std::size_t i = 0; i < cloud.size(); ++i) result[i] = cloud.in_space(i, vectors[i]);
     return result;
   }
-  found = IT::vectors_in_space(t, vectors, s.points);
+  const auto& sectors =
+      s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t); });
+  const std::vector<Point> found = sectors.in_space(vectors, s.points);
   for (std::size_t r = 0; r < of_row.size(); ++r)
     if (of_row[r] != IT::Gluing::none && !std::isnan(vectors[of_row[r]].real()))
       result[r] = found[of_row[r]];

@@ -104,10 +104,10 @@ IT::Tangent_vector tangent_in_plane(const T& t, const Place& p, const std::compl
   if (!p.is_vertex()) return {point_on_input(t.input(), p), {z.real(), z.imag()}};
   const auto v = Place_finder<T>(t).vertex(p.vertex);
   const IT::Intrinsic_view<T> view(t);
-  IT::internal::Vertex_frames<IT::Intrinsic_view<T>> frames(
-      view, t.numbers().vertex_capacity(t.mesh()), 2 * t.numbers().edge_capacity(t.mesh()));
-  frames.measure(t.index(v));
-  return IT::tangent_to_input(t, frames.at_vertex(t.index(v), z)).value();
+  const std::uint32_t first = view.outgoing_halfedge(t.index(v));
+  const double scale =
+      IT::internal::polar_scale(IT::measure_fan(view, first, [](std::uint32_t, double) {}));
+  return IT::tangent_to_input(t, IT::internal::vector_at_source(view, first, scale, z)).value();
 }
 
 template <class T>

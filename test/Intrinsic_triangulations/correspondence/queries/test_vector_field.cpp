@@ -5,7 +5,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
@@ -28,7 +31,9 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -163,6 +168,44 @@ TYPED_TEST(Vector_field, Keeps_lengths_on_curved_surfaces) {
     const auto& x = vectors[t.input_vertex(v)];
     EXPECT_NEAR(std::hypot(x[0], x[1], x[2]), std::abs(field[t.input_vertex(v)]), 1e-9);
   }
+}
+
+/// At vertices of the input, on edges, in faces and on borders, a sector has the vector that a query
+/// finds, in any direction, also out of the surface.
+TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
+  using T = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, TypeParam>;
+  std::size_t beyond = 0;
+  for (const meshes::Mesh& shape :
+       {meshes::random_planar(60, 1000, 2), meshes::scaled(meshes::grid(4, 12), 0.001),
+        meshes::potato(2, 6), meshes::rough_grid(6, 3), meshes::box(2, 3, 4)}) {
+    const Surface_mesh mesh = surface_mesh(shape);
+    const std::vector<std::array<double, 3>> points = IT::internal::points_of(mesh);
+    T t(mesh);
+    IT::delaunay_refine(t, IT::parameters::minimum_angle(28));
+    const IT::Vertex_sectors sectors(t);
+    const IT::Intrinsic_view<T> view(t);
+    const auto frames = IT::internal::intrinsic_frames(t, view);
+    ASSERT_EQ(sectors.size(), t.number_of_vertices());
+    for (int k = 0; k < 24; ++k) {
+      const std::complex<double> z = std::polar(3., k < 12 ? k * std::numbers::pi / 6 : 0.3 + k);
+      const auto found = sectors.in_space(IT::Tangent_field(sectors.size(), z), points);
+      for (const auto v : vertices(t.mesh())) {
+        const bool is_beyond = z.imag() < 0 && CGAL::is_border(halfedge(v, t.mesh()), t.mesh());
+        beyond += is_beyond;
+        if (std::is_same_v<TypeParam, IT::Signposts> && is_beyond)
+          continue; // the query turns it to the border
+        const auto x = IT::tangent_to_input(t, frames.at_vertex(t.index(v), z));
+        ASSERT_TRUE(x);
+        const auto wanted =
+            IT::internal::vector_in_space(t.input(), {x->point.halfedge, x->vector},
+                                          IT::internal::Placed_input{t.input(), points});
+        for (std::size_t c = 0; c < 3; ++c) // directions of signposts are the least accurate ones
+          EXPECT_NEAR(found[t.input_vertex(v)][c], wanted[c], 1e-8) << t.index(v) << ' ' << z;
+      }
+    }
+    EXPECT_THROW(sectors.in_space(IT::Tangent_field(3), points), std::invalid_argument);
+  }
+  EXPECT_GT(beyond, 100U);
 }
 
 } // namespace

@@ -37,6 +37,27 @@ using Tangent_field = std::vector<std::complex<double>>;
 
 namespace internal {
 
+// From angles at a vertex to polar angles.
+inline double polar_scale(const Fan_angle& fan) {
+  const double full = (fan.is_on_border ? 1 : 2) * std::numbers::pi;
+  return fan.sum > 0 ? full / fan.sum : 1;
+}
+
+// The vector at the source of the first halfedge there, in the face that it points into. On the
+// border half of the circle has the vectors that point out of the surface, which are in the frame
+// of the first face.
+template <class Surface>
+Tangent_vector vector_at_source(const Surface& surface, std::uint32_t first, double scale,
+                                std::complex<double> z) {
+  constexpr double pi = std::numbers::pi;
+  const double a = std::arg(z), polar = a < 0 ? a + 2 * pi : a;
+  const Geodesic_walk<Surface> walk(surface, Corner_direction{first, polar / scale});
+  if (!walk.is_blocked()) return at_start(walk, std::abs(z));
+  const double inside = pi / scale, beyond = (polar - pi) / pi;
+  return at_start(Geodesic_walk<Surface>(surface, Corner_direction{first, 0}), std::abs(z),
+                  inside + beyond * (2 * pi - inside));
+}
+
 // The polar coordinates at the vertices of a surface with numbered elements.
 template <class Surface>
 class Vertex_frames {
@@ -46,23 +67,12 @@ public:
 
   // measures the angles at a vertex that is not isolated
   void measure(std::uint32_t v) {
-    const auto [sum, is_on_border] =
-        measure_fan(surface_, surface_.outgoing_halfedge(v),
-                    [&](std::uint32_t h, double angle) { angle_[h] = angle; });
-    const double full = (is_on_border ? 1 : 2) * std::numbers::pi;
-    scale_[v] = sum > 0 ? full / sum : 1;
+    scale_[v] = polar_scale(measure_fan(surface_, surface_.outgoing_halfedge(v),
+                                        [&](std::uint32_t h, double angle) { angle_[h] = angle; }));
   }
 
-  // The vector at a vertex, in the face that it points into. On the border half of the circle has
-  // the vectors that point out of the surface, which are in the frame of the first face.
   Tangent_vector at_vertex(std::uint32_t v, std::complex<double> z) const {
-    const std::uint32_t first = surface_.outgoing_halfedge(v);
-    const Geodesic_walk<Surface> walk(surface_, Corner_direction{first, angle(v, z)});
-    if (!walk.is_blocked()) return at_start(walk, std::abs(z));
-    constexpr double pi = std::numbers::pi;
-    const double inside = pi / scale_[v], beyond = (angle(v, z) * scale_[v] - pi) / pi;
-    return at_start(Geodesic_walk<Surface>(surface_, Corner_direction{first, 0}), std::abs(z),
-                    inside + beyond * (2 * pi - inside));
+    return vector_at_source(surface_, surface_.outgoing_halfedge(v), scale_[v], z);
   }
 
   // The vectors at the corners of a face, `at(v)`, in its frame, averaged with the weights of a

@@ -8,9 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
@@ -33,12 +35,12 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A vector at a point of the input, in space.
-template <class Named>
-std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& v) {
-  const std::uint32_t h = v.point.halfedge;
-  const auto i = named.point({h, {1, 0, 0}}), j = named.point({h, {0, 1, 0}}),
-             k = named.point({h, {0, 0, 1}});
+// A vector in a face of the input, in space. `source(h)` is where a halfedge starts.
+template <class Source>
+std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
+                                      const Source& source) {
+  const auto [ij, jk, ki] = sides_of_face(input, v.halfedge);
+  const auto i = source(ij), j = source(jk), k = source(ki);
   std::array<double, 3> e, f;
   double ee = 0, ef = 0, ff = 0;
   for (int c = 0; c < 3; ++c) {
@@ -52,23 +54,22 @@ std::array<double, 3> vector_in_space(const Named& named, const Tangent_vector& 
     f[n] -= ef / ee * e[n];
     ff += f[n] * f[n];
   }
-  std::array<double, 3> result;
-  for (std::size_t n = 0; n < 3; ++n)
-    result[n] = v.vector[0] * e[n] / std::sqrt(ee) + v.vector[1] * f[n] / std::sqrt(ff);
-  return result;
+  const double x = v.vector[0] / std::sqrt(ee), y = v.vector[1] / std::sqrt(ff);
+  return {x * e[0] + y * f[0], x * e[1] + y * f[1], x * e[2] + y * f[2]};
 }
 
 // Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners
 // of a face of the common subdivision best, in the frames of its intrinsic and its input face.
 // `points` are its places in space.
-template <class View, class Named>
-std::array<double, 3> face_vector_in_space(const View& view, const Named& named, std::uint32_t h,
+template <class View, class Source>
+std::array<double, 3> face_vector_in_space(const View& view, const Input& input,
+                                           const Source& source, std::uint32_t h,
                                            const Common_subdivision& s, std::size_t f,
                                            const std::vector<std::array<double, 3>>& points,
                                            const Plane_vector<double>& v) {
   using Complex = std::complex<double>;
-  const std::array<double, 3> a = vector_in_space(named, {{h, {1, 0, 0}}, {1, 0}}),
-                              b = vector_in_space(named, {{h, {1, 0, 0}}, {0, 1}});
+  const std::array<double, 3> a = vector_in_space(input, {h, {1, 0}}, source),
+                              b = vector_in_space(input, {h, {0, 1}}, source);
   const std::uint32_t base = view.halfedge_of_face(s.intrinsic_face[f]);
   const Geodesic_face face(view, base);
   const Complex rotation =
@@ -83,39 +84,43 @@ std::array<double, 3> face_vector_in_space(const View& view, const Named& named,
           w.real() * a[2] + w.imag() * b[2]};
 }
 
-// Where points of an input are in space, of which the vertices are at given places.
+// Tells where halfedges of an input start, whose vertices are at given places in space.
 struct Placed_input {
   const Input& input;
   std::span<const std::array<double, 3>> points;
 
-  std::array<double, 3> point(const Surface_point& p) const {
-    return combination_of_corners(input, p, [this](std::uint32_t v) { return points[v]; });
+  const std::array<double, 3>& operator()(std::uint32_t h) const {
+    return points[input.names().row(input.source(h))];
   }
 };
 
-// The vectors at vertices in space. `named` tells where points of the input are.
-template <class Triangulation, class Named>
-std::vector<std::array<double, 3>>
-vertex_vectors_in_space(const Triangulation& t, const Tangent_field& field, const Named& named) {
-  const Intrinsic_view<Triangulation> view(t);
-  const Vertex_frames frames = intrinsic_frames(t, view);
-  const Vertex_copies copies(t);
+// A functor that tells where halfedges of the input start on the mesh.
+template <class Mesh>
+auto sources_on_mesh(const Input& input, const Mesh& mesh) {
+  return [named = Named_mesh_elements<Mesh>(input, mesh)](std::uint32_t h) {
+    return named.point({h, {1, 0, 0}});
+  };
+}
+
+// The vectors at vertices in space. `source(h)` is where a halfedge of the input starts.
+template <class Source>
+std::vector<std::array<double, 3>> vertex_vectors_in_space(const Vertex_sectors& sectors,
+                                                           const Tangent_field& field,
+                                                           const Source& source) {
+  expect_size(field, sectors.size());
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
-  for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t i = copies(v);
-    if (is_isolated(t, v)) continue;
-    if (const auto x = tangent_to_input(t, frames.at_vertex(t.index(v), field[i])))
-      result[i] = vector_in_space(named, *x);
-  }
+  sectors.for_each(field, [&](std::size_t i, const Input_vector& v) {
+    result[i] = vector_in_space(sectors.input(), v, source);
+  });
   return result;
 }
 
-// The vectors at the centres of the faces of the common subdivision, in space. `named` tells where
-// points of the input are, `points` where the vertices of the subdivision are.
-template <class Triangulation, class Named>
+// The vectors at the centres of the faces of the common subdivision, in space. `source(h)` is where
+// a halfedge of the input starts, `points` where the vertices of the subdivision are.
+template <class Triangulation, class Source>
 std::vector<std::array<double, 3>>
 face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
-                      const Common_subdivision& s, const Named& named,
+                      const Common_subdivision& s, const Source& source,
                       const std::vector<std::array<double, 3>>& points, unsigned degree) {
   const Intrinsic_view<Triangulation> view(t);
   const Vertex_frames frames = intrinsic_frames(t, view);
@@ -136,8 +141,9 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
     for (unsigned k = 0; k < degree; ++k) {
       const std::complex<double> z = std::complex<double>(first[0], first[1]) *
                                      std::polar(1., 2 * std::numbers::pi * k / degree);
-      result.push_back(face_vector_in_space(view, named, t.input().halfedge_of_face(input_face), s,
-                                            f, points, {z.real(), z.imag()}));
+      result.push_back(face_vector_in_space(view, t.input(), source,
+                                            t.input().halfedge_of_face(input_face), s, f, points,
+                                            {z.real(), z.imag()}));
     }
   }
   return result;
@@ -152,16 +158,16 @@ ones included.
 \param t the triangulation
 \param field the vectors
 \param mesh the mesh that `t` was built from
-\return vectors, indexed as `field`; zero where there is no vertex, or where rounding misleads
-`Signposts`
+\return vectors, indexed as `field`; zero where there is no vertex
+\throws std::invalid_argument if the field does not have a vector per vertex
 \pre the faces of the mesh have an area
-\complexity that of `tangent_to_input()` for each vertex
+\complexity that of `Vertex_sectors`, which serves many fields
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
-  return internal::vertex_vectors_in_space(t, field,
-                                           internal::Named_mesh_elements<Mesh>(t.input(), mesh));
+  return internal::vertex_vectors_in_space(Vertex_sectors(t), field,
+                                           internal::sources_on_mesh(t.input(), mesh));
 }
 
 /*!
@@ -177,7 +183,7 @@ template <QueriedTriangulation Triangulation>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field,
                  const std::vector<std::array<double, 3>>& points) {
-  return internal::vertex_vectors_in_space(t, field, internal::Placed_input{t.input(), points});
+  return Vertex_sectors(t).in_space(field, points);
 }
 
 /*!
@@ -201,8 +207,7 @@ template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
                  const Mesh& mesh, unsigned degree = 1) {
-  return internal::face_vectors_in_space(t, field, s,
-                                         internal::Named_mesh_elements<Mesh>(t.input(), mesh),
+  return internal::face_vectors_in_space(t, field, s, internal::sources_on_mesh(t.input(), mesh),
                                          positions(s, mesh), degree);
 }
 

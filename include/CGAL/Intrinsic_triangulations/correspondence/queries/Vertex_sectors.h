@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_SECTORS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_SECTORS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Curve_queries.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A vector in a face of the input.
+struct Input_vector {
+  std::uint32_t halfedge;      ///< of the face, or `Gluing::none`: there is no face
+  Plane_vector<double> vector; ///< along the halfedge, and to the left of it
+};
+
+/*!
+\brief knows, about each vertex of a triangulation, in which face of the input a vector lies.
+
+`vectors_in_space()` makes it for one field. Keep it to take many fields to space: a vector then
+costs a search in the faces about its vertex, and no query of the correspondence.
+
+Faces about a vertex are sectors of its polar coordinates, see `Tangent_field`. A vertex inserted on
+an edge has two, or one on the border, and a vertex inserted in a face has one. Vectors that point
+out of the surface are in the frame of the first face.
+*/
+class Vertex_sectors {
+public:
+  /*!
+  \brief finds the sectors of all vertices.
+  \tparam Triangulation a model of `CorrespondingTriangulation`
+  \param t the triangulation; its input must outlive this object unchanged
+  \complexity that of `trace_edge()` for each vertex, and linear in the number of faces
+  */
+  template <QueriedTriangulation Triangulation>
+  explicit Vertex_sectors(const Triangulation& t) : input_(&t.correspondence().input()) {
+    const auto queries = internal::queries(t);
+    const internal::Vertex_copies copies(t);
+    const Intrinsic_view<Triangulation> view(t);
+    fan_.resize(copies.size(), Gluing::none);
+    for (const auto v : vertices(t.mesh())) {
+      if (internal::is_isolated(t, v)) continue;
+      const auto axis = queries.walk_on_input(view.outgoing_halfedge(t.index(v)), 0);
+      add(copies(v), {axis.face().side[0], axis.weights()}, axis.direction());
+    }
+  }
+
+  /// returns how many vectors a `Tangent_field` has on the triangulation.
+  std::size_t size() const { return fan_.size(); }
+  /// returns the surface that has the faces.
+  const Input& input() const { return *input_; }
+
+  /*!
+  \brief returns a vector at a vertex as a vector in a face of the input.
+  \param i the number of the vertex in a `Tangent_field`
+  \param z the vector
+  \complexity linear in the degree of the vertex
+  */
+  Input_vector on_input(std::size_t i, std::complex<double> z) const {
+    if (fan_[i] == Gluing::none) return {Gluing::none, {0, 0}};
+    return on_input(fans_[fan_[i]], z);
+  }
+
+  /*!
+  \brief takes a field to space.
+  \param field the vectors
+  \param points where the user's vertices are
+  \return vectors, indexed as `field`; zero where there is no vertex
+  \throws std::invalid_argument if the field does not have `size()` vectors
+  \complexity that of `on_input()` for each vertex
+  */
+  std::vector<std::array<double, 3>> in_space(const Tangent_field& field,
+                                              std::span<const std::array<double, 3>> points) const;
+
+  /// \cond
+  // Calls `function(i, vector)` with each vertex that has faces, and its vector in one of them.
+  template <class Function>
+  void for_each(const Tangent_field& field, const Function& function) const {
+    for (const Fan& fan : fans_) function(fan.vertex, on_input(fan, field[fan.vertex]));
+  }
+  /// \endcond
+
+private:
+  // The sectors of a vertex, counterclockwise from its real axis.
+  struct Fan {
+    std::uint32_t vertex; // its number
+    std::uint32_t begin, end;
+    bool is_on_border;
+    double factor; // from polar angles to those on the surface
+  };
+  // A part of the face of a halfedge; it follows those with smaller angles.
+  struct Sector {
+    std::uint32_t halfedge;
+    double angle; // on the surface, from the real axis to the halfedge
+  };
+
+  // Adds a vertex at a point of the input, where its real axis has a direction.
+  void add(std::uint32_t vertex, const Surface_point& p, const Plane_vector<double>& axis);
+  void add_about_vertex(Fan& fan, std::uint32_t h, double angle);
+  void add_beside_edge(Fan& fan, std::uint32_t h, double angle);
+  Input_vector on_input(const Fan& fan, std::complex<double> z) const;
+
+  const Input* input_;
+  std::vector<std::uint32_t> fan_; // by the numbers of a field
+  // In the order of the input, which keeps neighbours together: so fields are read fast.
+  std::vector<Fan> fans_;
+  std::vector<Sector> sectors_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VERTEX_SECTORS_H
