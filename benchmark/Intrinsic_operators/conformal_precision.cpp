@@ -116,31 +116,12 @@ Problem random_problem(const IT::Intrinsic_input& start, std::size_t vertices, d
   return p;
 }
 
-template <class FT>
-Plain_newton<FT> plain(const Problem& p) {
-  Plain_surface<FT> start;
-  for (std::uint32_t h = 0; h < 2 * p.input.squared_lengths.size(); ++h) {
-    const IT::Gluing_map::Halfedge halfedge{h};
-    start.next.push_back(p.input.mesh.next(halfedge).index);
-    start.origin.push_back(p.input.names.row(p.input.mesh.source(halfedge).index));
-  }
-  for (const double l : p.input.squared_lengths) start.lambda.push_back(FT(std::sqrt(l)));
-  using std::atan;
-  typename Plain_newton<FT>::Vector angles(static_cast<Eigen::Index>(p.angles.size()));
-  for (std::size_t v = 0; v < p.angles.size(); ++v) {
-    const IT::Multiple_of_pi m = p.angles.multiple(v);
-    angles[static_cast<Eigen::Index>(v)] =
-        FT(4 * atan(FT(1))) * FT(double(m.numerator)) / FT(double(m.denominator));
-  }
-  return {std::move(start), std::move(angles)};
-}
-
 using Scale = Plain_newton<Checked>::Vector;
 
 // Whether all angles are near the prescribed ones.
 bool is_right(const Problem& p, const Scale& u) {
   if (u.size() == 0) return false;
-  Plain_newton<Checked> newton = plain<Checked>(p);
+  Plain_newton<Checked> newton = plain_newton<Checked>(p.input, p.angles);
   return Plain_newton<Checked>::size(newton.excess_at(u)) < limit;
 }
 
@@ -149,7 +130,7 @@ constexpr unsigned most_steps = 300;
 // Empty if the method itself sees that it has failed.
 template <class FT>
 Scale plain_scale(const Problem& p) {
-  Plain_newton<FT> newton = plain<FT>(p);
+  Plain_newton<FT> newton = plain_newton<FT>(p.input, p.angles);
   const auto u = newton.solve(most_steps, 1e-10);
   return newton.residual() < 1e-3 ? u.template cast<Checked>() : Scale();
 }

@@ -4,6 +4,9 @@
 #ifndef BENCHMARK_INTRINSIC_OPERATORS_PLAIN_CONFORMAL_H
 #define BENCHMARK_INTRINSIC_OPERATORS_PLAIN_CONFORMAL_H
 
+#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+#include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -96,7 +99,7 @@ public:
   Vector solve(unsigned most_steps, double tolerance) {
     Vector excess = excess_at(u_), best = u_;
     residual_ = size(excess);
-    for (unsigned n = 0; n < most_steps && residual_ > tolerance && step(excess); ++n)
+    for (steps_ = 0; steps_ < most_steps && residual_ > tolerance && step(excess); ++steps_)
       if (const FT now = size(excess); now < residual_) {
         residual_ = now;
         best = u_;
@@ -105,6 +108,7 @@ public:
   }
   // The largest difference from a prescribed angle at that scale, as far as the numbers tell.
   const FT& residual() const { return residual_; }
+  unsigned steps() const { return steps_; }
 
   static FT size(const Vector& excess) { return excess.template lpNorm<Eigen::Infinity>(); }
 
@@ -164,7 +168,29 @@ private:
   Plain_surface<FT> surface_;
   Vector angles_, u_;
   FT residual_ = 0;
+  unsigned steps_ = 0;
   std::vector<FT> cotangents_; // half of them, opposite to halfedges
 };
+
+// Newton's method for a closed surface and angles that are multiples of pi.
+template <class FT>
+Plain_newton<FT> plain_newton(const CGAL::Intrinsic_triangulations::Intrinsic_input& input,
+                              const CGAL::Intrinsic_triangulations::Prescribed_angles& angles) {
+  using std::atan;
+  Plain_surface<FT> start;
+  for (std::uint32_t h = 0; h < 2 * input.squared_lengths.size(); ++h) {
+    const CGAL::Intrinsic_triangulations::Gluing_map::Halfedge halfedge{h};
+    start.next.push_back(input.mesh.next(halfedge).index);
+    start.origin.push_back(input.names.row(input.mesh.source(halfedge).index));
+  }
+  for (const double l : input.squared_lengths) start.lambda.push_back(FT(std::sqrt(l)));
+  typename Plain_newton<FT>::Vector prescribed(static_cast<Eigen::Index>(angles.size()));
+  for (std::size_t v = 0; v < angles.size(); ++v) {
+    const CGAL::Intrinsic_triangulations::Multiple_of_pi m = angles.multiple(v);
+    prescribed[static_cast<Eigen::Index>(v)] =
+        FT(4 * atan(FT(1))) * FT(double(m.numerator)) / FT(double(m.denominator));
+  }
+  return {std::move(start), std::move(prescribed)};
+}
 
 #endif // BENCHMARK_INTRINSIC_OPERATORS_PLAIN_CONFORMAL_H

@@ -36,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <random>
@@ -62,7 +63,8 @@ struct Laid_out {
 };
 
 Laid_out lay_out(const flat::Surface& s, std::mt19937& random, int flips,
-                 const std::vector<char>& is_wanted = {}, std::vector<char> is_cut = {}) {
+                 const std::vector<char>& is_wanted = {}, std::vector<char> is_cut = {},
+                 const std::function<void(IT::Common_subdivision&)>& change = {}) {
   Laid_out r{input_of(s), std::move(is_cut), {}};
   if (r.is_cut.empty()) r.is_cut = IT::cut_to_disk(r.in, s.cones());
   Triangulation t(r.in);
@@ -76,7 +78,8 @@ Laid_out lay_out(const flat::Surface& s, std::mt19937& random, int flips,
       flat.length[side[t.mesh().sides(f)[k].index]] =
           std::ldexp(std::sqrt(values.squared_lengths[k]), -t.metric().scale_exponent());
   }
-  const IT::Common_subdivision subdivision = IT::common_subdivision(t);
+  IT::Common_subdivision subdivision = IT::common_subdivision(t);
+  if (change) change(subdivision);
   IT::Flat_subdivision arrays{subdivision, flat, side, r.is_cut, is_wanted, {}, {}};
   for (const double l : r.in.squared_lengths) arrays.input_lengths.push_back(std::sqrt(l));
   r.layout = IT::lay_out_subdivision(arrays);
@@ -115,6 +118,23 @@ TEST(LayOutSubdivision, isIsometricOnTheMeshWhateverTheTriangulation) {
       const IT::Map_certificate c = IT::certify_map(r.layout);
       EXPECT_TRUE(c.is_locally_injective()) << c.flipped << ' ' << c.degenerate;
     }
+}
+
+// As where scale factors differ by many powers of ten: on cheese.off with four cones.
+TEST(LayOutSubdivision, CrossingsThatRoundToVerticesHaveFinitePlaces) {
+  for (const double end : {0., 1.}) {
+    std::mt19937 random(1);
+    flat::Surface s = flat::tetrahedron();
+    s.mix(random, 40, 300);
+    const Laid_out r = lay_out(s, random, 20, {}, {}, [&](IT::Common_subdivision& c) {
+      ASSERT_GT(c.crossings.size(), 1U);
+      c.crossings.front().on_intrinsic.parameter = end;
+      c.crossings.back().on_input.parameter = end;
+    });
+    EXPECT_TRUE(r.layout.positions.allFinite());
+    EXPECT_TRUE(r.layout.weights.allFinite());
+    EXPECT_GT(r.layout.weights.minCoeff(), 0);
+  }
 }
 
 TEST(LayOutSubdivision, laysTriangulationsOfOneVertexOut) {

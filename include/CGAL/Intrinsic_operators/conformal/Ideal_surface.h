@@ -30,9 +30,10 @@ std::array<Number, 3> surpluses(const std::array<Number, 3>& sides) {
 
 // A face of an ideal triangulation: side k runs from corner k to the next one.
 struct Ideal_face {
-  std::array<int, 3> rows;       // of the corners
-  std::array<double, 3> lambda;  // of the sides, scaled
-  std::array<double, 3> surplus; // of the sides, with the digits that needles lose in `surpluses()`
+  std::array<int, 3> rows;            // of the corners
+  std::array<std::uint32_t, 3> edges; // of the sides, by their numbers
+  std::array<double, 3> lambda;       // of the sides, scaled
+  std::array<double, 3> surplus;      // of the sides, with the digits that needles lose in `surpluses()`
 
   // of the Euclidean triangle; zero if there is none
   double area() const;

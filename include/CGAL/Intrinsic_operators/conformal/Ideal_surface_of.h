@@ -72,6 +72,7 @@ public:
     faces_of_now.reserve(num_faces(t_.mesh()));
     for_each_face([&](const auto& vertices, const auto& sides) {
       Ideal_face& f = faces_of_now.emplace_back();
+      f.edges = sides;
       for (std::size_t k = 0; k < 3; ++k) {
         f.rows[k] = static_cast<int>(row_[vertices[k]]);
         f.lambda[k] = t_.metric().approximate_lambda(sides[k]);

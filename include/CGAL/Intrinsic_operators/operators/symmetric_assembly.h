@@ -15,9 +15,11 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -39,7 +41,10 @@ struct Hermitian_entry {
   std::complex<double> value;
 };
 
-inline double conjugate(double x) { return x; }
+template <class Number>
+Number conjugate(const Number& x) {
+  return x;
+}
 inline std::complex<double> conjugate(const std::complex<double>& x) { return std::conj(x); }
 
 // The columns of a symmetric or Hermitian matrix without its diagonal: entries are bucketed by
@@ -68,13 +73,15 @@ public:
 
   // \param diagonal takes a column and the iterator range of its sorted entries; returns the
   // diagonal entry
-  template <class Diagonal>
-  Eigen::SparseMatrix<Number> matrix(const Diagonal& diagonal) {
+  // \param entry takes the sum of equal entries; returns that of the matrix
+  template <class Diagonal, class Value = std::identity>
+  auto matrix(const Diagonal& diagonal, const Value& entry = {}) {
+    using Scalar = std::decay_t<std::invoke_result_t<Value, const Number&>>;
     const int size = static_cast<int>(end_.size()) - 1;
-    Eigen::SparseMatrix<Number> m(size, size);
+    Eigen::SparseMatrix<Scalar> m(size, size);
     m.resizeNonZeros(size + static_cast<Eigen::Index>(entries_.size()));
     int count = 0;
-    const auto append = [&](int row, const Number& value) {
+    const auto append = [&](int row, const Scalar& value) {
       m.innerIndexPtr()[count] = row;
       m.valuePtr()[count++] = value;
     };
@@ -83,9 +90,9 @@ public:
       const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(end_[row_number(c)]);
       const auto last = merge(begin, end);
       auto i = begin;
-      for (; i != last && i->row < c; ++i) append(i->row, i->value);
+      for (; i != last && i->row < c; ++i) append(i->row, entry(i->value));
       append(c, diagonal(c, begin, last));
-      for (; i != last; ++i) append(i->row, i->value);
+      for (; i != last; ++i) append(i->row, entry(i->value));
       m.outerIndexPtr()[c + 1] = count;
       begin = end;
     }

@@ -3,13 +3,22 @@
 
 #include <CGAL/Intrinsic_operators/conformal/Angle_system.h>
 #include <CGAL/Intrinsic_operators/conformal/triangle_angles.h>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+Angle_system::Weight& Angle_system::Weight::operator+=(const Weight& other) {
+  sum += other.sum;
+  size += other.size;
+  return *this;
+}
 
 Angle_system::Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed,
                            Geometry geometry, double unit)
@@ -32,8 +41,7 @@ Angle_system::Angle_system(const Ideal_components& components, const std::vector
 void Angle_system::read(const std::vector<Ideal_face>& faces) {
   sums_ = excess_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown_.size()));
   factor_.reset();
-  entries_.clear();
-  entries_.reserve(3 * faces.size());
+  edges_.assign(3 * faces.size() / 2, Weighted_edge());
   for (const Ideal_face& f : faces) {
     const bool is_hyperbolic = geometry_ == Geometry::hyperbolic;
     std::array<double, 3> sides{f.lambda[1], f.lambda[2], f.lambda[0]}, // opposite the corners
@@ -49,15 +57,20 @@ void Angle_system::read(const std::vector<Ideal_face>& faces) {
       sums_[f.rows[k]] += t.angle[k];
       const int i = f.rows[(k + 1) % 3], j = f.rows[(k + 2) % 3];
       for (const int row : {i, j}) excess_[row] += t.excess[k];
-      if (i != j) entries_.push_back({i, j, t.weight[k]});
+      const std::size_t e = f.edges[(k + 1) % 3];
+      if (e >= edges_.size()) edges_.resize(e + 1);
+      edges_[e].i = i;
+      edges_[e].j = j;
+      if (i != j) edges_[e].value += {t.weight[k], std::abs(t.weight[k])};
     }
   }
 }
 
 Eigen::VectorXd Angle_system::weights() const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(sums_.size());
-  for (const Symmetric_entry& e : entries_)
-    for (const int row : {e.i, e.j}) result[row] += std::abs(e.value);
+  for (const Weighted_edge& e : edges_)
+    if (e.i != fixed)
+      for (const int row : {e.i, e.j}) result[row] += e.value.size;
   return result;
 }
 
@@ -65,32 +78,24 @@ Eigen::SparseMatrix<double> Angle_system::matrix(Eigen::VectorXd& diagonal) cons
   diagonal = Eigen::VectorXd::Zero(number_of_unknowns_);
   for (std::size_t r = 0; r < unknown_.size(); ++r)
     if (unknown_[r] != fixed) diagonal[unknown_[r]] = excess_[static_cast<Eigen::Index>(r)];
-  std::vector<Symmetric_entry> between, sizes; // sizes: without signs
-  between.reserve(entries_.size());
-  sizes.reserve(entries_.size());
-  for (const Symmetric_entry& e : entries_) {
+  std::vector<Weighted_edge> between;
+  between.reserve(edges_.size());
+  for (const Weighted_edge& e : edges_) {
+    if (e.i == e.j) continue; // none, or a loop
     const int i = unknown_[static_cast<std::size_t>(e.i)],
               j = unknown_[static_cast<std::size_t>(e.j)];
-    if (i != fixed && j != fixed) {
-      between.push_back({i, j, -e.value});
-      sizes.push_back({i, j, std::abs(e.value)});
-    } else if (i != fixed || j != fixed)
-      diagonal[std::max(i, j)] += e.value;
+    if (i != fixed && j != fixed)
+      between.push_back({i, j, e.value});
+    else if (i != fixed || j != fixed)
+      diagonal[std::max(i, j)] += e.value.sum;
   }
-  const auto assembled = [this](const std::vector<Symmetric_entry>& entries) {
-    return Symmetric_columns(entries, number_of_unknowns_).matrix([](int, auto, auto) {
-      return 0.;
-    });
-  };
-  Eigen::SparseMatrix<double> m = assembled(between);
-  const Eigen::SparseMatrix<double> size = assembled(sizes);
+  diagonal = diagonal.cwiseMax(0);
   // Edges of a Delaunay triangulation have no negative weight but by rounding. Where all digits are
   // lost, the weight is as large as the error, so that no vertex comes apart from the others.
   constexpr double error = 0x1p-50;
-  for (Eigen::Index k = 0; k < m.nonZeros(); ++k)
-    m.valuePtr()[k] = std::min(m.valuePtr()[k], -error * size.valuePtr()[k]);
-  diagonal = diagonal.cwiseMax(0);
-  return m;
+  return Symmetric_columns<Weight>(between, number_of_unknowns_)
+      .matrix([](int, auto, auto) { return 0.; },
+              [](const Weight& w) { return std::min(-w.sum, -error * w.size); });
 }
 
 bool Angle_system::has_same_pattern(const Eigen::SparseMatrix<double>& m) const {
@@ -99,10 +104,21 @@ bool Angle_system::has_same_pattern(const Eigen::SparseMatrix<double>& m) const 
          std::equal(m.innerIndexPtr(), m.innerIndexPtr() + m.nonZeros(), last_.innerIndexPtr());
 }
 
+// A few flips leave an order of elimination nearly as good as it was.
+void Angle_system::analyze(const Eigen::SparseMatrix<double>& m) {
+  constexpr double more = 1.2; // entries of the factor than when the order was found
+  if (analysis_) {
+    analysis_ = std::make_shared<const Symbolic_factorization>(m, analysis_->row);
+    if (analysis_->column_begin.back() <= more * factor_entries_) return;
+  }
+  analysis_ = std::make_shared<const Symbolic_factorization>(m);
+  factor_entries_ = analysis_->column_begin.back();
+}
+
 void Angle_system::factor() {
   Eigen::VectorXd diagonal;
   Eigen::SparseMatrix<double> m = matrix(diagonal);
-  if (!has_same_pattern(m)) analysis_.reset();
+  if (!has_same_pattern(m)) analyze(m);
   factor_.emplace(m, diagonal, analysis_);
   last_ = std::move(m);
 }

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_CONFORMAL_ANGLE_SYSTEM_H
 
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
-#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 
 #include <Eigen/Core>
@@ -45,10 +44,20 @@ public:
 
 private:
   static constexpr int fixed = -1;
+  // A sum of weights, and that of the weights without their signs.
+  struct Weight {
+    double sum, size;
+    Weight& operator+=(const Weight& other);
+  };
+  struct Weighted_edge {
+    int i = fixed, j = fixed; // rows; without weight if they are one
+    Weight value{0, 0};
+  };
 
   void factor();
   Eigen::SparseMatrix<double> matrix(Eigen::VectorXd& diagonal) const;
   bool has_same_pattern(const Eigen::SparseMatrix<double>& m) const;
+  void analyze(const Eigen::SparseMatrix<double>& m);
 
   const Ideal_components& components_;
   Geometry geometry_;
@@ -57,9 +66,10 @@ private:
   std::vector<int> unknown_;    // of each row
   int number_of_unknowns_ = 0;
   Eigen::VectorXd sums_, excess_;        // at rows
-  std::vector<Symmetric_entry> entries_; // between rows
+  std::vector<Weighted_edge> edges_;     // by their numbers
   Eigen::SparseMatrix<double> last_;     // whose analysis we have
   Shared_analysis analysis_;
+  double factor_entries_ = 0; // when the order of elimination was found
   std::optional<Laplacian_factorization> factor_; // of the faces, once it was needed
 };
 

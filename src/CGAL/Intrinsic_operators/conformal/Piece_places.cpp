@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -14,6 +15,16 @@
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// x (1 - x) for a number between 0 and 1. Where x is rounded to one of them, half of the distance
+// to the next double stands for the digits that are lost, so that quotients stay finite.
+double product_with_complement(double x) {
+  return std::max(x, std::numeric_limits<double>::min()) * std::max(1 - x, 0x1p-54);
+}
+
+} // namespace
 
 Piece_places::Piece_places(const Flat_subdivision& in)
     : in_(in), s_(in.subdivision),
@@ -75,8 +86,8 @@ double Piece_places::weight(std::uint32_t own) const {
   const Common_subdivision::Crossing& x = s_.crossings[s_.corner[own] - s_.vertices.size()];
   const double p = x.on_input.parameter, q = x.on_intrinsic.parameter;
   const double l = in_.flat.length[h], lambda = in_.is_hyperbolic ? 2 * std::sinh(l / 2) : l;
-  const double result =
-      in_.input_lengths[x.on_input.edge] / lambda * std::sqrt(p * (1 - p) / (q * (1 - q)));
+  const double result = in_.input_lengths[x.on_input.edge] / lambda *
+                        std::sqrt(product_with_complement(p) / product_with_complement(q));
   return in_.is_hyperbolic ? result * std::sqrt(1 + q * (1 - q) * lambda * lambda) : result;
 }
 
