@@ -20,7 +20,7 @@ def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
     `holds` tells whether it may be given, and `wanted` says to users which may.
     """
     try:
-        if np.ndim(x) == 0 and not isinstance(x, (str, bytes)) and holds(float(x)):
+        if np.ndim(x) == 0 and not isinstance(x, (str, bytes, bool, np.bool_)) and holds(float(x)):
             return float(x)
     except (TypeError, ValueError, OverflowError):
         pass
@@ -39,8 +39,6 @@ def distance(x, name):
 
 def whole(x, name, wanted="a whole number that is not negative", least=0, most=2**53):
     """Returns one whole number as an int."""
-    if isinstance(x, (bool, np.bool_)):
-        raise ValueError(f"{name} is {x}; give {wanted}")
     return int(number(x, name, wanted, lambda x: least <= x <= most and x == int(x)))
 
 

@@ -48,8 +48,9 @@ class Curve:
 class Network:
     """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
 
-    `length` is that of all, `flips` how many edges were flipped, `certified` whether the curves are
-    proven to be geodesic (None: this was not asked for). `Surface.cut()` cuts along them.
+    `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
+    `flips` how many edges were flipped, `certified` whether the curves are proven to be geodesic
+    (None: this was not asked for). `Surface.cut()` cuts along them.
     """
 
     __slots__ = ("curves", "status", "flips", "certified", "_edges")

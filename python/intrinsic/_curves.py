@@ -16,7 +16,7 @@ def _is_shortest(method):
 
 def _direction(direction):
     """Returns a complex number, or three numbers."""
-    if np.ndim(direction) == 0:
+    if not isinstance(direction, (list, tuple)) and np.ndim(direction) == 0:
         try:
             z = np.nan if isinstance(direction, str) else complex(direction)
         except (TypeError, ValueError, OverflowError):
@@ -84,7 +84,8 @@ class _Curves:
 
         `direction` is a vector in space, which is projected to the face of `p`, or at a vertex into
         the face that is nearest to it. Or it is a complex number: in a face, the real axis runs
-        along its first side; at a vertex, see `frames()`. Its size does not matter. The curve is
+        along its first side; at a vertex, see `frames()`. Its size does not matter, but is not
+        zero. `length` is in units of the vertices. The curve is
         straight across edges, goes through vertices with equal angles on both sides, and ends at
         the border.
 
@@ -134,7 +135,9 @@ class _Curves:
             return Cut(_core.cut_to_disks(self._core, places, progress), users)
         if isinstance(curves, Network) and curves._edges is not None:
             return Cut(_core.cut_network(self._core, curves._edges), users)
-        curves = [curves] if isinstance(curves, Curve) else list(curves)
+        if isinstance(curves, Curve):
+            curves = [curves]
+        curves = _arrays.sequence(curves, "curves", "a Curve, a Network, or a sequence of curves")
         for i, curve in enumerate(curves):
             if not isinstance(curve, Curve):
                 raise ValueError(f"curves[{i}] is not a Curve; give what path(), isolines() and "

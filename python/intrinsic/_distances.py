@@ -79,7 +79,8 @@ class _Distances:
         paths, or "heat", an approximation that is faster for many calls. With `targets`, the result
         has the distances of these points instead, and an exact search stops when it has them;
         `max_distance` ends it, too. Where no source is reached, the distance is infinite. The unit
-        is that of the vertices. `time_factor` is that of the heat flow: more is smoother.
+        is that of the vertices. `time_factor` is the time of the heat flow in squares of the mean
+        edge: more is smoother.
 
         >>> s.distance(0)
         array([0.        , 1.        , 1.41421356, 1.        ])

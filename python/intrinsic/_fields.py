@@ -211,7 +211,8 @@ class _Fields:
 
         `vectors`, of shape (k, 2), are in the polar coordinates of vertices, see `VectorField`, or,
         at a `Point`, along the first side of its face and to the left of it; or of shape (k, 3) in
-        space, and are projected to a face. One point takes one vector.
+        space, and are projected to a face. One point takes one vector. `time_factor` is the time of
+        the heat flow in squares of the mean edge: more is smoother.
         """
         vectors = _arrays.numbers(vectors, "vectors")
         if is_point(points) and vectors.ndim == 1:
@@ -225,8 +226,9 @@ class _Fields:
         return VectorField(core, field, self._cloud_neighbors())
 
     def extend(self, points, values, *, time_factor=1.0, progress=None):
-        """Extends values at points to all vertices, of shape (n,): near the value of the nearest
-        point, smoothly, never beyond the extremes."""
+        """Extends values at points, of shape (k,), to all vertices, of shape (n,): near the value
+        of the nearest point, smoothly, never beyond the extremes. NaN where no path leads to a
+        point. `time_factor` is the time of the heat flow in squares of the mean edge."""
         values = np.atleast_1d(_arrays.numbers(values, "values"))
         return _core.extend(self._flipped(), self._places(points, "points"), values,
                             _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
@@ -260,6 +262,9 @@ class _Fields:
         `Network`, or a list of such curves. From each vertex in a list to the next one, a curve
         follows the shortest way along edges; if there are `Point`s in it, each point is in one face
         with the next one, and the curve is straight there. A loop ends at its first point.
+        `time_factor` is the time of the heat flow in squares of half the mean edge: more is
+        smoother, and bridges wider gaps. Infinite where no path leads to a curve. The surface must
+        be oriented: covers are refused.
         """
         rows = _curves(curves, self._places, self._core.number_of_vertices)
         return _core.signed_distance(self._flipped(), rows,
@@ -267,6 +272,7 @@ class _Fields:
                                      progress)
 
     def connection_laplacian(self, degree=1):
-        """Returns the Laplacian of tangent vectors, a complex matrix of scipy: in the polar
-        coordinates of vertices, for fields with `degree` directions."""
+        """Returns the Laplacian of tangent vectors, a complex, Hermitian csr_matrix of shape
+        (n, n): in the polar coordinates of vertices, see `VectorField`, for powers of vectors that
+        are fields with `degree` directions. On a cover, it has a row for each copy of a vertex."""
         return _arrays.sparse(_core.connection_laplacian(self._flipped(), _degree(degree)))

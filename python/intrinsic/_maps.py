@@ -123,7 +123,7 @@ def _angle_arrays(angles, vertices):
     if angles is None:
         angles = {}
     elif not isinstance(angles, dict):
-        listed = list(angles)
+        listed = _arrays.sequence(angles, "angles", "an angle for each vertex, or a dict")
         if len(listed) != vertices:
             raise ValueError(f"angles has {len(listed)} angles; give one for each of {vertices} "
                              "vertices")
@@ -222,8 +222,10 @@ class _Maps:
         displacements of all vertices, of shape (n, d).
 
         `handles` are vertices, and `displacements`, of shape (k, d), how far they move; or
-        `handles` is a dict. The same handles may move many times: that is fast. `energy` is
-        "biharmonic" or "harmonic".
+        `handles` is a dict from vertices to displacements. d is 3 in space, and may be any number.
+        The same handles may move many times: that is fast. `energy` is "biharmonic", smooth at
+        handles too, or "harmonic", which stays within the range of displacements. Components
+        without a handle do not move.
         """
         _arrays.expect_word(energy, "energy", ("biharmonic", "harmonic"))
         if displacements is None:

@@ -110,13 +110,15 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         Parameters:
             min_angle: least angle of faces in degrees; up to 30 refinement always ends. Faces that
                 cannot have it are in `statistics["refine"]`.
-            size: largest length of edges: a number, or one for each vertex of the input.
-            max_circumradius: of faces.
+            size: largest length of edges, in units of the vertices: a number, or one for each
+                vertex of the input, of shape (n,).
+            max_circumradius: of faces, in units of the vertices.
             max_insertions: cap on their number.
             order: "first-come", "largest-first" or "worst-first".
             conforming: whether kept edges that are not Delaunay are split.
             keep, progress: see `delaunay()`.
-            odt_length: moves the inserted vertices, and inserts more until edges are so long.
+            odt_length: then moves the inserted vertices to an optimal Delaunay triangulation with
+                edges up to this length; best with arithmetic="double".
         """
         _arrays.expect_word(order, "order", ("first-come", "largest-first", "worst-first"))
         sizes, longest = None, size
@@ -139,9 +141,15 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
               keep=None, progress=None):
         """Returns the surface refined where a function with a pole at a vertex needs it.
 
-        The function is the harmonic Green's function of vertex `source`, or if `heat_time` is
-        positive, its heat kernel at that time, in squares of the mean edge. `tolerance` is the
-        error in the L2 norm, in units of the root of the area, or of the norm of the kernel.
+        Parameters:
+            source: the vertex. The function is its harmonic Green's function, for which the
+                surface must be connected.
+            heat_time: if it is positive, the function is the heat kernel at that time, in squares
+                of the mean edge: from 1e-100 to where heat has spread evenly.
+            tolerance: the estimated error in the L2 norm at which refinement ends, in units of the
+                root of the area, or of the norm of the kernel.
+            max_vertices: cap on the number of vertices.
+            min_angle, keep, progress: see `refine()`.
         """
         source = int(_arrays.indices(source, "source", (), count=self.number_of_input_vertices))
         return Surface._of(_core.adapt(
@@ -204,23 +212,28 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     @property
     def certificate(self):
-        """How sure it is that the triangulation is Delaunay: "exact", "interval" or "none"."""
+        """How sure it is that the triangulation is Delaunay: "exact", all edges that are not kept
+        are proven to be; "interval", the same but for probable ties; or "none"."""
         return self.statistics["certificate"]
 
     # ---- Matrices -------------------------------------------------------------------------------
 
     def laplacian(self):
-        """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix.
+        """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix of shape (n, n).
 
-        It is positive semidefinite and has a row for each vertex. Before `delaunay()` it is that
+        It is positive semidefinite: minus that of libigl. It has a row for each vertex, empty if no
+        face has the vertex. Before `delaunay()` it is that
         of the Delaunay triangulation all the same, which has no negative weights inside.
         """
         return _arrays.sparse(_core.laplacian(self._flipped()), symmetric=True)
 
     def mass(self, kind="lumped"):
-        """Returns the mass matrix, a csr_matrix: "lumped", "galerkin" or "voronoi".
+        """Returns the mass matrix, a scipy.sparse.csr_matrix of shape (n, n).
 
-        The sum of its entries is the area. The triangulation is that of `laplacian()`.
+        `kind` is "lumped": diagonal, a third of the area of the faces at each vertex; "galerkin":
+        the integrals of products of hat functions; or "voronoi": diagonal, the part of these faces
+        that is nearest to the vertex. The sum of the entries is the area. The triangulation is that
+        of `laplacian()`.
         """
         _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))
         return _arrays.sparse(_core.mass(self._flipped(), kind), symmetric=True)
@@ -228,14 +241,17 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     # ---- The input and the triangulation --------------------------------------------------------
 
     def to_input(self, u, how="l2", *, progress=None):
-        """Takes values at the vertices of the triangulation, (n,) or (n, k), to those of the input.
+        """Takes values at the vertices of the triangulation, of shape (n,) or (n, k), to those of
+        the input: a row for each of them.
 
-        `how` is "l2": the nearest function there, which keeps integrals; or "pointwise".
+        `how` is "l2": the nearest function there, which keeps integrals; or "pointwise": the values
+        at its vertices.
         """
         return self._transfer(u, how, True, self.number_of_vertices, progress)
 
     def from_input(self, u, how="l2", *, progress=None):
-        """Takes values at the vertices of the input to those of the triangulation."""
+        """Takes values at the vertices of the input to those of the triangulation. See
+        `to_input()` for shapes and `how`."""
         return self._transfer(u, how, False, self.number_of_input_vertices, progress)
 
     def _transfer(self, u, how, to_input, size, progress):

@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 
 #include <pybind11/stl.h>
 
@@ -199,7 +200,7 @@ IT::Traced_curve through_places(const T& t, const std::vector<Place>& places,
   for (const Place& p : places) {
     const IT::Surface_point q = on_input(t, p);
     if (!curve.points.empty()) {
-      const auto in_common = IT::internal::in_one_face(t.input(), curve.points.back(), q);
+      const auto in_common = IT::points_in_one_face(t.input(), curve.points.back(), q);
       if (!in_common)
         refuse("points " + std::to_string(curve.faces.size()) + " and " +
                std::to_string(curve.faces.size() + 1) + " of " + name +

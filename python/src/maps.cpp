@@ -210,13 +210,11 @@ py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& d
     std::shared_ptr<void>& place = s.cache["deformation"];
     auto* kept = static_cast<Kept_deformation*>(place.get());
     if (kept == nullptr || kept->rows != rows || kept->energy != energy) {
-      // The mass comes first: the library computes it first, and the last digits of the other
-      // matrix depend on what was read before.
-      const Eigen::VectorXd mass = IT::lumped_mass_matrix(t).diagonal();
-      const Eigen::SparseMatrix<double> laplacian = IT::cotangent_laplacian(t);
-      watch.begin("factorization");
+      Watching visitor{&watch, "factorization"};
       auto made = std::make_shared<Kept_deformation>(Kept_deformation{
-          rows, energy, IT::Surface_deformation(laplacian, mass, rows, minimized)});
+          rows, energy,
+          IT::Surface_deformation(t, rows, minimized, IT::parameters::visitor(std::ref(visitor)))});
+      if (made->deformation.status() == IT::Status::cancelled) return {};
       kept = made.get();
       place = std::move(made);
       watch.begin("solution");

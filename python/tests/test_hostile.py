@@ -97,19 +97,30 @@ class Hostile(With_folder):
                 ("energy", lambda x: s.deform([0], [[1]], energy=x)),
                 ("method", lambda x: s.distance(0, method=x)),
                 ("target", lambda x: s.uniformize(target=x))):
-            for x in "1", b"1", float("nan"), -1, {1}, np.zeros((2, 2)), object(), lambda: 1:
+            for x in "1", b"1", float("nan"), -1, True, {1}, np.zeros((2, 2)), object(), lambda: 1:
                 with self.subTest(name=name, x=x):
                     with self.assertRaisesRegex(ValueError, rf"^{name}\b.*(give|must)"):
                         call(x)
 
+    def test_times_without_heat(self):
+        s = it.Surface(*grid(4))
+        for call in (lambda x: s.adapt(heat_time=x), lambda x: s.transport(0, [1, 0], time_factor=x),
+                     lambda x: s.distance(0, method="heat", time_factor=x)):
+            for x in 1e300, 1e17, 10**30, 1e-300:
+                with self.assertRaisesRegex(ValueError, "time .* 1e-100 (to|and) [0-9.e+]+"):
+                    call(x)
+
     def test_sequences(self):
         s = it.Surface(*grid(4))
+        with self.assertRaisesRegex(ValueError, "^direction has rows"):
+            s.trace(0, [[1, 2], 1, 1], 1)
         for x in "1", {1}, object(), float("nan"), [1], [1, float("inf")]:
             with self.assertRaisesRegex(ValueError, "^direction.*give"):
                 s.trace(0, x, 1)
         for name, call in (("paths", lambda: s.network(3)), ("loops", lambda: s.network((), 3)),
                            ("source_sets", lambda: s.distances(None)),
-                           ("curves", lambda: s.signed_distance(None))):
+                           ("curves", lambda: s.signed_distance(None)),
+                           ("curves", lambda: s.cut(3)), ("angles", lambda: s.uniformize(3))):
             with self.assertRaisesRegex(TypeError, f"^{name} is .*give"):
                 call()
 

@@ -49,6 +49,9 @@ class Long_work(unittest.TestCase):
         self.expect_end(lambda p: large.direction_field(4, progress=p))
         self.expect_end(lambda p: large.parametrize("spectral", progress=p))
         self.expect_end(lambda p: large.transport(0, [1, 0], progress=p))
+        handles, moves = [0, 400, 160000], np.eye(3)
+        self.expect_end(lambda p: large.deform(handles, moves, progress=p))
+        np.testing.assert_allclose(large.deform(handles, moves)[handles], moves, atol=1e-9)
         self.assertAlmostEqual(s.eigen(1)[0][0], 0)
         self.assertEqual(s.parametrize("lscm").status, "done")
 

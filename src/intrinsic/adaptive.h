@@ -11,14 +11,18 @@
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_operators/operators/residual_indicators.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -65,7 +69,7 @@ public:
   /// takes the time of the kernel from the edges of a triangulation before it is refined.
   Adaptive_problem(const Triangulation& t, const Adaptive_criteria& criteria)
       : source_(criteria.source), area_(total_area(t)) {
-    if (criteria.heat_time > 0) time_ = criteria.heat_time * std::pow(mean_edge_length(t), 2);
+    if (criteria.heat_time > 0) time_ = kernel_time(criteria.heat_time, mean_edge_length(t));
   }
 
   /// solves, and estimates the error in the L2 norm of every face.
@@ -84,6 +88,18 @@ public:
   }
 
 private:
+  // Above 1e8 areas, the kernel is constant but for rounding; below 1e-100 squares of the edges, it
+  // falls by powers of ten that doubles do not have.
+  double kernel_time(double heat_time, double edge) const {
+    const double greatest = 1e8 * std::max(area_ / (edge * edge), 1.);
+    if (heat_time >= 1e-100 && heat_time <= greatest) return heat_time * edge * edge;
+    std::ostringstream message;
+    message << "the heat time is " << heat_time << std::setprecision(2)
+            << "; give a number from 1e-100 to " << greatest
+            << " squares of the mean edge, after which heat has spread evenly";
+    throw IT::Invalid_input(IT::Element_kind::none, 0, message.str());
+  }
+
   std::uint32_t source_;
   double area_, time_ = 0;
 };
@@ -91,6 +107,7 @@ private:
 /*!
 \brief refines where the harmonic Green's function of a vertex, or its heat kernel, has large
 errors, and reports it.
+\throws Invalid_input if the time is out of range
 \throws std::runtime_error if there is no such function
 */
 template <class Triangulation>

@@ -15,8 +15,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -176,6 +178,28 @@ TEST(Surface_deformation, moves_nothing_where_there_is_no_handle) {
   }
   const IT::Surface_deformation none(t, Rows{}, Energy::biharmonic);
   EXPECT_EQ(none.displacements(Eigen::MatrixXd(0, 3)).norm(), 0);
+}
+
+struct Stopping {
+  int steps_to_go; ///< then it stops
+  bool progress(IT::Deformation_step) { return steps_to_go-- > 0; }
+};
+
+TEST(Surface_deformation, can_be_followed_and_cancelled) {
+  const Exact t(cube().input());
+  for (const Energy energy : {Energy::harmonic, Energy::biharmonic})
+    for (int steps = 0; steps < 3; ++steps) {
+      Stopping visitor{steps};
+      const IT::Surface_deformation d(t, Rows{0}, energy,
+                                      IT::parameters::visitor(std::ref(visitor)));
+      const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 3);
+      EXPECT_EQ(d.status(), steps < 2 ? IT::Status::cancelled : IT::Status::done);
+      if (steps < 2) {
+        EXPECT_THROW(d.displacements(one), std::logic_error);
+      } else {
+        EXPECT_LE((d.displacements(one).array() - 1).abs().maxCoeff(), 16 * epsilon);
+      }
+    }
 }
 
 TEST(Surface_deformation, refuses_what_makes_no_sense) {

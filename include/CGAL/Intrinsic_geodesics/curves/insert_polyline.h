@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -118,7 +119,7 @@ Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
   const auto& input = t.correspondence().input();
   std::vector<std::pair<Surface_point, Surface_point>> segments;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const auto in_common = internal::in_one_face(input, points[i], points[i + 1]);
+    const auto in_common = points_in_one_face(input, points[i], points[i + 1]);
     if (!in_common)
       throw Invalid_input(Element_kind::none, 0,
                           "points " + std::to_string(i) + " and " + std::to_string(i + 1) +

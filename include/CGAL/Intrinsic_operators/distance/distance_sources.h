@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -120,7 +121,7 @@ private:
     if (points.size() == 1) add(points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto in_common =
-          in_one_face(Intrinsic_view<Triangulation>(t_), points[i - 1], points[i]);
+          points_in_one_face(Intrinsic_view<Triangulation>(t_), points[i - 1], points[i]);
       if (!in_common)
         throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
                                     std::to_string(i) + " of a polyline are not in one face");

@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -14,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,6 +29,12 @@ enum class Deformation_energy {
   /// the integral of |grad d|^2: displacements stay within their range; cusps at single handles
   harmonic,
   biharmonic ///< the integral of (Laplacian d)^2: smooth at handles too
+};
+
+/// A long step before a deformation.
+enum class Deformation_step {
+  matrices, ///< the matrices are assembled
+  factored  ///< the operator is factored
 };
 
 namespace internal {
@@ -51,9 +60,13 @@ public:
   /*!
   \brief factors the operator.
   \tparam Triangulation a model of `MeasuredTriangulation`
+  \tparam NP a chain of named parameters
   \param t the triangulation; no reference to it is kept
   \param handles rows of the handles, repeated or not
   \param energy the energy to minimize
+  \param np optional named parameters:
+    - `visitor(v)`: `v.progress(step)` is called with a `Deformation_step` after each, and returns
+      whether to go on. If not, the `status()` is `cancelled`, and nothing can be deformed.
   \throws Invalid_input if a face has no area
   \throws std::invalid_argument if a row does not exist
   \throws Indefinite_matrix if rounding makes the matrix indefinite. If few handles (some tens) have
@@ -62,11 +75,14 @@ public:
   \complexity that of a sparse factorization, and of a solution per handle with free neighbours if
   these are few
   */
-  template <MeasuredTriangulation Triangulation>
+  template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
-                      Deformation_energy energy = Deformation_energy::biharmonic)
+                      Deformation_energy energy = Deformation_energy::biharmonic,
+                      const NP& np = parameters::default_values())
       : Surface_deformation(cotangent_laplacian(t), lumped_mass_matrix(t).diagonal(), handles,
-                            energy) {}
+                            energy, internal::progress_of(np)) {
+    internal::expect_names<internal::tags::visitor>(np);
+  }
 
   /*!
   \brief factors the operator of two matrices.
@@ -75,7 +91,12 @@ public:
   biharmonic energy needs it
   */
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
-                      std::span<const std::uint32_t> handles, Deformation_energy energy);
+                      std::span<const std::uint32_t> handles, Deformation_energy energy)
+      : Surface_deformation(laplacian, mass, handles, energy,
+                            [](Deformation_step) { return true; }) {}
+
+  /// returns `cancelled` if a visitor stopped the constructor, else `done`.
+  Status status() const { return status_; }
 
   /*!
   \brief moves the handles.
@@ -83,13 +104,18 @@ public:
   \return the displacements of all vertices
   \throws std::invalid_argument if there is not a row per handle, a number is not finite, or a
     handle that was given twice has two displacements
+  \throws std::logic_error if the constructor was stopped
   \complexity linear in the entries of the factor, for each column
   */
   Eigen::MatrixXd displacements(const Eigen::MatrixXd& displacements) const;
 
 private:
+  Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
+                      std::span<const std::uint32_t> handles, Deformation_energy energy,
+                      const std::function<bool(Deformation_step)>& progress);
   void factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass);
 
+  Status status_ = Status::done;
   std::vector<std::uint32_t> rows_; // handles, and what stays
   std::size_t handles_;
   Eigen::Index size_;

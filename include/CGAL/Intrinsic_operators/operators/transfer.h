@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_TRANSFER_H
 
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -13,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -23,7 +25,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
+#include <optional>
 #include <vector>
 
 /*!
@@ -106,7 +108,7 @@ public:
   \param s its common subdivision with the input
   \param direction the target of the functions
   \throws Invalid_input if the subdivision is too large for the index type of Eigen
-  \throws std::runtime_error if rounding makes the matrix indefinite
+  \throws Indefinite_matrix if rounding makes the matrix indefinite
   \complexity that of a sparse factorization
   */
   template <NumberedTriangulation Triangulation>
@@ -121,10 +123,7 @@ public:
     mass_ = weighted * Matrix(to);
     cross_ = weighted * Matrix(from);
     keep_values_without_area(s, back);
-    solver_.compute(mass_);
-    if (solver_.info() != Eigen::Success)
-      throw std::runtime_error("the mass matrix is not positive definite: areas at some vertices "
-                               "are as small as rounding errors");
+    factor();
   }
 
   /*!
@@ -135,7 +134,7 @@ public:
   template <class Derived>
   typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& f) const {
     const typename Derived::PlainObject right = cross_ * f;
-    return solver_.solve(right);
+    return solver_->solve(right);
   }
 
   /// returns Q^T M_S Q, the mass matrix of the target triangulation, with ones for vertices without
@@ -167,9 +166,21 @@ private:
     cross_ += internal::matrix_of(cross_.rows(), cross_.cols(), copies);
   }
 
+  // Off the diagonal the mass matrix is that of a Laplacian with negative weights, and sums of its
+  // rows are the rest, twice the diagonal. By the eigenvalues, a pivot is at least half a diagonal entry:
+  // subtractions cancel little, and solutions are as accurate as by Cholesky's method.
+  void factor() {
+    mass_.makeCompressed();
+    try {
+      solver_.emplace(mass_, mass_ * Eigen::VectorXd::Ones(mass_.cols()));
+    } catch (const Indefinite_matrix& error) {
+      throw Indefinite_matrix(error.row(), "areas at that vertex are as small as rounding errors");
+    }
+  }
+
   Matrix mass_;
   Matrix cross_;
-  Eigen::SimplicialLDLT<Matrix> solver_;
+  std::optional<Laplacian_factorization> solver_;
 };
 
 /*!

@@ -178,12 +178,15 @@ static bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
 Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& laplacian,
                                          const Eigen::VectorXd& mass,
                                          std::span<const std::uint32_t> handles,
-                                         Deformation_energy energy)
+                                         Deformation_energy energy,
+                                         const std::function<bool(Deformation_step)>& progress)
     : rows_(handles.begin(), handles.end()), handles_(handles.size()), size_(laplacian.rows()) {
   if (mass.size() != size_)
     throw std::invalid_argument("there must be a mass per row of the Laplacian");
   if (!mass.allFinite() || !(mass.array() >= 0).all())
     throw std::invalid_argument("masses must be finite and not negative");
+  status_ = Status::cancelled; // until all is done
+  if (!progress(Deformation_step::matrices)) return;
   const std::vector<std::uint32_t> component = components_of_matrix(laplacian);
   const std::vector<char> is_handle = internal::marked_rows(size_, handles);
   std::vector<char> has_none(is_handle.size(), 1);
@@ -194,6 +197,7 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
     solver_.emplace(laplacian, rows_);
   else
     factor_biharmonic(laplacian, mass);
+  if (progress(Deformation_step::factored)) status_ = Status::done;
 }
 
 // By handles if that is faster; also if the matrix is not definite and memory suffices.
@@ -223,6 +227,7 @@ void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& l
 }
 
 Eigen::MatrixXd Surface_deformation::displacements(const Eigen::MatrixXd& displacements) const {
+  if (status_ != Status::done) throw std::logic_error("the deformation was stopped; construct it");
   if (displacements.rows() != static_cast<Eigen::Index>(handles_))
     throw std::invalid_argument(
         "there must be a displacement per handle: " + std::to_string(handles_) + ", not " +
