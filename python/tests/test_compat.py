@@ -242,6 +242,21 @@ class Potpourri3d(unittest.TestCase):
                 pp3d.write_mesh(V, F, path[:-3] + "obj", np.zeros((size, 2)), kind)
             self.assertRaises(ValueError, pp3d.write_mesh, V, F, path[:-3] + "stl")
 
+    def test_what_is_not_there_says_what_to_use(self):
+        V, F = grid()
+        curves = [[(i, []) for i in range(4 * 9, 5 * 9)]]
+        cloud = pp3d.PointCloudHeatSolver(V)
+        signed = pp3d.MeshSignedHeatSolver(V, F)
+        for call in (lambda: cloud.compute_signed_distance([[0, 1]], V),
+                     lambda: signed.compute_distance(curves, level_set_constraint="Multiple"),
+                     lambda: signed.compute_distance(curves, soft_level_set_weight=1),
+                     lambda: signed.compute_distance(curves, preserve_source_normals=True),
+                     lambda: signed.compute_distance(curves, curve_signs=[False]),
+                     lambda: pp3d.PolygonMeshHeatSolver(V, F).compute_signed_distance(
+                         [[0, 1]], "None")):
+            with self.assertRaisesRegex(NotImplementedError, "; (give|leave|make) "):
+                call()
+
     def test_points(self):
         P = np.random.default_rng(7).random((200, 3)) * [1, 1, 0]
         solver = pp3d.PointCloudHeatSolver(P)

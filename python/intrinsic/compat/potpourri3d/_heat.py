@@ -66,7 +66,9 @@ class VectorHeat(HeatDistance):
 def expect_zero_set(level_set_constraint, soft_level_set_weight=-1, preserve_source_normals=False):
     """Checks options of signed distances: curves are at distance zero, whatever else is wanted."""
     if str(level_set_constraint).lower() != "zeroset" or soft_level_set_weight >= 0:
-        raise ValueError('the one constraint there is is "ZeroSet"')
+        raise NotImplementedError(
+            f"level_set_constraint is {level_set_constraint!r} with the weight "
+            f'{soft_level_set_weight}; give "ZeroSet" without a weight: curves are at zero')
     if preserve_source_normals:
-        raise ValueError("normals of curves diffuse with all others; leave "
-                         "preserve_source_normals out")
+        raise NotImplementedError("normals of curves diffuse with all others; leave "
+                                  "preserve_source_normals out")

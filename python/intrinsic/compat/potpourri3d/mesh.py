@@ -167,7 +167,8 @@ class MeshSignedHeatSolver(_WithElements, HeatDistance):
         the distance there is zero (the constraint "ZeroSet")."""
         expect_zero_set(level_set_constraint, soft_level_set_weight, preserve_source_normals)
         if len(curve_signs) and not all(curve_signs):
-            raise ValueError("all curves are signed; give the points of others as points")
+            raise NotImplementedError("curve_signs has a curve without a sign; give its points as "
+                                      "points, and curves with signs alone as curves")
         found = -self.surface.signed_distance([self._elements.curve(c) for c in curves],
                                               time_factor=self.t_coef)
         if len(points):

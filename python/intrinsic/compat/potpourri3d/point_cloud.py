@@ -21,6 +21,13 @@ class PointCloudHeatSolver(VectorHeat):
         """Returns the logarithmic map of a point, of shape (n, 2), in its axes X and Y."""
         return super().compute_log_map(p_ind)
 
+    def compute_signed_distance(self, curves, cloud_normals, preserve_source_normals=False,
+                                level_set_constraint="ZeroSet", soft_level_set_weight=-1):
+        """Is not there: the surface of a cloud has no sides."""
+        raise NotImplementedError(
+            "clouds of points have no signed distances; make a mesh of them for "
+            "MeshSignedHeatSolver, or take compute_distance_multisource() of the points of curves")
+
 
 class PointCloudLocalTriangulation:
     """The triangles of each point among its 30 neighbours. They are decided exactly, so that
