@@ -17,6 +17,7 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>

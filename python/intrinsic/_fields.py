@@ -273,6 +273,6 @@ class _Fields:
 
     def connection_laplacian(self, degree=1):
         """Returns the Laplacian of tangent vectors, a complex, Hermitian csr_matrix of shape
-        (n, n): in the polar coordinates of vertices, see `VectorField`, for powers of vectors that
-        are fields with `degree` directions. On a cover, it has a row for each copy of a vertex."""
+        (n, n): in the polar coordinates of vertices, see `VectorField`, for the powers of vectors
+        that stand for `degree` directions."""
         return _arrays.sparse(_core.connection_laplacian(self._flipped(), _degree(degree)))

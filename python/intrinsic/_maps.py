@@ -213,7 +213,8 @@ class _Maps:
 
     def eigen(self, k, *, progress=None):
         """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
-        the eigenfunctions, of shape (n, k), orthonormal in the mass matrix."""
+        the eigenfunctions, of shape (n, k), orthonormal in the mass matrix. There are at most as
+        many as vertices, and fewer are returned if `k` is larger."""
         count = _arrays.whole(k, "k", "the number of eigenfunctions")
         return _core.eigen(self._flipped(), count, progress)
 

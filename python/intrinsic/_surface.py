@@ -221,7 +221,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     def laplacian(self):
         """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix of shape (n, n).
 
-        It is positive semidefinite: minus that of libigl. It has a row for each vertex, empty if no
+        It is positive semidefinite: minus that of libigl. It has a row for each vertex, zero if no
         face has the vertex. Before `delaunay()` it is that
         of the Delaunay triangulation all the same, which has no negative weights inside.
         """

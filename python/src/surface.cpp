@@ -4,6 +4,7 @@
 #include "Surface.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
@@ -215,6 +216,19 @@ Surface_ptr read(const std::string& path, const std::string& domain,
   });
 }
 
+// Points, the corners of all faces, and where those of each face begin, as they are in a file.
+py::tuple read_polygons(const std::string& path) {
+  Watch watch;
+  IT::Polygon_soup soup = without_interpreter(watch, [&] { return IT::read_polygon_soup(path); });
+  std::vector<std::int64_t> corners, begins{0};
+  for (const std::vector<std::uint32_t>& face : soup.faces) {
+    corners.insert(corners.end(), face.begin(), face.end());
+    begins.push_back(static_cast<std::int64_t>(corners.size()));
+  }
+  return py::make_tuple(array_of(std::move(soup.points)), array_of(std::move(corners)),
+                        array_of(std::move(begins)));
+}
+
 void save(Surface& s, const std::string& path) {
   with_triangulation(
       s, [&](const auto& t) { IT::write_intrinsic_triangulation(std::filesystem::path(path), t); });
@@ -266,6 +280,7 @@ void bind_surface(py::module_& m) {
   m.def("triangles_at_points", &triangles_at_points);
   m.def("build_abstract", &build_abstract);
   m.def("read", &read);
+  m.def("read_polygons", &read_polygons);
   m.def("save", &save);
   m.def("dump", &dump);
   m.def("restore", &restore);

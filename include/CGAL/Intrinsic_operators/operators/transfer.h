@@ -166,8 +166,8 @@ private:
     cross_ += internal::matrix_of(cross_.rows(), cross_.cols(), copies);
   }
 
-  // Off the diagonal the mass matrix is that of a Laplacian with negative weights, and sums of its
-  // rows are the rest, twice the diagonal. By the eigenvalues, a pivot is at least half a diagonal entry:
+  // Off the diagonal the mass matrix is that of a Laplacian with negative weights; sums of its rows
+  // are the rest, twice the diagonal. By the eigenvalues, pivots are at least half the diagonal:
   // subtractions cancel little, and solutions are as accurate as by Cholesky's method.
   void factor() {
     mass_.makeCompressed();

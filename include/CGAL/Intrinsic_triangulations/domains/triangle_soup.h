@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGLE_SOUP_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/domains/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
@@ -40,6 +41,8 @@ public:
   // Whether faces are required, and whether they are read: otherwise the vertices are a point
   // cloud, and faces are not checked.
   bool needs_faces = true, takes_faces = true;
+  // Whether faces stay as they are, for `finish_polygons()`.
+  bool keeps_polygons = false;
 
   std::size_t number_of_vertices() const { return soup_.points.size(); }
   std::size_t number_of_faces() const { return soup_.input_faces; }
@@ -68,6 +71,8 @@ public:
 
   // Completes the soup; polygons are triangulated here.
   Triangle_soup finish();
+  // Returns what was added.
+  Polygon_soup finish_polygons();
 
 private:
   static constexpr std::size_t maximal_vertices = 4294967294U;
@@ -79,6 +84,7 @@ private:
                             const std::string& what) const;
 
   std::string out_of_range(std::size_t f, std::int64_t v) const;
+  void check_latest_reference() const;
 
   void check_reference(std::size_t f, std::int64_t v);
 
@@ -99,6 +105,7 @@ private:
   Nonplanar_polygons kind_;
   Triangle_soup soup_;
   Polygons polygons_;
+  std::vector<std::vector<std::uint32_t>> kept_; // if polygons are kept
   std::vector<std::int64_t> sorted_, corners_;
   bool has_names_ = false;
   std::int64_t latest_reference_ = -1;

@@ -2,62 +2,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes and of points."""
 
+import os
+
 import numpy as np
 
 import intrinsic
 from intrinsic import _arrays, _core
 
 
-def _polygon(triangles):
-    """Returns the corners of the polygon that triangles make up."""
-    sides = {(int(t[k]), int(t[(k + 1) % 3])) for t in triangles for k in range(3)}
-    after = {i: j for i, j in sides if (j, i) not in sides}
-    corners = [int(triangles[0][0])]
-    while after[corners[-1]] != corners[0]:
-        corners.append(after[corners[-1]])
-    return corners
-
-
-def _read_obj(filename):
-    """Reads the points and faces of a file .obj as they are there."""
-    points, faces = [], []
-    with open(filename, encoding="utf-8", errors="replace") as file:
-        for number, line in enumerate(file, 1):
-            words = line.split()
-            try:
-                if words[:1] == ["v"]:
-                    points.append([float(x) for x in words[1:4]])
-                elif words[:1] == ["f"]:
-                    corners = [int(word.split("/")[0]) for word in words[1:]]
-                    faces.append([c - 1 if c > 0 else len(points) + c for c in corners])
-            except ValueError as error:
-                raise ValueError(f"{filename}, line {number}: {line.strip()!r} has no numbers; "
-                                 "correct it") from error
-    points = _arrays.numbers(points, "points", (None, 3))
-    _arrays.polygons(faces, "faces", len(points))
-    return points, faces
-
-
 def read_polygon_mesh(filename):
-    """Returns the points of a mesh file, of shape (n, 3), and its faces as a list of lists.
-
-    Files .obj are taken as they are; in others, faces that repeat a vertex are left out."""
-    if str(filename).lower().endswith(".obj"):
-        return _read_obj(filename)
-    surface = intrinsic.read(filename)
-    triangles, polygons = _core.input_triangles(surface._core)
-    parts = np.split(triangles, np.flatnonzero(np.diff(polygons)) + 1)
-    return surface.points, [_polygon(part) for part in parts]
+    """Returns the points of a mesh file, of shape (n, 3), and its faces as a list of lists, as they
+    are there."""
+    points, corners, begins = _core.read_polygons(os.fspath(filename))
+    return points, [face.tolist() for face in np.split(corners, begins[1:-1])]
 
 
 def read_mesh(filename):
     """Returns the points of a mesh file, of shape (n, 3), and its faces, of shape (m, k)."""
-    points, faces = read_polygon_mesh(filename)
-    sizes = {len(face) for face in faces}
+    points, corners, begins = _core.read_polygons(os.fspath(filename))
+    sizes = np.unique(np.diff(begins)).tolist()
     if len(sizes) != 1:
-        raise ValueError(f"{filename} has faces with {sorted(sizes)} corners; "
-                         "read_polygon_mesh() reads it")
-    return points, np.array(faces)
+        raise ValueError(f"{filename} has faces with {sizes} corners; read_polygon_mesh() reads it")
+    return points, corners.reshape(-1, sizes[0])
 
 
 def read_point_cloud(filename):

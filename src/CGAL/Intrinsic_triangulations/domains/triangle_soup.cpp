@@ -43,14 +43,28 @@ void Soup_builder::add_face(const std::vector<std::int64_t>& face) {
   for (const std::int64_t v : face) check_reference(f, v);
   if (soup_.triangles.size() + face.size() - 2 > maximal_triangles)
     fail(Element_kind::face, f, "the file has more than 715827881 triangles; split the mesh");
-  append(f, without_lines(face));
+  if (keeps_polygons)
+    kept_.emplace_back(face.begin(), face.end());
+  else
+    append(f, without_lines(face));
   ++soup_.input_faces;
 }
 
-Triangle_soup Soup_builder::finish() {
+void Soup_builder::check_latest_reference() const {
   if (latest_reference_ >= std::int64_t(soup_.points.size()) && soup_.input_faces != 0)
     fail_at(latest_line_, Element_kind::face, latest_face_,
             out_of_range(latest_face_, latest_reference_));
+}
+
+Polygon_soup Soup_builder::finish_polygons() {
+  check_latest_reference();
+  if (soup_.points.empty())
+    fail_at(0, Element_kind::none, 0, "the file has no points; get a complete copy");
+  return {std::move(soup_.points), std::move(kept_)};
+}
+
+Triangle_soup Soup_builder::finish() {
+  check_latest_reference();
   if (!takes_faces) soup_.input_faces = 0;
   if (soup_.input_faces == 0 && needs_faces)
     fail_at(0, Element_kind::none, 0,

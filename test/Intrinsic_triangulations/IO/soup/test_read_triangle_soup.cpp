@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 
 #include "refusals.h"
@@ -34,6 +35,8 @@ using CGAL::Intrinsic_triangulations::Invalid_input;
 using CGAL::Intrinsic_triangulations::mesh_extensions;
 using CGAL::Intrinsic_triangulations::Nonplanar_polygons;
 using CGAL::Intrinsic_triangulations::point_set_extensions;
+using CGAL::Intrinsic_triangulations::Polygon_soup;
+using CGAL::Intrinsic_triangulations::read_polygon_soup;
 using CGAL::Intrinsic_triangulations::read_triangle_soup;
 using CGAL::Intrinsic_triangulations::Triangle_soup;
 
@@ -483,6 +486,26 @@ TEST_F(Read_triangle_soup, what_of_faces_has_no_area_as_they_repeat_a_vertex_is_
       read("d.stl", binary_stl({{0, 0, 0, 1, 0, 0, 1, 0, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}}, 2));
   EXPECT_EQ(stl.triangles, (Triangles{{0, 1, 2}}));
   EXPECT_EQ(stl.polygon_of_triangle, (Numbers{1}));
+}
+
+TEST_F(Read_triangle_soup, polygons_are_read_as_they_are) {
+  const auto expect_faces = [&](const std::string& name, const std::string& content) {
+    const Polygon_soup soup = read_polygon_soup(file(name, content));
+    EXPECT_EQ(soup.points.size(), 5U) << name;
+    EXPECT_EQ(soup.points[4], (std::array<double, 3>{0, 0, 1})) << name;
+    EXPECT_EQ(soup.faces,
+              (std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}, {3, 3, 4}, {4, 1, 0}}))
+        << name;
+  };
+  expect_faces("p.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n"
+                        "4 0 1 2 3\n3 3 3 4\n3 4 1 0\n");
+  expect_faces("p.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3/7 4//2\nv 1 1 0\nv 0 1 0\nv 0 0 1\n"
+                        "f 4 4 5\nf -1 -4 -5\n");
+  EXPECT_TRUE(read_polygon_soup(file("q.off", "OFF\n1 0 0\n0 0 1\n")).faces.empty());
+  EXPECT_THROW(read_polygon_soup(file("r.obj", "v 0 0 0\nf 1 1 2\n")), Invalid_input);
+  EXPECT_THROW(read_polygon_soup(file("s.off", "OFF\n2 1 0\n0 0 1\n1 1 1\n2 0 1\n")),
+               Invalid_input);
+  EXPECT_THROW(read_polygon_soup("none.off"), Invalid_input);
 }
 
 TEST_F(Read_triangle_soup, points_are_read_from_lists_and_from_files_without_faces) {

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
@@ -78,6 +79,32 @@ void scan_mesh_file(const std::string& filename, std::uintmax_t size, Soup_build
            std::string(point_set_extensions.front()));
 }
 
+// Scans a file, and returns what `finish` makes of it.
+template <class Finish>
+auto scanned(const std::string& filename, Soup_builder& out, const Finish& finish) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(filename, error);
+  if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");
+  if (std::filesystem::is_directory(status))
+    out.fail("this is a directory; name a mesh file in it");
+  const bool regular = std::filesystem::is_regular_file(status);
+  const std::uintmax_t size = regular ? std::filesystem::file_size(filename, error) : 0;
+  if (error)
+    out.fail("the file cannot be examined (" + error.message() + "); check its permissions");
+  if (regular && size == 0) out.fail("the file is empty; get a complete copy");
+  try {
+    scan_mesh_file(filename, size, out);
+    return finish();
+  } catch (const Buffered_input::Line_too_long& found) {
+    out.line = found.line;
+    out.fail(found.message);
+  } catch (const std::bad_alloc&) {
+    out.line = 0;
+    out.fail(
+        "there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
+  }
+}
+
 } // namespace
 } // namespace internal
 
@@ -90,27 +117,13 @@ Triangle_soup read_triangle_soup(const std::string& filename, Nonplanar_polygons
   internal::Soup_builder out(filename, polygons);
   out.needs_faces = faces == File_faces::needed;
   out.takes_faces = faces != File_faces::ignored;
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(filename, error);
-  if (!std::filesystem::exists(status)) out.fail("the file does not exist; check the name");
-  if (std::filesystem::is_directory(status))
-    out.fail("this is a directory; name a mesh file in it");
-  const bool regular = std::filesystem::is_regular_file(status);
-  const std::uintmax_t size = regular ? std::filesystem::file_size(filename, error) : 0;
-  if (error)
-    out.fail("the file cannot be examined (" + error.message() + "); check its permissions");
-  if (regular && size == 0) out.fail("the file is empty; get a complete copy");
-  try {
-    internal::scan_mesh_file(filename, size, out);
-    return out.finish();
-  } catch (const internal::Buffered_input::Line_too_long& found) {
-    out.line = found.line;
-    out.fail(found.message);
-  } catch (const std::bad_alloc&) {
-    out.line = 0;
-    out.fail(
-        "there is not enough memory to read the mesh; use a machine with more, or a smaller mesh");
-  }
+  return internal::scanned(filename, out, [&] { return out.finish(); });
+}
+
+Polygon_soup read_polygon_soup(const std::string& filename) {
+  internal::Soup_builder out(filename);
+  out.keeps_polygons = true;
+  return internal::scanned(filename, out, [&] { return out.finish_polygons(); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations
