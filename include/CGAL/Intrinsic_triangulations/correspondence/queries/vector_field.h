@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_VECTOR_FIELD_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -40,13 +41,12 @@ template <class Source>
 std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
                                       const Source& source) {
   const auto [ij, jk, ki] = sides_of_face(input, v.halfedge);
-  const auto i = source(ij), j = source(jk), k = source(ki);
+  const std::array<double, 3> i = source(ij), j = source(jk), k = source(ki);
   std::array<double, 3> e, f;
   double ee = 0, ef = 0, ff = 0;
-  for (int c = 0; c < 3; ++c) {
-    const auto n = static_cast<std::size_t>(c);
-    e[n] = j[c] - i[c];
-    f[n] = k[c] - i[c];
+  for (std::size_t n = 0; n < 3; ++n) {
+    e[n] = j[n] - i[n];
+    f[n] = k[n] - i[n];
     ee += e[n] * e[n];
     ef += e[n] * f[n];
   }
@@ -94,25 +94,16 @@ struct Placed_input {
   }
 };
 
-// A functor that tells where halfedges of the input start on the mesh.
+// Where the vertices of a mesh are, by their numbers.
 template <class Mesh>
-auto sources_on_mesh(const Input& input, const Mesh& mesh) {
-  return [named = Named_mesh_elements<Mesh>(input, mesh)](std::uint32_t h) {
-    return named.point({h, {1, 0, 0}});
-  };
-}
-
-// The vectors at vertices in space. `source(h)` is where a halfedge of the input starts.
-template <class Source>
-std::vector<std::array<double, 3>> vertex_vectors_in_space(const Vertex_sectors& sectors,
-                                                           const Tangent_field& field,
-                                                           const Source& source) {
-  expect_size(field, sectors.size());
-  std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
-  sectors.for_each(field, [&](std::size_t i, const Input_vector& v) {
-    result[i] = vector_in_space(sectors.input(), v, source);
-  });
-  return result;
+std::vector<std::array<double, 3>> numbered_points(const Input& input, const Mesh& mesh) {
+  const Mesh_adaptor<Mesh> number(mesh);
+  check_is_mesh_of(input, number.vertex_capacity(mesh));
+  std::vector<std::array<double, 3>> points(number.vertex_capacity(mesh));
+  const auto map = Mesh_adaptor<Mesh>::point_map(mesh);
+  for (const auto v : vertices(mesh))
+    points[number.vertex(v)] = Mesh_adaptor<Mesh>::coordinates(get(map, v));
+  return points;
 }
 
 // The vectors at the centres of the faces of the common subdivision, in space. `source(h)` is where
@@ -166,8 +157,7 @@ ones included.
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>> vectors_in_space(const Triangulation& t,
                                                     const Tangent_field& field, const Mesh& mesh) {
-  return internal::vertex_vectors_in_space(Vertex_sectors(t), field,
-                                           internal::sources_on_mesh(t.input(), mesh));
+  return Vertex_sectors(t, internal::numbered_points(t.input(), mesh)).in_space(field);
 }
 
 /*!
@@ -183,7 +173,7 @@ template <QueriedTriangulation Triangulation>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field,
                  const std::vector<std::array<double, 3>>& points) {
-  return Vertex_sectors(t).in_space(field, points);
+  return Vertex_sectors(t, points).in_space(field);
 }
 
 /*!
@@ -207,7 +197,8 @@ template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 std::vector<std::array<double, 3>>
 vectors_in_space(const Triangulation& t, const Tangent_field& field, const Common_subdivision& s,
                  const Mesh& mesh, unsigned degree = 1) {
-  return internal::face_vectors_in_space(t, field, s, internal::sources_on_mesh(t.input(), mesh),
+  const std::vector<std::array<double, 3>> points = internal::numbered_points(t.input(), mesh);
+  return internal::face_vectors_in_space(t, field, s, internal::Placed_input{t.input(), points},
                                          positions(s, mesh), degree);
 }
 

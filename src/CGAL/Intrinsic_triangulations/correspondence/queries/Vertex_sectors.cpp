@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -84,10 +85,20 @@ Input_vector Vertex_sectors::on_input(const Fan& fan, std::complex<double> z) co
   return {sector->halfedge, {length * std::cos(turn), length * std::sin(turn)}};
 }
 
-std::vector<std::array<double, 3>>
-Vertex_sectors::in_space(const Tangent_field& field,
-                         std::span<const std::array<double, 3>> points) const {
-  return internal::vertex_vectors_in_space(*this, field, internal::Placed_input{*input_, points});
+void Vertex_sectors::place(std::span<const std::array<double, 3>> points) {
+  points_.reserve(input_->number_of_vertices());
+  for (std::uint32_t v = 0; v < input_->number_of_vertices(); ++v)
+    points_.push_back(points[input_->names().row(v)]);
+}
+
+std::vector<std::array<double, 3>> Vertex_sectors::in_space(const Tangent_field& field) const {
+  internal::expect_size(field, size());
+  std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
+  const auto source = [this](std::uint32_t h) { return points_[input_->source(h)]; };
+  for (const Fan& fan : fans_)
+    result[fan.vertex] =
+        internal::vector_in_space(*input_, on_input(fan, field[fan.vertex]), source);
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations
