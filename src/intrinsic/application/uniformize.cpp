@@ -156,7 +156,7 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
   computed.json["flipped_faces"] = s.layout.flipped_faces;
   if (writes_shape(options)) { // vertices move to the sphere
     computed.displacements = Eigen::MatrixXd::Zero(ideal.number_of_vertices(), 3);
-    for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t v = 0; v < ideal.number_of_vertices(); ++v) // without inserted ones
       for (std::size_t c = 0; c < 3; ++c)
         computed.displacements(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(c)) =
             s.layout.positions[v][c] - points[v][c];

@@ -33,7 +33,7 @@ struct Ideal_face {
   std::array<int, 3> rows;            // of the corners
   std::array<std::uint32_t, 3> edges; // of the sides, by their numbers
   std::array<double, 3> lambda;       // of the sides, scaled
-  std::array<double, 3> surplus;      // of the sides, with the digits that needles lose in `surpluses()`
+  std::array<double, 3> surplus; // of the sides, with digits that needles lose in `surpluses()`
 
   // of the Euclidean triangle; zero if there is none
   double area() const;
