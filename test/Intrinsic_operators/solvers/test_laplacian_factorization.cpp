@@ -143,6 +143,28 @@ TEST(Laplacian_factorization, of_a_wheel_takes_few_operations) {
   EXPECT_LE((x - d).cwiseAbs().maxCoeff(), 1e3 * epsilon);
 }
 
+// The sum of the numbers of the hub's neighbours is more than an `int` holds, where Eigen's
+// ordering reads and writes beyond its arrays.
+TEST(Laplacian_factorization, of_a_hub_in_a_large_matrix_solves) {
+  constexpr int size = 400000, leaves = 6000;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = size - leaves; i < size; ++i) {
+    entries.emplace_back(0, i, -1);
+    entries.emplace_back(i, 0, -1);
+  }
+  Matrix l(size, size); // no diagonal: it is not read
+  l.setFromTriplets(entries.begin(), entries.end());
+  // of 1 at the hub, and of 2 = 1 + 1 at leaves: x_leaf = (b_leaf + x_hub) / 2
+  const IT::Laplacian_factorization factored(l, Eigen::VectorXd::Ones(size));
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+  b[0] = 1;
+  const Eigen::VectorXd x = factored.solve(b);
+  const double hub = 1 / (1 + leaves / 2.); // (1 + leaves) x_hub - leaves x_leaf = 1
+  EXPECT_NEAR(x[0], hub, 1e-15);
+  EXPECT_NEAR(x[size - 1], hub / 2, 1e-15);
+  EXPECT_EQ(x[1], 0);
+}
+
 TEST(Laplacian_factorization, of_both_is_that_of_each) {
   std::mt19937 random(4);
   for (const auto& [size, edges] : {std::pair{1, 0}, {30, 40}, {200, 700}, {3000, 7000}}) {

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_operators/solvers/Multifrontal_elimination.h>
 #include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/minimum_degree_order.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -78,10 +79,13 @@ private:
 
 // Reads protected members of Eigen's class.
 template <class Matrix>
-class Readable_cholesky : public Eigen::SimplicialLDLT<Matrix> {
+class Readable_cholesky
+    : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Minimum_degree_ordering> {
+  using Base = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Minimum_degree_ordering>;
+
 public:
   using Scalar = typename Matrix::Scalar;
-  using Eigen::SimplicialLDLT<Matrix>::SimplicialLDLT;
+  using Base::Base;
 
   template <class Visit>
   void for_each_pivot(const Visit& visit) const {

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/minimum_degree_order.h>
 
-#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -73,8 +73,6 @@ struct Symbolic_factorization {
 
 private:
   template <class Scalar>
-  static std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a);
-  template <class Scalar>
   void find_entries(const Eigen::SparseMatrix<Scalar>& a);
   void find_supernodes();
   template <class Visit>
@@ -100,14 +98,6 @@ bool has_symmetric_pattern(const Eigen::SparseMatrix<Scalar>& a) {
       ++mirror;
     }
   return true;
-}
-
-template <class Scalar>
-std::vector<int>
-Symbolic_factorization::minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a) {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  if (a.cols() > 0) Eigen::AMDOrdering<int>()(a.template selfadjointView<Eigen::Lower>(), order);
-  return {order.indices().data(), order.indices().data() + order.indices().size()};
 }
 
 template <class Scalar>
