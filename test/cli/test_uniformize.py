@@ -78,6 +78,16 @@ class Uniformize(Cli_test):
         _, other = self.scale(mesh, "--cones", file, "--start", "input")
         self.assertLess(max(abs(x - y) for x, y in zip(u, other)), 0.1)
 
+    def test_cones_of_clouds_have_the_curvature_of_all_sheets(self):
+        for n in range(40, 46):  # spirals; their covers have shares of faces of all kinds
+            z = [1 - (2 * i + 1) / n for i in range(n)]
+            points = [(math.sqrt(1 - x * x) * math.cos(2.4 * i),
+                       math.sqrt(1 - x * x) * math.sin(2.4 * i), x) for i, x in enumerate(z)]
+            cloud = self.write_off("c.off", points, [])
+            result = self.scale(cloud, "--domain", "points", "--cones", "6")[0]["conformal"]
+            self.assertEqual((result["status"], result["cones"]), ("done", 6))
+            self.assertLess(result["proven_residual"], 1e-9)
+
     def test_planar_disks_stay_as_they_are(self):
         points, faces = grid(5)
         stats, u = self.scale(self.write_off("g.off", points, faces))
@@ -188,6 +198,21 @@ class Uniformize(Cli_test):
             self.assertLess(abs(math.hypot(*p) - 1), 1e-12)
         result = self.layout(mesh, "--target", "plane", "--cones", "3")[0]
         self.assertEqual((result["target"], result["cones"]), ("plane", 3))
+
+    def test_stored_refined_spheres_become_round(self):
+        points, faces = icosphere(1)
+        mesh = self.write_off("s.off", [(x, y, 3 * z) for x, y, z in points], faces)
+        self.stats("refine", mesh, "--max-circumradius", "0.2", "-o", "r.idt")
+        for name in ("x.obj", "x.off", "x.vtp"):
+            result = self.stats("uniformize", "r.idt", "-o", name, "--view", "x.html")["conformal"]
+            self.assertEqual((result["status"], result["target"]), ("done", "sphere"))
+        for p in read_obj(self.path("x.obj"))[0][:len(points)]:
+            self.assertLess(abs(math.hypot(*p) - 1), 1e-12)
+
+    def test_covers_with_border_name_the_remedy(self):
+        mesh = self.write_off("g.off", *grid(3))
+        self.assert_fails(self.run_program("uniformize", mesh, "--domain", "orientation-cover"),
+                          "g.off", "--domain closed")
 
     def disk(self, mesh, *arguments):
         """The statistics of a layout in the disk, and the places of the pieces."""

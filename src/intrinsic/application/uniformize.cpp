@@ -172,18 +172,45 @@ bool has_inserted(const Triangulation& t) {
 
 // The surface, or the double of one with border that was stored, on which results go by the same
 // vertices.
+// \throws Invalid_input if a cover has a border
 template <class Triangulation, class Function>
 Computed with_closed(const Triangulation& t, const Function& function) {
-  if (IT::boundary_loops(t.mesh()).empty() || t.input().names().sheets != 1) return function(t);
+  if (IT::boundary_loops(t.mesh()).empty()) return function(t);
+  if (t.input().names().sheets != 1)
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            "the cover has a border; close it with --domain closed");
   Triangulation closed(double_of(t.input()));
   IT::flip_to_delaunay(closed);
   return function(closed);
 }
 
+// The number of places where edges of a triangulation cross those of its input.
+template <class Triangulation>
+std::uint64_t number_of_crossings(const Triangulation& t) {
+  std::uint64_t number = 0;
+  for (const auto e : edges(t.mesh()))
+    number +=
+        static_cast<std::uint64_t>(IT::crossings(t.correspondence().normal_coordinate(t.index(e))));
+  return number;
+}
+
+// Pieces of a layout are about as many as crossings; each needs up to a kilobyte on the way.
+template <class Triangulation, class Ideal>
+void announce_size(const Triangulation& t, const Ideal& ideal, bool starts_from_input,
+                   Progress& progress) {
+  constexpr std::uint64_t many = 1'000'000;
+  const std::uint64_t all =
+      number_of_crossings(ideal) + (starts_from_input ? 0 : number_of_crossings(t));
+  if (all >= many)
+    progress.warn("edges cross at " + std::to_string(all) +
+                  " places; a layout with as many pieces takes long and much memory, scale "
+                  "factors alone, in a file .txt, do not");
+}
+
 // \param is_laid_out whether the result has a layout
 template <class Triangulation>
 Computed uniformized(const Triangulation& t, const Points& points, const Options& given,
-                     bool is_laid_out) {
+                     bool is_laid_out, Progress& progress) {
   using Traits =
       std::conditional_t<Triangulation::Metric::is_exact, IT::Exact_ideal_hyperbolic_traits,
                          IT::Ideal_hyperbolic_traits<double>>;
@@ -215,11 +242,14 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
     computed.json["period"] = {torus->period.real(), torus->period.imag()};
   }
   if (is_laid_out) {
-    IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors, angles,
-                                                   t.input().names(), is_hyperbolic);
-    if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
-    computed.laid_out =
-        shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points, computed.json);
+    announce_size(t, ideal, asked.start == "input", progress);
+    computed.laid_out = expect_reached(m, [&] {
+      IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors,
+                                                     angles, t.input().names(), is_hyperbolic);
+      if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
+      return shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points,
+                          computed.json);
+    });
   }
   report_scale(computed);
   return computed;
@@ -236,9 +266,10 @@ Options closed(const Options& given) {
 
 void run_uniformize(const Options& given) {
   const Options options = closed(given);
-  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
-    Computed computed = with_closed(
-        t, [&](const auto& s) { return uniformized(s, points, options, writes_shape(options)); });
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress& progress) {
+    Computed computed = with_closed(t, [&](const auto& s) {
+      return uniformized(s, points, options, writes_shape(options), progress);
+    });
     computed.is_of_input = has_inserted(t);
     return computed;
   });
@@ -247,14 +278,15 @@ void run_uniformize(const Options& given) {
 void run_conformal_map(const Options& given) {
   Options options = closed(given);
   options.uniformize.target = "plane";
-  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress& progress) {
     if (has_inserted(t))
       throw IT::Invalid_input(IT::Element_kind::none, 0,
                               "--method conformal maps the vertices of the file, and others were "
                               "inserted; start from the mesh");
     expect_disks(t.input());
     return map_of_disks(
-        with_closed(t, [&](const auto& s) { return uniformized(s, points, options, true); }),
+        with_closed(t,
+                    [&](const auto& s) { return uniformized(s, points, options, true, progress); }),
         t.input(), points, options.application.on == "input");
   });
 }

@@ -50,7 +50,9 @@ surface, and \f$K^T\f$ that of the cones so far, with the rest spread over the s
 cone is where |u| is largest (Ben-Chen, Gotsman and Bunin, Conformal flattening by curvature
 prescription and metric scaling, 2008). Angles are multiples of a quarter turn, so that layouts fit
 together across cuts by quarter turns: \f$3\pi/2\f$ where u is negative, as at the tips of fingers,
-\f$5\pi/2\f$ where it is positive, and others where their sum demands it.
+\f$5\pi/2\f$ where it is positive, and others where their sum demands it. On the cover of a cloud
+of points, whose sheets share faces, the curvature may be no multiple of a quarter turn; then the
+last cone has an angle that is none.
 
 \tparam Triangulation see `conformal_metric()`
 \param t the triangulation, which becomes ideal Delaunay with all scale factors 1

@@ -76,9 +76,8 @@ std::optional<double> proven_residual(const Ideal_surface& surface, const Prescr
   const std::optional<std::vector<Enclosed_ideal_face>> faces = surface.enclosures();
   if (!faces) return std::nullopt;
   const std::vector<std::uint32_t>& rows = surface.row_of_vertex();
-  std::vector<Angle_interval> sum(rows.size(), 0);
-  std::vector<double> copies(angles.size(), 0);
-  std::vector<char> has_faces(rows.size(), 0);
+  std::vector<Angle_interval> sum(angles.size(), 0); // on all sheets
+  std::vector<char> has_faces(angles.size(), 0);
   const double unit = std::ldexp(1., -surface.scale_exponent());
   for (const Enclosed_ideal_face& f : *faces) {
     std::array<Angle_interval, 3> sides, surplus; // opposite the corners
@@ -90,17 +89,15 @@ std::optional<double> proven_residual(const Ideal_surface& surface, const Prescr
                                                     ? enclosed_hyperbolic_angles(sides, surplus)
                                                     : enclosed_angles(sides, surplus);
     for (std::size_t k = 0; k < 3; ++k) {
-      sum[f.vertices[k]] += angle[k];
-      has_faces[f.vertices[k]] = 1;
+      sum[rows[f.vertices[k]]] += angle[k];
+      has_faces[rows[f.vertices[k]]] = 1;
     }
   }
-  for (std::size_t v = 0; v < rows.size(); ++v) copies[rows[v]] += has_faces[v];
   double largest = 0;
-  for (std::size_t v = 0; v < rows.size(); ++v) {
-    if (has_faces[v] == 0 || angles.is_free(rows[v])) continue;
-    // a vertex on the border of a doubled surface has two halves of its angle
-    const Angle_interval halves = Angle_interval(surface.sheets()) / copies[rows[v]];
-    const Angle_interval error = sum[v] / halves - prescribed(angles, rows[v]);
+  for (std::size_t row = 0; row < angles.size(); ++row) {
+    if (has_faces[row] == 0 || angles.is_free(row)) continue;
+    const Angle_interval error =
+        sum[row] / static_cast<double>(surface.sheets()) - prescribed(angles, row);
     largest = std::max({largest, error.sup(), -error.inf()});
   }
   return largest;

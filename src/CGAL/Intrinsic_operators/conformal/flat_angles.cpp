@@ -40,7 +40,8 @@ private:
   struct Component {
     std::size_t first = 0; // a vertex
     long vertices = 0;     // that are not free
-    long rest = 0;         // of the curvature, for the cones to come
+    long rest = 0;         // of the curvature, for the cones to come; rounded up
+    long surplus = 0;      // of `rest`, in shares of a sheet; the last cone leaves it out
     bool has_free = false; // then there is no sum to keep
     double area = 0;       // of vertices that are no cones
   };
@@ -53,11 +54,13 @@ private:
 
   void find_areas(const std::vector<Ideal_face>& faces);
   static long least_number(const Component& c);
+  static bool is_flat(const Component& c) { return c.rest == 0 && c.surplus == 0; }
+  std::string curvature(const Component& c) const;
   void expect_possible(const Component& c) const;
   std::vector<Extremes> find_extremes();
   Eigen::VectorXd missing_curvature() const;
   long next_curvature(const Component& c, const Extremes& e, long cones) const;
-  void add_cone(Component& c, std::size_t row, long curvature);
+  void add_cone(Component& c, std::size_t row, long curvature, bool is_last);
 
   Ideal_surface& surface_;
   long number_;
@@ -77,8 +80,12 @@ Cone_placer::Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_
   components_ = components_of(faces, surface_.number_of_rows());
   component_.resize(components_.faces.size());
   is_chosen_.resize(angles_.size(), 1);
-  for (std::size_t c = 0; c < component_.size(); ++c)
-    component_[c].rest = -2 * static_cast<long>(components_.faces[c] / surface_.sheets());
+  const long sheets = surface_.sheets();
+  for (std::size_t c = 0; c < component_.size(); ++c) { // sheets of a cloud share faces
+    const long halves = 2 * static_cast<long>(components_.faces[c]);
+    component_[c].rest = -(halves / sheets);
+    component_[c].surplus = halves % sheets;
+  }
   for (std::size_t r = angles_.size(); r-- > 0;)
     if (const std::uint32_t i = components_.of_row[r]; i != Gluing::none) {
       component_[i].first = r;
@@ -105,12 +112,12 @@ void Cone_placer::find_areas(const std::vector<Ideal_face>& faces) {
 // Of those with other angles; none at all is possible besides if there is no curvature.
 long Cone_placer::least_number(const Component& c) {
   if (c.has_free) return 0;
-  return c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 ? 1 : 2;
+  return c.rest > 0 ? (c.rest + 2) / 3 : c.rest < 0 || c.surplus > 0 ? 1 : 2;
 }
 
 bool Cone_placer::needs_none() const {
   return std::ranges::all_of(component_,
-                             [](const Component& c) { return c.has_free || c.rest == 0; });
+                             [](const Component& c) { return c.has_free || is_flat(c); });
 }
 
 long Cone_placer::least_number() const {
@@ -140,6 +147,13 @@ double Cone_placer::range_of_scale() {
   return largest;
 }
 
+// In words.
+std::string Cone_placer::curvature(const Component& c) const {
+  if (c.surplus == 0) return std::to_string(c.rest) + " pi/2";
+  const long sheets = surface_.sheets();
+  return std::to_string(c.rest * sheets - c.surplus) + "/" + std::to_string(sheets) + " pi/2";
+}
+
 void Cone_placer::expect_possible(const Component& c) const {
   const std::string of = "the component of vertex " + std::to_string(c.first);
   if (c.vertices < number_)
@@ -147,12 +161,11 @@ void Cone_placer::expect_possible(const Component& c) const {
                         of + " has only " + std::to_string(c.vertices) + " vertices for " +
                             std::to_string(number_) + " cones; place fewer");
   const long least = least_number(c);
-  if (number_ >= least || (c.rest == 0 && number_ == 0)) return;
+  if (number_ >= least || (is_flat(c) && number_ == 0)) return;
   throw Invalid_input(Element_kind::vertex, c.first,
                       of + " cannot be flat with " + std::to_string(number_) +
-                          " cones, whose curvature sums to " + std::to_string(c.rest) +
-                          " pi/2; place at least " + std::to_string(least) +
-                          (c.rest == 0 ? ", or none" : ""));
+                          " cones, whose curvature sums to " + curvature(c) + "; place at least " +
+                          std::to_string(least) + (is_flat(c) ? ", or none" : ""));
 }
 
 Eigen::VectorXd Cone_placer::missing_curvature() const {
@@ -164,7 +177,9 @@ Eigen::VectorXd Cone_placer::missing_curvature() const {
     const Component& c = component_[components_.of_row[r]];
     result[i] = system_->angle_sums()[i] - sheets * angles_.radians(r);
     if (is_chosen_[r] == 0 && !c.has_free && c.area > 0)
-      result[i] += sheets * quarter_turn * static_cast<double>(c.rest) * (area_[r] / c.area);
+      result[i] += quarter_turn *
+                   (sheets * static_cast<double>(c.rest) - static_cast<double>(c.surplus)) *
+                   (area_[r] / c.area);
   }
   return result;
 }
@@ -173,14 +188,18 @@ Eigen::VectorXd Cone_placer::missing_curvature() const {
 long Cone_placer::next_curvature(const Component& c, const Extremes& e, long cones) const {
   const long wanted = e.u[1] > -e.u[0] ? -1 : 1;
   if (c.has_free) return wanted;
+  if (cones == 1) return c.rest;
   const long size = std::abs(c.rest);
   if (size >= cones) return (c.rest > 0 ? 1 : -1) * ((size + cones - 1) / cones);
   // one cone cannot make up for nothing
-  return cones == 2 && c.rest == wanted ? -wanted : wanted;
+  return cones == 2 && c.surplus == 0 && c.rest == wanted ? -wanted : wanted;
 }
 
-void Cone_placer::add_cone(Component& c, std::size_t row, long curvature) {
-  angles_.set(row, Multiple_of_pi{4 - curvature, 2});
+void Cone_placer::add_cone(Component& c, std::size_t row, long curvature, bool is_last) {
+  const long sheets = surface_.sheets();
+  angles_.set(row, is_last && c.surplus > 0 && !c.has_free
+                       ? Multiple_of_pi{(4 - curvature) * sheets + c.surplus, 2 * sheets}
+                       : Multiple_of_pi{4 - curvature, 2});
   is_chosen_[row] = 1;
   c.rest -= curvature;
   c.area -= area_[row];
@@ -211,7 +230,7 @@ void Cone_placer::place() {
     const std::vector<Extremes> extremes = find_extremes();
     for (std::size_t i = 0; i < component_.size(); ++i) {
       const long curvature = next_curvature(component_[i], extremes[i], cones);
-      add_cone(component_[i], extremes[i].row[curvature > 0 ? 0 : 1], curvature);
+      add_cone(component_[i], extremes[i].row[curvature > 0 ? 0 : 1], curvature, cones == 1);
     }
   }
 }
@@ -251,9 +270,12 @@ void place_cones_within(Ideal_surface& surface, double ratio, Prescribed_angles&
     if (range <= std::log(ratio)) return;
     best = std::min(best, range);
   }
+  const std::string range = "no number of cones keeps scales within a ratio of ";
   throw Invalid_input(Element_kind::none, 0,
-                      "no number of cones keeps scales within a ratio of " + std::to_string(ratio) +
-                          "; allow at least " + std::to_string(std::exp(best)));
+                      std::isfinite(std::exp(best))
+                          ? range + std::to_string(ratio) + "; allow at least " +
+                                std::to_string(std::exp(best))
+                          : range + "doubles; vertices may nearly coincide, merge them");
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
