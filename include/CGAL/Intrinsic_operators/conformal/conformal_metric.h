@@ -35,7 +35,8 @@ struct Conformal_metric {
   unsigned iterations = 0;
   /// Flips in all.
   std::size_t flips = 0;
-  /// The largest difference between an angle and the prescribed one, in radians, in doubles.
+  /// The largest difference between an angle and the prescribed one, in radians, in doubles. On a
+  /// cover the angle is that of all copies of a vertex, divided by the number of sheets.
   double residual = std::numeric_limits<double>::infinity();
   /// A bound of this difference that is proven for `scale_factors`, by enclosures of all angles;
   /// nothing if the arithmetic of the triangulation does not enclose values.
