@@ -273,7 +273,8 @@ private:
     for (unsigned k = crossed_.empty() ? 1 : 0; k < 3; ++k) {
       if (view_.source(walk.face().side[k]) != target) continue;
       const Plane_vector<double> corner = walk.relative_corner(k);
-      if (!(std::hypot(corner[0] - length, corner[1]) <= distance)) continue;
+      const double error = std::hypot(corner[0] - length, corner[1]);
+      if (!(error <= distance + rounding_in(walk.face()))) continue;
       append_line_to(walk, k);
       return true;
     }
@@ -284,7 +285,7 @@ private:
   Move_status reach_beyond(const Walk& walk, std::uint32_t target, double length, double distance) {
     const auto& side = walk.face().side;
     for (unsigned k = 0; k < 3; ++k) {
-      if (!(distance_from_side(walk, k, length) <= distance)) continue;
+      if (!(distance_from_side(walk, k, length) <= distance + rounding_in(walk.face()))) continue;
       if (!crossed_.empty() && k != 0 && !view_.is_border(side[k] ^ 1U) && may_flip(side[k] / 2) &&
           view_.source(last(side[k] ^ 1U)) == target) {
         crossed_.push_back(side[k]);
@@ -295,6 +296,11 @@ private:
         return Move_status::done;
     }
     return Move_status::not_traceable;
+  }
+  // Places in a face have errors of some units in the last place of its longest side, which may be
+  // much longer than a line: about a needle.
+  static double rounding_in(const Geodesic_face& face) {
+    return 0x1p-48 * *std::max_element(face.length.begin(), face.length.end());
   }
   // of the end of a line
   static double distance_from_side(const Walk& walk, unsigned k, double length) {
