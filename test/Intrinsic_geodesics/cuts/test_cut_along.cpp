@@ -208,6 +208,74 @@ TEST(Cut_along, decides_exactly_where_isolines_pass_vertices_and_run_along_edges
   }
 }
 
+// At the level of a vertex but for rounding, other pieces of the line end at that vertex, too.
+TEST(Cut_along, cutsAlongIsolinesThatMissVerticesByRounding) {
+  const meshes::Mesh m = meshes::box(2, 2, 2);
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> units(-2, 2);
+  for (int i = 0; i < 50; ++i) {
+    std::vector<double> z;
+    for (const double x : heights(m)) z.push_back(x + 0x1p-52 * units(random));
+    const double top = *std::max_element(z.begin(), z.end());
+    Triangulation t(m.input());
+    const IT::Cut_surface s =
+        IT::cut_along(t, IT::insert_isolines(t, IT::isolines(t, z, std::vector{top / 2})));
+    expect_cut(s, m);
+  }
+}
+
+// A square with coincident vertices: faces between them become needles of width 1e-11.
+meshes::Mesh square_with_needles(unsigned seed) {
+  constexpr std::uint32_t n = 9;
+  meshes::Mesh m;
+  for (std::uint32_t i = 0; i < n * n; ++i)
+    m.points.push_back({(i % n) / (n - 1.), (i / n) / (n - 1.), 0});
+  for (std::uint32_t y = 0; y + 1 < n; ++y)
+    for (std::uint32_t x = 0; x + 1 < n; ++x) {
+      const std::uint32_t v = n * y + x;
+      m.triangles.push_back({v, v + 1, v + n + 1});
+      m.triangles.push_back({v, v + n + 1, v + n});
+    }
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::uint32_t> column(1, n - 3);
+  for (const std::uint32_t y : {2U, 4U, 6U}) {
+    const std::uint32_t v = n * y + column(random);
+    m.points[v] = m.points[v + 1];
+  }
+  return m;
+}
+
+// The part of the unit square where x + y/4 is less than c.
+double area_below(double c) {
+  const auto triangle = [](double x) { return x > 0 ? 2 * x * x : 0; };
+  return triangle(c) - triangle(c - 0.25) - triangle(c - 1) + triangle(c - 1.25);
+}
+
+TEST(Cut_along, cutsNeedlesOfCoincidentVerticesAlongIsolines) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const meshes::Mesh m = square_with_needles(seed);
+    std::vector<double> u, levels;
+    for (const auto& p : m.points) u.push_back(p[0] + p[1] / 4);
+    for (int k = 1; k <= 6; ++k) levels.push_back(1.25 * k / 7.);
+    Triangulation t(m.input(IT::Mollification::automatic));
+    IT::flip_to_delaunay(t);
+    const IT::Cut_surface s =
+        IT::cut_along(t, IT::insert_isolines(t, IT::isolines(t, u, levels)));
+    const auto points = IT::positions(s, m.points);
+    for (const double level : levels) {
+      double area = 0;
+      for (std::uint32_t f = 0; f < s.gluing.number_of_faces(); ++f) {
+        const auto face = s.face(f);
+        const auto &p = points[face[0]], &q = points[face[1]], &r = points[face[2]];
+        if ((p[0] + q[0] + r[0]) / 3 + (p[1] + q[1] + r[1]) / 12 < level)
+          area += ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+      }
+      EXPECT_NEAR(area, area_below(level), 1e-10) << level;
+    }
+  }
+}
+
 // A random network of shortest paths on a triangulation that was flipped and refined.
 template <class T>
 void expect_random_cuts(const meshes::Mesh& m, unsigned seed, bool is_refined) {

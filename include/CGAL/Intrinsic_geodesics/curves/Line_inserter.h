@@ -87,7 +87,9 @@ public:
           cross_flippable(walk, target, length, nearness * total, progress);
       if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
-      const bool ends = length <= e.distance + (on_border ? rounding * total : tolerance(walk, e));
+      double error = on_border ? rounding * total : tolerance(walk, e);
+      if (has_target) error = std::min(error, nearness_at_end * total); // of a line in a needle
+      const bool ends = length <= e.distance + error;
       if (has_target && (ends || is_at_vertex(walk, e)) &&
           reaches(walk, target, length, nearness_at_end * total))
         return Move_status::done;

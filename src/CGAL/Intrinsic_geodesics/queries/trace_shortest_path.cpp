@@ -3,26 +3,45 @@
 
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+namespace {
+
+// The vertex that a point is named on, or `Gluing::none`.
+std::uint32_t vertex_at(const Input& input, const Surface_point& p) {
+  const unsigned corner = corner_of(p);
+  return corner == 3 ? Gluing::none : input.source(sides_of_face(input, p.halfedge)[corner]);
+}
+
+// Whether both ends of a piece were so near to one vertex that rounding names them on it.
+bool is_rounding(const Input& input, const Tangent_vector& from, std::uint32_t to, double length) {
+  const std::array<double, 3> sides = Geodesic_face(input, from.point.halfedge).length;
+  return to != Gluing::none && vertex_at(input, from.point) == to &&
+         length <= 0x1p-36 * *std::max_element(sides.begin(), sides.end());
+}
+
+} // namespace
+
 void append_piece(const Input& input, const Tangent_vector& from, const Surface_point& to,
                   std::vector<Strip_side>& strip, Traced_curve& curve) {
-  const unsigned corner = corner_of(to);
-  const Geodesic_target target =
-      corner == 3
-          ? Geodesic_target::at_point(input, to)
-          : Geodesic_target::at_vertex(input.source(sides_of_face(input, to.halfedge)[corner]));
+  const std::uint32_t vertex = vertex_at(input, to);
+  const Geodesic_target target = vertex == Gluing::none ? Geodesic_target::at_point(input, to)
+                                                        : Geodesic_target::at_vertex(vertex);
   const double length = std::hypot(from.vector[0], from.vector[1]);
-  if (length == 0) return;
+  if (length == 0 || is_rounding(input, from, vertex, length)) return;
   const Geodesic_walk<Input> walk(input, from.point, from.vector);
   const Geodesic_to_target line = trace_to_target(input, walk, target, length, strip);
   std::uint32_t face = input.face(walk.face().side[0]);
