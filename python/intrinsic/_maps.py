@@ -59,7 +59,7 @@ class ConformalMap:
     """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
 
     `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
-    prescribed ones; `residual` is the largest difference, in radians, and `proven_residual` a
+    prescribed ones, and "inaccurate" if rounding has turned over pieces then; `residual` is the largest difference, in radians, and `proven_residual` a
     proven bound of it. `cones` is a dict from vertices to their angles. `target` is "plane",
     "sphere", "torus" or "disk".
 

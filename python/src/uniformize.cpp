@@ -185,6 +185,10 @@ py::dict uniformize(Surface& s, const std::string& target, bool starts_from_inpu
   Watch watch(progress);
   Found_map found =
       with_triangulation(s, watch, [&](auto& t) { return found_map(t, asked, watch); });
+  const bool is_turned = found.sphere ? found.sphere->layout.flipped_faces != 0
+                                      : found.layout && found.layout->turned_triangles() != 0;
+  if (is_turned && found.metric.status == IT::Status::done)
+    found.metric.status = IT::Status::inaccurate;
   py::dict result("u"_a = array_of(std::move(found.u)),
                   "scale_factors"_a = array_of(std::move(found.metric.scale_factors)),
                   "status"_a = program::name(found.metric.status),

@@ -148,7 +148,10 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
     throw IT::Invalid_input(IT::Element_kind::none, 0,
                             "vertices fall together on the sphere in doubles; take --target plane "
                             "with --cones");
-  if (!s.is_convex) computed.json["status"] = name(IT::Status::stalled);
+  if (!s.is_convex)
+    computed.json["status"] = name(IT::Status::stalled);
+  else if (s.layout.flipped_faces != 0 && s.metric.status == IT::Status::done)
+    computed.json["status"] = name(IT::Status::inaccurate);
   computed.json["pole"] = s.layout.pole;
   computed.json["rounds"] = s.rounds;
   computed.json["convex"] = s.is_convex;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_geodesics/curves/Growing_paths.h>
 #include <CGAL/Intrinsic_geodesics/curves/Line_progress.h>
+#include <CGAL/Intrinsic_geodesics/curves/Split_crossed_edges.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
@@ -22,16 +23,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Every edge that a line crosses is split.
-template <class Triangulation>
-struct Split_crossed_edges {
-  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
-  static constexpr bool may_split = true;
-
-  bool may_flip(std::uint32_t) const { return false; }
-  Halfedges edges_along(const Halfedges& crossed) const { return crossed; } // there are none
-};
 
 // Turns straight lines into paths of edges. A line starts at a vertex. Edges that it crosses are
 // flipped away or split; an edge joins the new vertex to the vertex before. There the line goes on

@@ -119,6 +119,13 @@ struct Scaled_layout {
   /// See `flipped_geodesic_triangles()`; 0 if the surface is not hyperbolic.
   std::size_t flipped_geodesic_triangles = 0;
   Map_distortion distortion; ///< from the faces of the mesh to the plane
+
+  /// returns how many triangles of pieces have turned over or have no area; with geodesic sides if
+  /// the surface is hyperbolic.
+  std::size_t turned_triangles() const {
+    return layout.is_hyperbolic ? flipped_geodesic_triangles
+                                : certificate.flipped + certificate.degenerate;
+  }
 };
 
 /*!
