@@ -57,8 +57,9 @@ private:
   bool is_front(std::uint32_t side) const {
     return in_.names.sheets == 1 || in_.names.faces.user(side / 3) % 2 == 0;
   }
+  // A free vertex inside has some angle.
   bool is_cone(std::uint32_t row) const {
-    return !in_.angles.is_free(row) && in_.angles.radians(row) != Multiple_of_pi().radians();
+    return in_.angles.is_free(row) || in_.angles.radians(row) != Multiple_of_pi().radians();
   }
 
   // The subdivision of what is laid out.
