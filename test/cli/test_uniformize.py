@@ -41,6 +41,15 @@ class Uniformize(Cli_test):
         stats = self.stats("uniformize", mesh, "-o", "u.txt", *arguments)
         return stats, [row[0] for row in self.read_rows("u.txt")]
 
+    def test_isolated_vertices_are_left_out_of_layouts(self):
+        points, faces = grid(4)
+        mesh = self.write_off("g.off", [*points, (5, 5, 5)], faces)
+        stats = self.stats("uniformize", mesh, "-o", "g.obj")["conformal"]
+        self.assertEqual((stats["status"], stats["injective"]), ("done", True))
+        free = self.write("c.txt", "12 free\n6 5/2pi\n")  # a free vertex inside is a cone
+        stats = self.stats("uniformize", mesh, "--cones", free, "-o", "g.obj")["conformal"]
+        self.assertEqual((stats["status"], stats["flipped_faces"]), ("done", 0))
+
     def test_angles_are_the_prescribed_ones(self):
         points, faces = icosphere(2)
         faces = [list(f) for f in faces]

@@ -98,13 +98,14 @@ private:
 
   // Vertices inside of what is laid out where angles are no full turns.
   std::vector<std::uint32_t> cones() const {
-    std::vector<char> is_outside(opened_.gluing.number_of_vertices, 0);
+    std::vector<char> is_inside(opened_.gluing.number_of_vertices, 0); // isolated ones are not
+    for (const std::uint32_t v : opened_.gluing.origin) is_inside[v] = 1;
     for (std::uint32_t h = 0; h < number_of_sides(); ++h)
       if (!is_front(h) || opened_.gluing.glue[h] == Gluing::none)
-        is_outside[opened_.gluing.origin[h]] = 1;
+        is_inside[opened_.gluing.origin[h]] = 0;
     std::vector<std::uint32_t> result;
     for (std::uint32_t v = 0; v < in_.row.size(); ++v)
-      if (in_.row[v] != Gluing::none && is_outside[v] == 0 && is_cone(in_.row[v]))
+      if (in_.row[v] != Gluing::none && is_inside[v] != 0 && is_cone(in_.row[v]))
         result.push_back(v);
     return result;
   }
