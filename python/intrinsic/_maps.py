@@ -77,8 +77,6 @@ class ConformalMap:
         self.sphere = sphere
         if sphere is not None:
             self.positions = sphere.pop("positions")
-            if not sphere["convex"]:
-                self.status = "stalled"
         self.layout = None if layout is None else _layout(layout)
 
     def __repr__(self):

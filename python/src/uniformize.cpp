@@ -185,13 +185,12 @@ py::dict uniformize(Surface& s, const std::string& target, bool starts_from_inpu
   Watch watch(progress);
   Found_map found =
       with_triangulation(s, watch, [&](auto& t) { return found_map(t, asked, watch); });
-  const bool is_turned = found.sphere ? found.sphere->layout.flipped_faces != 0
-                                      : found.layout && found.layout->turned_triangles() != 0;
-  if (is_turned && found.metric.status == IT::Status::done)
-    found.metric.status = IT::Status::inaccurate;
+  const IT::Status status = found.sphere   ? found.sphere->status()
+                            : found.layout ? found.layout->status(found.metric.status)
+                                           : found.metric.status;
   py::dict result("u"_a = array_of(std::move(found.u)),
                   "scale_factors"_a = array_of(std::move(found.metric.scale_factors)),
-                  "status"_a = program::name(found.metric.status),
+                  "status"_a = program::name(status),
                   "iterations"_a = found.metric.iterations, "flips"_a = found.metric.flips,
                   "residual"_a = found.metric.residual,
                   "proven_residual"_a = found.metric.proven_residual,

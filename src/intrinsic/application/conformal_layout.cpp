@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "conformal_layout.h"
-#include "../status_name.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
@@ -56,8 +55,6 @@ Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>&
   json["flipped_faces"] = c.flipped;
   json["degenerate_faces"] = c.degenerate;
   if (layout.layout.is_hyperbolic) report_disk(layout, json);
-  if (layout.turned_triangles() != 0 && json["status"] == name(IT::Status::done))
-    json["status"] = name(IT::Status::inaccurate);
   const IT::Common_subdivision& s = layout.layout.subdivision;
   Laid_out result{{s, IT::positions(s, points), IT::fields_of_layout(layout.layout)},
                   {layout.closed, IT::positions(layout.closed, points), {}},

@@ -148,10 +148,7 @@ Computed on_sphere(Ideal& ideal, const Points& points, const Options& options) {
     throw IT::Invalid_input(IT::Element_kind::none, 0,
                             "vertices fall together on the sphere in doubles; take --target plane "
                             "with --cones");
-  if (!s.is_convex)
-    computed.json["status"] = name(IT::Status::stalled);
-  else if (s.layout.flipped_faces != 0 && s.metric.status == IT::Status::done)
-    computed.json["status"] = name(IT::Status::inaccurate);
+  computed.json["status"] = name(s.status());
   computed.json["pole"] = s.layout.pole;
   computed.json["rounds"] = s.rounds;
   computed.json["convex"] = s.is_convex;
@@ -250,8 +247,9 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
       IT::Scaled_surface scaled = IT::scaled_surface(ideal, std::move(start), m.scale_factors,
                                                      angles, t.input().names(), is_hyperbolic);
       if (asked.start != "input") IT::add_mesh(scaled, t, ideal);
-      return shown_layout(IT::lay_out_scaled(scaled, torus ? &*torus : nullptr), points,
-                          computed.json);
+      const IT::Scaled_layout layout = IT::lay_out_scaled(scaled, torus ? &*torus : nullptr);
+      computed.json["status"] = name(layout.status(m.status));
+      return shown_layout(layout, points, computed.json);
     });
   }
   report_scale(computed);

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -38,6 +39,14 @@ struct Conformal_sphere {
   /// triangulation. Else the number of rounds was limited, or a round found no metric and was
   /// undone.
   bool is_convex = false;
+
+  /// returns `stalled` if it is not convex, `inaccurate` if rounding has turned faces over though
+  /// the metric was found, else the status of the metric.
+  Status status() const {
+    if (!is_convex) return Status::stalled;
+    const bool is_spoilt = metric.status == Status::done && layout.flipped_faces != 0;
+    return is_spoilt ? Status::inaccurate : metric.status;
+  }
 };
 
 namespace internal {

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.h>
@@ -120,11 +121,12 @@ struct Scaled_layout {
   std::size_t flipped_geodesic_triangles = 0;
   Map_distortion distortion; ///< from the faces of the mesh to the plane
 
-  /// returns how many triangles of pieces have turned over or have no area; with geodesic sides if
-  /// the surface is hyperbolic.
-  std::size_t turned_triangles() const {
-    return layout.is_hyperbolic ? flipped_geodesic_triangles
-                                : certificate.flipped + certificate.degenerate;
+  /// returns `inaccurate` if the metric was found, but triangles of pieces have turned over or have
+  /// no area, with geodesic sides if the surface is hyperbolic; else the status of the metric.
+  Status status(Status of_metric) const {
+    const std::size_t turned = layout.is_hyperbolic ? flipped_geodesic_triangles
+                                                    : certificate.flipped + certificate.degenerate;
+    return of_metric == Status::done && turned != 0 ? Status::inaccurate : of_metric;
   }
 };
 

@@ -25,7 +25,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// A vector in a face of the input.
 struct Input_vector {
-  std::uint32_t halfedge;      ///< of the face, or `Gluing::none`: there is no face
+  std::uint32_t halfedge;      ///< a side of the face; `Gluing::none` if no face has the vertex
   Plane_vector<double> vector; ///< along the halfedge, and to the left of it
 };
 
@@ -87,7 +87,7 @@ public:
   /*!
   \brief takes a field to space.
   \param field the vectors
-  \return vectors, indexed as `field`; zero where there is no vertex
+  \return vectors, indexed as `field`; zero for numbers that no vertex with a face has
   \throws std::invalid_argument if the field does not have `size()` vectors
   \pre the constructor was given points
   \complexity that of `on_input()` for each vertex

@@ -149,7 +149,7 @@ ones included.
 \param t the triangulation
 \param field the vectors
 \param mesh the mesh that `t` was built from
-\return vectors, indexed as `field`; zero where there is no vertex
+\return vectors, indexed as `field`; zero for numbers that no vertex with a face has
 \throws std::invalid_argument if the field does not have a vector per vertex
 \pre the faces of the mesh have an area
 \complexity that of `Vertex_sectors`, which serves many fields
