@@ -14,6 +14,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/scan_GOCAD.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OFF.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_PLY.cpp>

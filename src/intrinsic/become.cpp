@@ -3,6 +3,7 @@
 
 #include "become.h"
 
+#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 
@@ -20,6 +21,12 @@ void become(const std::string& program, const std::vector<std::string>& argument
   add(program);
   for (const std::string& word : arguments) add(word);
   words.push_back(nullptr);
+  // A timer goes on in the other program, where its signal would end the process without a word
+  // before there is a handler.
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  sigprocmask(SIG_BLOCK, &alarm, nullptr);
   execv(beside.c_str(), words.data());
   execvp(program.c_str(), words.data());
   throw std::runtime_error(

@@ -18,14 +18,6 @@ IT::Mollification mollification_of(const Options& options) {
   return IT::Mollification::automatic;
 }
 
-IT::Domain_kind domain_of(const Options& options) {
-  if (options.domain == "manifold") return IT::Domain_kind::manifold;
-  if (options.domain == "orientation-cover") return IT::Domain_kind::orientation_cover;
-  if (options.domain == "tufted") return IT::Domain_kind::tufted_cover;
-  if (options.domain == "closed") return IT::Domain_kind::closed;
-  return IT::Domain_kind::automatic;
-}
-
 } // namespace
 
 template Loaded<Exact_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
@@ -34,9 +26,11 @@ template Loaded<Exact_triangulation> load_triangulation(const Options&, Progress
 template Loaded<Double_triangulation> load_triangulation(const Options&, Progress&);
 
 Surface_choice surface_of(const Options& options) {
-  return {
-      mollification_of(options), domain_of(options), options.domain == "points", options.neighbors,
-      options.polygons == "planar" ? IT::Nonplanar_polygons::planar : IT::Nonplanar_polygons::fan};
+  Surface_choice choice = surface_named(options.domain);
+  choice.mollification = mollification_of(options);
+  choice.neighbors = options.neighbors;
+  if (options.polygons == "planar") choice.polygons = IT::Nonplanar_polygons::planar;
+  return choice;
 }
 
 bool is_triangulation_file(const std::string& path) {

@@ -159,13 +159,8 @@ void add_common_options(CLI::App& command, Options& options) {
           "treatment of faces without area: automatic (only where flips cannot remove them, "
           "default), none, lengths or squared")
       ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
-  command
-      .add_option("--domain", options.domain,
-                  "surface to make from the file: auto (the first of these that its faces allow; "
-                  "points if it has none; default), manifold, orientation-cover, tufted, "
-                  "closed (the first of these without border), or points (ignores faces)")
-      ->check(
-          CLI::IsMember({"auto", "manifold", "orientation-cover", "tufted", "closed", "points"}));
+  command.add_option("--domain", options.domain, surface_description)
+      ->check(CLI::IsMember(surface_words));
   command
       .add_option("--neighbors", options.neighbors,
                   "number of neighbors of each point to triangulate; default 30")

@@ -57,9 +57,17 @@ void end_at_time_limit(const Options& options) {
           (options.arithmetic == "exact" ? "; --arithmetic double is faster on hard meshes\n"
                                          : "\n")};
   std::signal(SIGALRM, end_at_the_limit);
+  sigset_t alarm;
+  sigemptyset(&alarm);
+  sigaddset(&alarm, SIGALRM);
+  itimerval timer{};
+  // The program that became this one has started the timer, and blocked its signal, see become().
+  if (sigset_t blocked; sigprocmask(SIG_UNBLOCK, &alarm, &blocked) == 0 &&
+                        sigismember(&blocked, SIGALRM) == 1 &&
+                        getitimer(ITIMER_REAL, &timer) == 0 && timerisset(&timer.it_value))
+    return;
   double whole = 0;
   const double fraction = std::modf(seconds, &whole);
-  itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
   timer.it_value.tv_usec = std::max<suseconds_t>(static_cast<suseconds_t>(1e6 * fraction),
                                                  whole == 0 ? 1 : 0); // zero would be never

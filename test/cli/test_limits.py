@@ -141,6 +141,14 @@ class Limits(Cli_test):
             for name in set(self.files()) - {"g.off"}:
                 os.remove(self.path(name))
 
+    def test_limit_of_time_holds_while_a_program_becomes_another_one(self):
+        mesh = self.rough_grid(60)
+        for k in range(1, 40):
+            run = self.run_program("eigen", mesh, "-o", "a.txt", "--time-limit", str(0.0005 * k))
+            self.assertEqual(run.code, 1, run.err)
+            self.assertIn("time limit", run.err)
+            self.assertEqual(self.files(), ["g.off"])
+
     def test_progress_is_a_log(self):
         mesh = self.rough_grid(60)
         run = self.run_program("refine", mesh, "--max-edge-length", "1e-2", "--arithmetic",

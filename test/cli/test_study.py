@@ -3,6 +3,7 @@
 """`intrinsic study`: results of every kind, resumed, repeated and merged."""
 
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -186,6 +187,23 @@ class Study(Cli_test):
         self.assertEqual(line["status"], "done")
         self.assertEqual(line["family"], "caps")
         self.assertEqual(line["non_delaunay_edges"], 0)
+
+    def test_faces_that_are_no_manifold_are_compared_on_a_cover(self):
+        tips = [(math.cos(t), math.sin(t), 0.3 + 0.1 * t) for t in (0, 1, 2.5)]
+        mesh = self.write_off("book.off", [(0, 0, 0), (0, 0, 1)] + tips,
+                              [(0, 1, k) for k in (2, 3, 4)])
+        self.study(mesh, "--arithmetic", "double,exact")
+        self.study(mesh, "--arithmetic", "double,exact", "--domain", "tufted")
+        self.study(mesh, "--arithmetic", "double", "--domain", "manifold")
+        lines = self.by_key()
+        self.assertEqual(len(lines), 5)
+        for name in ("book.off", "book.off (tufted)"):
+            exact = lines[name, "exact"]
+            self.assertEqual((exact["status"], exact["faces"]), ("done", 6))
+            self.assertEqual(exact["result"], lines[name, "double"]["result"])
+        refused = lines["book.off (manifold)", "double"]
+        self.assertEqual(refused["status"], "refused_input")
+        self.assertIn("three faces", refused["message"].replace("3 faces", "three faces"))
 
     def test_wrong_usage(self):
         before = sorted(os.listdir(self.directory))

@@ -141,13 +141,12 @@ double peak_memory_mib() {
   return 0;
 }
 
-void run_study_job(const std::string& location, const std::string& arithmetic,
-                   const Study_limits& limits) {
-  const Arithmetic& chosen = arithmetic_named(arithmetic);
-  const Study_source source = study_source(location);
-  limit_this_process(limits);
+void run_study_job(const Study_options& job) {
+  const Arithmetic& chosen = arithmetic_named(job.arithmetics.at(0));
+  const Study_source source = study_source(job.corpus.at(0), job.domain);
+  limit_this_process(job.limits);
   Study_run run;
-  run.findings = {{"mesh", source.name}, {"family", source.family}, {"arithmetic", arithmetic}};
+  run.findings = {{"mesh", source.name}, {"family", source.family}, {"arithmetic", chosen.name}};
   try {
     run.input = read_study_source(source);
     prepare(run);

@@ -6,8 +6,6 @@
 
 #include "options.h"
 
-#include <string>
-
 // A job of the study: one arithmetic on one mesh, in a process of its own.
 
 namespace program {
@@ -18,9 +16,9 @@ constexpr int exit_out_of_memory = 3;
 /*!
 \brief limits this process, runs a job in it, and writes results to standard output: JSON lines,
 each of which contains more than the one before.
+\param job one location, one arithmetic, its surface and limits
 */
-void run_study_job(const std::string& location, const std::string& arithmetic,
-                   const Study_limits& limits);
+void run_study_job(const Study_options& job);
 
 } // namespace program
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../support/command_line.h"
+#include "../support/read_mesh.h"
 #include "arithmetics.h"
 #include "job.h"
 #include "study.h"
@@ -34,6 +35,11 @@ CLI::Validator is_no_result() {
                    : std::string();
       },
       "");
+}
+
+void add_domain(CLI::App& app, Study_options& study) {
+  app.add_option("--domain", study.domain, program::surface_description)
+      ->check(CLI::IsMember(program::surface_words));
 }
 
 void add_limits(CLI::App& app, Study_options& study) {
@@ -71,6 +77,7 @@ void add_options(CLI::App& app, Study_options& study) {
       ->check(lines_file());
   app.add_option("--jobs", study.jobs, "processes at a time; default 1")
       ->check(CLI::Range(1U, 1024U));
+  add_domain(app, study);
   add_limits(app, study);
 }
 
@@ -82,6 +89,7 @@ void add_job_options(CLI::App& app, Study_options& study) {
       ->required()
       ->expected(1)
       ->check(is_arithmetic());
+  add_domain(app, study);
   add_limits(app, study);
 }
 
@@ -99,7 +107,7 @@ int run(int argc, char** argv) {
     return app.exit(e) == 0 ? 0 : program::misused;
   }
   if (is_job)
-    program::run_study_job(study.corpus.at(0), study.arithmetics.at(0), study.limits);
+    program::run_study_job(study);
   else
     program::run_study(study);
   return 0;

@@ -40,13 +40,14 @@ std::string digits(double x) { return Json(x).dump(); }
 class Process {
 public:
   Process(const Study_job& job, const Study_limits& limits) : job_(job), limits_(limits) {
-    const std::array<std::string, 6> words{"intrinsic-study",
+    const std::array<std::string, 7> words{"intrinsic-study",
                                            "--job",
                                            "--source=" + job.source.location,
+                                           "--domain=" + job.source.domain,
                                            "--arithmetic=" + job.arithmetic,
                                            "--time-limit=" + digits(limits.seconds),
                                            "--memory-limit=" + std::to_string(limits.mib)};
-    std::array<char*, 7> arguments{};
+    std::array<char*, 8> arguments{};
     for (std::size_t i = 0; i < words.size(); ++i)
       arguments[i] = const_cast<char*>(words[i].c_str()); // execv() does not change them
     std::array<int, 2> ends{};

@@ -46,19 +46,23 @@ std::vector<std::string> locations(const std::string& word) {
 
 } // namespace
 
-Study_source study_source(const std::string& location) {
-  if (!is_stress_spec(location))
-    return {location, std::filesystem::path(location).filename().string(), "files"};
+Study_source study_source(const std::string& location, const std::string& domain) {
+  if (!is_stress_spec(location)) {
+    const std::string file = std::filesystem::path(location).filename().string();
+    return {location, domain == "auto" ? file : file + " (" + domain + ')', "files", domain};
+  }
   const std::size_t begin = stress_prefix.size();
-  return {location, location, location.substr(begin, location.find(':', begin) - begin)};
+  return {location, location, location.substr(begin, location.find(':', begin) - begin),
+          "manifold"};
 }
 
-std::vector<Study_source> study_sources(const std::vector<std::string>& corpus) {
+std::vector<Study_source> study_sources(const std::vector<std::string>& corpus,
+                                        const std::string& domain) {
   std::vector<Study_source> sources;
   std::set<std::string> names;
   for (const std::string& word : corpus)
     for (const std::string& location : locations(word)) {
-      Study_source source = study_source(location);
+      Study_source source = study_source(location, domain);
       if (!names.insert(source.name).second)
         throw std::runtime_error(location + ": there is another mesh named " + source.name +
                                  "; names identify results, rename one");
@@ -74,8 +78,7 @@ IT::Intrinsic_input read_study_source(const Study_source& source) {
         IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
     return {IT::Gluing_map(gluing), std::move(mesh.points)};
   }
-  return read_mesh(source.location, {IT::Mollification::automatic, IT::Domain_kind::manifold})
-      .input;
+  return read_mesh(source.location, surface_named(source.domain)).input;
 }
 
 } // namespace program

@@ -16,21 +16,25 @@ namespace program {
 /// A mesh of the study: a file, or one that a generator makes.
 struct Study_source {
   std::string location; ///< path or spec
-  std::string name;     ///< name of the file without directory, or spec
+  /// name of the file without directory, and the surface if it is asked for; or spec
+  std::string name;
   std::string family;   ///< `files`, or the generator
+  std::string domain;   ///< the surface of a file, see `surface_named()`
 };
 
-/// returns the mesh of a location.
-Study_source study_source(const std::string& location);
+/// returns the mesh of a location, with the named surface.
+Study_source study_source(const std::string& location, const std::string& domain);
 
 /*!
 \brief lists the meshes of a corpus.
 \param corpus mesh files, directories (their mesh files, sorted), specs of generators
   (`stress:FAMILY...`), or `stress` (the standard list of specs)
+\param domain the surfaces of files, see `surface_named()`
 \throws std::runtime_error naming what is missing, or two meshes of one name
 \throws std::invalid_argument if a spec is wrong
 */
-std::vector<Study_source> study_sources(const std::vector<std::string>& corpus);
+std::vector<Study_source> study_sources(const std::vector<std::string>& corpus,
+                                        const std::string& domain);
 
 /// reads or makes a mesh. \throws std::exception
 CGAL::Intrinsic_triangulations::Intrinsic_input read_study_source(const Study_source& source);

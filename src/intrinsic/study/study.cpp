@@ -41,7 +41,7 @@ std::vector<Study_job> missing_jobs(const Study_options& study, const std::vecto
   if (names.empty())
     for (const Arithmetic& a : arithmetics()) names.push_back(a.name);
   std::vector<Study_job> jobs;
-  for (const Study_source& source : study_sources(study.corpus))
+  for (const Study_source& source : study_sources(study.corpus, study.domain))
     for (const std::string& arithmetic : names)
       if (!is_settled[{source.name, arithmetic}]) jobs.push_back({source, arithmetic});
   return jobs;

@@ -34,6 +34,16 @@ Input_facts facts_of(const IT::Gluing_map& mesh) {
   return facts;
 }
 
+Surface_choice surface_named(const std::string& word) {
+  Surface_choice choice;
+  choice.is_points = word == "points";
+  if (word == "manifold") choice.kind = IT::Domain_kind::manifold;
+  if (word == "orientation-cover") choice.kind = IT::Domain_kind::orientation_cover;
+  if (word == "tufted") choice.kind = IT::Domain_kind::tufted_cover;
+  if (word == "closed") choice.kind = IT::Domain_kind::closed;
+  return choice;
+}
+
 namespace {
 
 constexpr std::size_t usual_neighbors = 30;

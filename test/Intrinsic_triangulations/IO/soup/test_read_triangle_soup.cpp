@@ -446,7 +446,36 @@ TEST_F(Read_triangle_soup, faces_that_are_no_faces_are_named) {
   expect_error_in("r.ts",
                   "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\n"
                   "TRGL 1 2 4\nEND\n",
-                  Element_kind::face, 0, {"face 0 refers to vertex 3"});
+                  Element_kind::face, 0, {":6:", "face 0 refers to vertex 4"});
+}
+
+TEST_F(Read_triangle_soup, no_number_of_a_gocad_file_is_read_in_part) {
+  const std::string head = "GOCAD TSurf 1\nTFACE\n";
+  const std::vector<std::string> good{"VRTX 1 0.5 0 0", "VRTX 2 1.9 0 0", "PVRTX 3 0 1.7 0.5 9",
+                                      "TRGL 1 2 3", "END"};
+  const auto file = [&](std::size_t changed, const std::string& line) {
+    std::string text = head;
+    for (std::size_t i = 0; i < good.size(); ++i) text += (i == changed ? line : good[i]) + '\n';
+    return text;
+  };
+  EXPECT_EQ(read("good.ts", file(9, "")).points[2], (std::array<double, 3>{0, 1.7, 0.5}));
+  for (const char* word : {"0,5", "0.5.1", "1e", "five", "0x1", ""})
+    expect_error_in("c.ts", file(2, "VRTX 3 0 1.7 " + std::string(word)), Element_kind::vertex, 2,
+                    {":5:", "vertex 2"});
+  expect_error_in("nan.ts", file(2, "VRTX 3 0 nan 0"), Element_kind::vertex, 2, {"vertex 2"});
+  expect_error_in("n.ts", file(2, "VRTX 3.5 0 1.7 0"), Element_kind::none, 0, {":5:", "\"3.5\""});
+  expect_error_in("f.ts", file(3, "TRGL 1 2 3,4"), Element_kind::none, 0, {":6:", "\"3,4\""});
+  expect_error_in("s.ts", file(3, "TRGL 1 2"), Element_kind::none, 0, {":6:", "\"\""});
+  expect_error_in("e.ts", file(4, "GOCAD TSurf 1"), Element_kind::none, 0, {":7:", "END"});
+}
+
+TEST_F(Read_triangle_soup, vertices_of_gocad_objects_have_the_numbers_that_the_file_gives) {
+  const Triangle_soup soup = read("two.ts", "GOCAD TSurf 1\nTFACE\nVRTX 7 0 0 0\nVRTX -2 1 0 0\n"
+                                            "VRTX 30 0 1 0\nATOM 4 7\nTRGL -2 30 4\nBSTONE 7\nEND\n"
+                                            "GOCAD TSurf 1\nTFACE\nVRTX 7 0 0 1\nVRTX 8 1 0 1\n"
+                                            "VRTX 9 0 1 1\nTRGL 7 8 9\nEND\n");
+  using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+  EXPECT_EQ(soup.triangles, (Triangles{{1, 2, 0}, {3, 4, 5}}));
 }
 
 TEST_F(Read_triangle_soup, what_of_faces_has_no_area_as_they_repeat_a_vertex_is_left_out) {

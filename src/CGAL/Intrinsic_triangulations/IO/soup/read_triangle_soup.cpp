@@ -7,9 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
-#include <CGAL/IO/GOCAD.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,29 +28,6 @@ namespace {
 
 std::string extension_of(const std::string& filename) {
   return plain_extension(std::filesystem::path(filename).extension().string());
-}
-
-// Scans a triangulated surface of GOCAD by CGAL's reader. That has no bound on the length of lines,
-// so this loop checks them before.
-void scan_GOCAD(std::istream& in, Soup_builder& out) {
-  Buffered_input lines(in);
-  for (std::string_view line; lines.next_line(line);) continue;
-  in.clear();
-  in.seekg(0);
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::array<std::int32_t, 3>> triangles;
-  const bool good = CGAL::IO::read_GOCAD(in, points, triangles);
-  out.reserve(points.size(), triangles.size());
-  for (const auto& p : points) out.add_vertex(p.x(), p.y(), p.z());
-  std::vector<std::int64_t> face;
-  for (const auto& t : triangles) {
-    face.assign(t.begin(), t.end());
-    out.add_face(face);
-  }
-  if (!good)
-    out.fail("the file cannot be read as a GOCAD surface beyond vertex " +
-             std::to_string(points.size()) + " and face " + std::to_string(triangles.size()) +
-             "; get a complete copy if it is truncated, or correct what follows them");
 }
 
 using Scan = void (*)(std::istream&, std::uintmax_t, Soup_builder&);

@@ -12,6 +12,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Each scans a file of one format. `file_size` bounds the memory that a wrong count can claim.
+void scan_GOCAD(std::istream& in, Soup_builder& out);
 void scan_OBJ(std::istream& in, Soup_builder& out);
 void scan_OFF(std::istream& in, std::uintmax_t file_size, Soup_builder& out);
 void scan_PLY(std::istream& in, std::uintmax_t file_size, Soup_builder& out);
