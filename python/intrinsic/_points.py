@@ -64,8 +64,7 @@ def _index(x, name, count):
 def _weights(x, name):
     if not (type(x) is tuple and len(x) == 3 and all(type(w) is float for w in x)):
         x = _arrays.numbers(x, name, (3,)).tolist()
-    total = x[0] + x[1] + x[2]
-    if not (min(x) >= 0 and abs(total - 1) <= 1e-6):
+    if not (min(x) >= 0 and abs(x[0] + x[1] + x[2] - 1) <= 1e-6):
         raise ValueError(f"{name} is {tuple(x)}; give three weights that are not negative and sum "
                          "to 1")
-    return x[0] / total, x[1] / total, x[2] / total
+    return x

@@ -45,10 +45,8 @@ struct Asked_vectors {
 
   /// tells whether they are in tangent planes.
   bool are_in_planes() const { return vectors.cols() == 2; }
-  /// tells whether all points are vertices.
-  bool are_at_vertices() const {
-    return std::ranges::all_of(places, [](const Place& p) { return p.is_vertex(); });
-  }
+  /// tells whether all points are named as vertices, not as corners of faces.
+  bool are_at_vertices() const { return std::ranges::none_of(places, &Place::has_face); }
   /// returns a vector in a tangent plane.
   std::complex<double> in_plane(std::size_t i) const {
     const auto r = static_cast<Eigen::Index>(i);
@@ -116,7 +114,7 @@ private:
     const Place& p = asked.places[i];
     if (!asked.are_in_planes()) return in_space(p, asked.in_space(i));
     const std::complex<double> z = asked.in_plane(i);
-    if (p.is_vertex()) return IT::tangent_vector(t_, find_.vertex(p.vertex), z);
+    if (!p.has_face()) return IT::tangent_vector(t_, find_.vertex(p.vertex), z);
     return to_intrinsic({point_on_input(t_.input(), p), {z.real(), z.imag()}});
   }
 
@@ -127,7 +125,7 @@ private:
              "coordinates in the tangent plane");
     if (!x.allFinite()) refuse("a vector is not finite; give others");
     const Space_vector v{x[0], x[1], x[2]};
-    if (!p.is_vertex()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
+    if (p.has_face()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
     const Vertex at = find_.vertex(p.vertex);
     if (t_.is_inserted(at))
       refuse("vertex " + std::to_string(p.vertex) +

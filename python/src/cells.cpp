@@ -74,7 +74,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
 
 py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std::uint32_t>& cell,
                  std::optional<double> tolerance, const py::object& progress) {
-  const std::vector<Place> places = places_of(sources);
+  const std::vector<Place> places = places_of(s, sources);
   expect_sources(places);
   Watch watch(progress);
   Found_cells found = with_triangulation(
@@ -115,7 +115,7 @@ std::pair<std::vector<std::int64_t>, double> farthest(const T& t, const std::vec
 
 py::tuple farthest_points(Surface& s, const Place_arrays& sources, std::size_t count,
                           const py::object& progress) {
-  const std::vector<Place> places = places_of(sources);
+  const std::vector<Place> places = places_of(s, sources);
   expect_sources(places);
   Watch watch(progress);
   auto [rows, radius] = with_triangulation(

@@ -99,27 +99,11 @@ private:
   // One for each point; of several copies on a cover those that make the curve short.
   std::vector<Vertex> vertices_of(const Asked_curve& curve) {
     std::vector<std::vector<Vertex>> copies;
-    for (const Place& p : curve.points) copies.push_back(copies_of(p));
+    for (const Place& p : curve.points) copies.push_back(IT::insert_place(*t_, p));
     if (t_->input().names().sheets > 1)
       return IT::internal::Copies_of_curve<T>(*t_, copies, curve.is_loop).chosen();
     std::vector<Vertex> result;
     for (const std::vector<Vertex>& v : copies) result.push_back(v.front());
-    return result;
-  }
-
-  std::vector<Vertex> copies_of(const Place& p) {
-    if (p.is_vertex()) {
-      const Vertex first = Place_finder<T>(*t_).vertex(p.vertex);
-      return IT::internal::copies_of_vertex(*t_, first);
-    }
-    std::vector<Vertex> result;
-    for (const auto& v : IT::insert_point_on_sheets(*t_, point_on_input(t_->input(), p))) {
-      if (v.status != IT::Move_status::done)
-        throw IT::Invalid_input(IT::Element_kind::face, p.face,
-                                "face " + std::to_string(p.face) +
-                                    " has no room for a vertex at that point; choose another");
-      result.push_back(v.vertex);
-    }
     return result;
   }
 
@@ -242,7 +226,7 @@ private:
 py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& asked,
                 const Curve_options& options, const py::object& progress) {
   std::vector<Asked_curve> lists;
-  for (const auto& [points, is_loop] : asked) lists.push_back({places_of(points), is_loop});
+  for (const auto& [points, is_loop] : asked) lists.push_back({places_of(s, points), is_loop});
   Watch watch(progress);
   Found_curves found = with_triangulation(
       s, watch, [&]<class T>(const T& t) { return Curve_finder<T>(t, options, watch).run(lists); });

@@ -163,7 +163,7 @@ py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways, const py::obj
 }
 
 py::dict cut_to_disks_through(Surface& s, const Place_arrays& through, const py::object& progress) {
-  const std::vector<Place> places = places_of(through);
+  const std::vector<Place> places = places_of(s, through);
   for (const Place& p : places)
     if (!p.is_vertex())
       throw py::value_error("cuts pass through vertices; give no points in faces");

@@ -134,8 +134,8 @@ py::tuple direction_field(Surface& s, int degree, const std::optional<double>& s
                           const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
                           const py::object& progress) {
   Watch watch(progress);
-  Directions d =
-      directions(s, degree, strength, Asked_vectors(places_of(places), vectors), neighbors, watch);
+  Directions d = directions(s, degree, strength, Asked_vectors(places_of(s, places), vectors),
+                            neighbors, watch);
   return py::make_tuple(std::move(d.field), array_of(std::move(d.index)),
                         array_of(std::move(d.faces)), array_of(std::move(d.weights)),
                         array_of(std::move(d.points)), array_of(std::move(d.singular)), d.sum,
@@ -252,7 +252,7 @@ signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, In
     if (const Way* way = std::get_if<Way>(&c))
       curves.emplace_back(*way);
     else if (const auto* places = std::get_if<Place_arrays>(&c))
-      curves.emplace_back(places_of(*places));
+      curves.emplace_back(places_of(s, *places));
     else
       curves.emplace_back(
           numbers_of(std::get<Integers>(c), std::numeric_limits<std::uint32_t>::max(), "vertex"));

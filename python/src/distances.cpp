@@ -62,7 +62,7 @@ Found_distances exact_distances(Surface& s, const T& t, const std::vector<Place>
   }
   for (const Place& p : *targets) {
     double least = infinity;
-    for (const IT::Surface_point& q : find.points({p})) least = std::min(least, search.distance(q));
+    for (const IT::Surface_point& q : find.points(p)) least = std::min(least, search.distance(q));
     found.values.push_back(least);
   }
   if (!std::ranges::all_of(*targets, &Place::is_vertex)) s.cache.erase(exact_tables);
@@ -76,7 +76,7 @@ std::vector<double> values_at(const T& t, const Eigen::VectorXd& rows,
   Place_finder<T> find(t);
   std::vector<double> result;
   for (const Place& p : targets) {
-    const IT::Surface_point q = find.points({p}).front();
+    const IT::Surface_point q = find.points(p).front();
     auto h = t.numbers().halfedge_at(q.halfedge);
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
@@ -107,9 +107,9 @@ struct Method {
 py::tuple distance(Surface& s, const Place_arrays& sources,
                    const std::optional<Place_arrays>& targets, const Method& method,
                    const py::object& progress) {
-  const std::vector<Place> from = places_of(sources);
+  const std::vector<Place> from = places_of(s, sources);
   expect_sources(from);
-  const std::vector<Place> to = targets ? places_of(*targets) : std::vector<Place>();
+  const std::vector<Place> to = targets ? places_of(s, *targets) : std::vector<Place>();
   const std::vector<Place>* const asked = targets ? &to : nullptr;
   Watch watch(progress);
   Found_distances found = with_triangulation(s, watch, [&](const auto& t) {
@@ -150,7 +150,7 @@ std::string fill_array(Surface& s, const std::vector<std::vector<Place>>& sets,
 std::string distances(Surface& s, const Place_arrays& sources, const std::vector<std::size_t>& ends,
                       const Method& method, std::size_t threads, const py::array& out,
                       const py::object& progress) {
-  const std::vector<Place> all = places_of(sources);
+  const std::vector<Place> all = places_of(s, sources);
   std::vector<std::vector<Place>> sets;
   auto from = all.begin();
   for (const std::size_t end : ends) {
@@ -169,15 +169,20 @@ std::string distances(Surface& s, const Place_arrays& sources, const std::vector
 py::array_t<double> pair_distances(Surface& s, const Place_arrays& first,
                                    const Place_arrays& second, std::size_t threads,
                                    const py::object& progress) {
-  const std::vector<Place> from = places_of(first), to = places_of(second);
+  const std::vector<Place> from = places_of(s, first), to = places_of(s, second);
   Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&](const auto& t) {
     Place_finder find(t);
     std::vector<IT::Surface_point> starts, ends; // on a cover, of each pair all copies
     std::vector<std::size_t> pair;
+    const auto places = [&find](const Place& p) {
+      std::vector<IT::Surface_point> points = find.points(p);
+      if (p.is_vertex()) points.resize(1); // copies of a vertex are one point for distances
+      return points;
+    };
     for (std::size_t i = 0; i < from.size(); ++i)
-      for (const IT::Surface_point& p : find.points({from[i]}))
-        for (const IT::Surface_point& q : find.points({to[i]})) {
+      for (const IT::Surface_point& p : places(from[i]))
+        for (const IT::Surface_point& q : places(to[i])) {
           starts.push_back(p);
           ends.push_back(q);
           pair.push_back(i);

@@ -63,7 +63,7 @@ std::vector<Complex> logarithms_from(Surface& s, const T& t, const From& from,
 template <class T>
 std::vector<Complex> logarithms(Surface& s, const T& t, const Place& p,
                                 const Asked_logarithm& asked, Watch& watch) {
-  if (p.is_vertex())
+  if (!p.has_face())
     return logarithms_from(s, t, Place_finder<T>(t).vertex(p.vertex), asked, watch);
   const IT::Surface_point on_input = point_on_input(t.input(), p);
   const IT::Tangent_vector axis = *IT::tangent_to_intrinsic(t, {on_input, {1, 0}});
@@ -76,7 +76,7 @@ std::vector<Complex> logarithms(Surface& s, const T& t, const Place& p,
 py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,
                             double time_factor, double maximum_distance, std::size_t neighbors,
                             const py::object& progress) {
-  const Place p = places_of(place).at(0);
+  const Place p = places_of(s, place).at(0);
   const Diffusion diffusion{time_factor, neighbors};
   Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&](auto& t) {
@@ -98,7 +98,7 @@ py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::st
 
 Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, double time_factor,
                 std::size_t neighbors, const py::object& progress) {
-  const Asked_vectors asked(places_of(places), vectors);
+  const Asked_vectors asked(places_of(s, places), vectors);
   const Diffusion diffusion{time_factor, neighbors};
   Watch watch(progress);
   return with_triangulation(s, watch, [&](auto& t) {
@@ -116,7 +116,7 @@ Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, 
 
 py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles& values,
                            double time_factor, std::size_t neighbors, const py::object& progress) {
-  const std::vector<Place> at = places_of(places);
+  const std::vector<Place> at = places_of(s, places);
   expect_size(values, at.size(), "values");
   const auto given = vector_of(values);
   const Diffusion diffusion{time_factor, neighbors};
@@ -133,12 +133,9 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
     }
     Place_finder<T> find(t);
     std::vector<std::pair<IT::Surface_point, double>> sources;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      std::vector<IT::Surface_point> points;
-      find.append(at[i], points);
-      for (const IT::Surface_point& p : points)
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (const IT::Surface_point& p : find.points(at[i]))
         sources.push_back({p, given[static_cast<Eigen::Index>(i)]});
-    }
     const Eigen::VectorXd extended = vector_heat(s, t, diffusion, watch).extend_scalars(sources);
     const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t);
     for (std::size_t r = 0; r < first.size(); ++r)

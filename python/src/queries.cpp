@@ -139,23 +139,20 @@ struct Faces_and_weights {
 
 // Where places on the user's mesh are on the triangulation; on a cover, on the first sheet.
 py::tuple locate(Surface& s, const Place_arrays& arrays) {
-  const std::vector<Place> places = places_of(arrays);
-  return with_triangulation(
-             s,
-             [&](auto& t) {
-               const Faces_in_order order(t);
-               Place_finder find(t);
-               Faces_and_weights result;
-               std::vector<IT::Surface_point> copies;
-               for (const Place& place : places) {
-                 copies.clear();
-                 find.append(place, copies);
-                 const auto f = t.mesh().face(IT::Gluing_map::Halfedge{copies.front().halfedge});
-                 const auto [i, j, k] = t.mesh().sides(f);
-                 result.append(order[t.index(f)], {i.index, j.index, k.index}, copies.front());
-               }
-               return result;
-             })
+  const std::vector<Place> places = places_of(s, arrays);
+  return with_triangulation(s,
+                            [&](auto& t) {
+                              const Faces_in_order order(t);
+                              Place_finder find(t);
+                              Faces_and_weights result;
+                              for (const Place& place : places) {
+                                const IT::Surface_point p = find.points(place).front();
+                                const auto f = t.mesh().face(IT::Gluing_map::Halfedge{p.halfedge});
+                                const auto [i, j, k] = t.mesh().sides(f);
+                                result.append(order[t.index(f)], {i.index, j.index, k.index}, p);
+                              }
+                              return result;
+                            })
       .arrays();
 }
 

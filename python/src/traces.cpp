@@ -80,7 +80,7 @@ IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p
 
 IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
                                     const Place& p, std::uint32_t vertex, const Space_vector& v) {
-  if (!p.is_vertex()) {
+  if (p.has_face()) {
     const IT::Surface_point q = point_on_input(input, p);
     return tangent_of(input, q, in_corner(input, coordinates, q.halfedge, v, false));
   }
@@ -101,7 +101,7 @@ namespace {
 // In the frame of the face; at a vertex, in the polar coordinates of the surface there.
 template <class T>
 IT::Tangent_vector tangent_in_plane(const T& t, const Place& p, const std::complex<double>& z) {
-  if (!p.is_vertex()) return {point_on_input(t.input(), p), {z.real(), z.imag()}};
+  if (p.has_face()) return {point_on_input(t.input(), p), {z.real(), z.imag()}};
   const auto v = Place_finder<T>(t).vertex(p.vertex);
   const IT::Intrinsic_view<T> view(t);
   const std::uint32_t first = view.outgoing_halfedge(t.index(v));
@@ -120,7 +120,7 @@ IT::Tangent_vector tangent(const T& t, const Points& coordinates, const Place& p
                             "the surface has lengths and no points, so that it has no directions "
                             "in space; give a complex number");
   const auto v =
-      p.is_vertex() ? Place_finder<T>(t).vertex(p.vertex) : typename T::vertex_descriptor{};
+      p.has_face() ? typename T::vertex_descriptor{} : Place_finder<T>(t).vertex(p.vertex);
   return tangent_in_space(t.input(), coordinates, p, t.index(v), std::get<Space_vector>(direction));
 }
 
@@ -137,7 +137,7 @@ IT::Traced_curve traced(const IT::Input& input, const IT::Geodesic& geodesic) {
 }
 
 py::dict trace(Surface& s, const Place_arrays& from, const Direction& direction, double length) {
-  const Place p = places_of(from).at(0);
+  const Place p = places_of(s, from).at(0);
   Watch watch;
   std::shared_ptr<const IT::Input> input;
   const IT::Geodesic geodesic = with_triangulation(s, watch, [&](const auto& t) {

@@ -21,6 +21,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
@@ -308,7 +310,8 @@ TEST(Cover, has_shortest_paths_between_points_of_faces_on_any_side) {
         std::array<double, 3> w{uniform(random), uniform(random), uniform(random)};
         const double sum = w[0] + w[1] + w[2];
         for (double& x : w) x /= sum;
-        const IT::Surface_point p = IT::point_in_triangle(t, 2 * triangle + random() % 2, w);
+        const IT::Surface_point p =
+            IT::Place_finder(t).on_input(IT::Place::in_face(triangle, w))[random() % 2];
         points.push_back(p);
         const auto v = static_cast<std::uint32_t>(split.points.size());
         split.points.push_back(IT::point_in_space(t, p, m.points));

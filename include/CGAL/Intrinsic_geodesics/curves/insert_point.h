@@ -5,9 +5,12 @@
 #define CGAL_INTRINSIC_GEODESICS_CURVES_INSERT_POINT_H
 
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -122,6 +125,32 @@ std::vector<Vertex_at_point<Triangulation>> insert_point_on_sheets(Triangulation
         internal::insert_point_by(t, other, [&](auto h, const std::array<double, 3>& weights) {
           return typename Triangulation::Session(t).insert_copy(h, weights, other);
         }));
+  return result;
+}
+
+/*!
+\brief finds or inserts the vertices at a place that a user names: on a cover, all of its copies.
+
+Vertices that are inserted at points of edges and faces do not survive a refinement: refine first.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param place the place
+\throws Invalid_input as `Place_finder::append()`, or if its face has no room for a vertex there
+\complexity that of `insert_point_on_sheets()`
+*/
+template <RefinableTriangulation Triangulation>
+std::vector<typename Triangulation::vertex_descriptor> insert_place(Triangulation& t,
+                                                                    const Place& place) {
+  Place_finder<Triangulation> find(t);
+  const Place p = normalized(t.input(), place);
+  if (p.is_vertex()) return find.copies(p.vertex);
+  std::vector<typename Triangulation::vertex_descriptor> result;
+  for (const auto& v : insert_point_on_sheets(t, find.on_input(p).front())) {
+    if (v.status != Move_status::done)
+      throw Invalid_input::about(Element_kind::face, p.face,
+                                 " has no room for a vertex at that point; choose another");
+    result.push_back(v.vertex);
+  }
   return result;
 }
 

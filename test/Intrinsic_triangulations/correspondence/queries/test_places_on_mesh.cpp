@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -150,8 +151,8 @@ TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices)
       EXPECT_EQ(IT::weights_in_face(place), weights);
       // sums of three products of numbers below 10
       const auto on_mesh = IT::point_in_space(t, IT::surface_point(t, place, mesh), mesh);
-      const auto in_soup =
-          IT::point_in_space(soup, IT::point_in_triangle(soup, f, weights), shape.points);
+      const auto in_soup = IT::point_in_space(
+          soup, IT::point_on_input(soup.input(), IT::Place::in_face(f, weights)), shape.points);
       for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(on_mesh[static_cast<int>(c)], wanted[c], 1e-14) << name << ' ' << f;
         EXPECT_NEAR(in_soup[c], wanted[c], 1e-14) << name << ' ' << f;
@@ -163,9 +164,9 @@ TYPED_TEST(Queries, Weights_are_in_the_order_in_which_faces_list_their_vertices)
     }
     const auto none = static_cast<std::uint32_t>(shape.points.size());
     EXPECT_THROW(IT::vertex_of_row(soup, none), IT::Invalid_input);
-    EXPECT_THROW(
-        IT::point_in_triangle(soup, static_cast<std::uint32_t>(shape.triangles.size()), {1, 0, 0}),
-        IT::Invalid_input);
+    const auto no_face = static_cast<std::uint32_t>(shape.triangles.size());
+    EXPECT_THROW(IT::point_on_input(soup.input(), IT::Place::in_face(no_face, {1, 0, 0})),
+                 IT::Invalid_input);
   }
 }
 

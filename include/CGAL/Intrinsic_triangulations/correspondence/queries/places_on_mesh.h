@@ -180,28 +180,6 @@ std::array<double, 3> weights_in_face(const std::pair<Face, std::array<double, 3
 }
 
 /*!
-\brief returns the point of the input in a triangle of the user, for programs with a soup or a
-gluing instead of a mesh.
-\param t the triangulation
-\param triangle the number of the triangle
-\param weights weights of its corners, in the order in which it lists them
-\throws Invalid_input if there is no such triangle, or `t` has no correspondence
-\complexity constant
-*/
-template <NumberedTriangulation Triangulation>
-Surface_point point_in_triangle(const Triangulation& t, std::uint32_t triangle,
-                                const std::array<double, 3>& weights) {
-  const Input& input = internal::kept_input(t);
-  const std::uint32_t f =
-      triangle < input.number_of_faces() ? input.names().faces.here(triangle) : Gluing::none;
-  if (f == Gluing::none)
-    throw Invalid_input(Element_kind::face, triangle,
-                        "there is no triangle " + std::to_string(triangle) +
-                            "; numbers are below " + std::to_string(input.number_of_faces()));
-  return {input.halfedge_of_face(f), weights};
-}
-
-/*!
 \brief returns the vertex of the intrinsic triangulation with a given row in matrices, functions and
 distances, that is, the user's vertex of that number. Programs with a soup, a point cloud or a
 gluing instead of a mesh need it.
