@@ -29,6 +29,7 @@ paths, isolines and cuts; and `CGAL/Intrinsic_triangulations.h`.
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/Geodesic_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>

@@ -59,6 +59,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations.h>
 

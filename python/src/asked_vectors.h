@@ -115,7 +115,7 @@ private:
     if (!asked.are_in_planes()) return in_space(p, asked.in_space(i));
     const std::complex<double> z = asked.in_plane(i);
     if (!p.has_face()) return IT::tangent_vector(t_, find_.vertex(p.vertex), z);
-    return to_intrinsic({point_on_input(t_.input(), p), {z.real(), z.imag()}});
+    return find_.tangent(p, {z.real(), z.imag()});
   }
 
   // A vector at a vertex keeps its length.

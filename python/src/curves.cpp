@@ -11,9 +11,8 @@
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
-#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
-#include <CGAL/Intrinsic_geodesics/queries/Copies_of_curve.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
@@ -76,7 +75,8 @@ public:
   Found_curves run(const std::vector<Asked_curve>& asked) {
     Curves curves;
     for (const Asked_curve& curve : asked)
-      curves.push_back({vertices_of(curve), curve.is_loop, options_.stays_at_points});
+      curves.push_back({IT::insert_places(*t_, curve.points, curve.is_loop), curve.is_loop,
+                        options_.stays_at_points});
     IT::internal::fix_junctions(network_, curves);
     for (const auto& curve : curves) expect_different_neighbors(curve.vertices, curve.is_loop);
     if (!(options_.is_shortest && add_geodesics(curves))) {
@@ -95,17 +95,6 @@ public:
 
 private:
   auto observed() { return IT::parameters::visitor(std::ref(visitor_)); }
-
-  // One for each point; of several copies on a cover those that make the curve short.
-  std::vector<Vertex> vertices_of(const Asked_curve& curve) {
-    std::vector<std::vector<Vertex>> copies;
-    for (const Place& p : curve.points) copies.push_back(IT::insert_place(*t_, p));
-    if (t_->input().names().sheets > 1)
-      return IT::internal::Copies_of_curve<T>(*t_, copies, curve.is_loop).chosen();
-    std::vector<Vertex> result;
-    for (const std::vector<Vertex>& v : copies) result.push_back(v.front());
-    return result;
-  }
 
   std::string name(Vertex v) const {
     return t_->is_inserted(v) ? "a point inside of a face"

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -59,18 +60,11 @@ std::vector<Complex> logarithms_from(Surface& s, const T& t, const From& from,
       t, from, IT::parameters::maximum_distance(asked.maximum_distance).visitor(std::ref(visitor)));
 }
 
-// From a vertex, in its polar coordinates, or from a point, in the frame of the user's face.
 template <class T>
 std::vector<Complex> logarithms(Surface& s, const T& t, const Place& p,
                                 const Asked_logarithm& asked, Watch& watch) {
-  if (!p.has_face())
-    return logarithms_from(s, t, Place_finder<T>(t).vertex(p.vertex), asked, watch);
-  const IT::Surface_point on_input = point_on_input(t.input(), p);
-  const IT::Tangent_vector axis = *IT::tangent_to_intrinsic(t, {on_input, {1, 0}});
-  std::vector<Complex> result = logarithms_from(s, t, axis.point, asked, watch);
-  const Complex turn = std::polar(1., -std::atan2(axis.vector[1], axis.vector[0]));
-  for (Complex& z : result) z *= turn;
-  return result;
+  return IT::logarithms_from_place(
+      t, p, [&](const auto& from) { return logarithms_from(s, t, from, asked, watch); });
 }
 
 py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,

@@ -69,8 +69,9 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
 template <class Triangulation>
 const Json& improve(Surface& s, program::Loaded<Triangulation>& loaded, const Options& options,
                     Watch& watch) {
-  return s.cached<Json>(
-      "statistics", [&] { return new Json(program::improve_and_measure(loaded, options, watch)); });
+  return s.cached<Json>("statistics", [&] {
+    return new Json(program::improve_and_measure(loaded, options, watch, {}));
+  });
 }
 
 // \param is_improved whether the copy will be, so that other statistics hold

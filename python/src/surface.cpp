@@ -123,17 +123,16 @@ py::array_t<std::uint32_t> triangles_at_points(const Doubles& points, std::size_
 
 // ---- Lengths -----------------------------------------------------------------------------------
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
 // The square of the length of each edge; both sides of an edge must agree.
-// \param reversed the faces that were turned around: their side `k` was side `2 - k`
-std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const Doubles& lengths,
-                                    const std::vector<char>& reversed) {
+std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const std::vector<Point>& lengths) {
   std::vector<double> length(mesh.number_of_edges(), -1);
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
     const auto sides = mesh.sides(IT::Gluing_map::Face{f});
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t side = reversed[f] != 0 ? 2 - k : k;
-      const double l = lengths.data()[3 * std::size_t{f} + side];
-      double& known = length[sides[k].index / 2];
+    for (std::size_t side = 0; side < 3; ++side) {
+      const double l = lengths[f][side];
+      double& known = length[sides[side].index / 2];
       if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
         refuse("lengths[" + std::to_string(f) + ", " + std::to_string(side) + "] is " +
                std::to_string(l) + ", but the other side of that edge has the length " +
@@ -145,18 +144,30 @@ std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const Doubles& l
   return length;
 }
 
-// The gluing of the sides that `glue` names, or that have the same ends.
-IT::Gluing gluing_of(std::uint32_t vertices, const std::vector<std::array<std::uint32_t, 3>>& faces,
-                     const std::optional<Integers>& glue, std::vector<char>& reversed) {
-  if (!glue) return IT::oriented_gluing_from_triangles(vertices, faces, reversed);
-  reversed.assign(faces.size(), 0);
+// The gluing of the sides that `glue` names. Faces disagree at sides that run in one direction.
+IT::Gluing gluing_of(std::uint32_t vertices, const Triangles& faces, const Integers& glue) {
   IT::Gluing g{vertices, {}, {}};
   for (const auto& f : faces) g.origin.insert(g.origin.end(), f.begin(), f.end());
-  for (std::size_t h = 0; h < g.origin.size(); ++h) {
-    const std::int64_t f = glue->data()[2 * h], side = glue->data()[2 * h + 1];
-    g.glue.push_back(f < 0 ? IT::Gluing::none : static_cast<std::uint32_t>(3 * f + side));
+  for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
+    const std::int64_t f = glue.data()[2 * h], side = glue.data()[2 * h + 1];
+    const auto other = f < 0 ? IT::Gluing::none : static_cast<std::uint32_t>(3 * f + side);
+    const std::uint32_t from = g.origin[h], to = g.origin[IT::Gluing::next(h)];
+    const bool disagrees = other < g.origin.size() && from != to && g.origin[other] == from &&
+                           g.origin[IT::Gluing::next(other)] == to;
+    g.glue.push_back(disagrees ? IT::Gluing::reversed(other) : other);
   }
   return g;
+}
+
+// The surface of triangles that are glued as `glue` says, or where sides have the same ends.
+IT::Domain domain_of_lengths(std::uint32_t vertices, const Triangles& faces,
+                             const std::vector<Point>& lengths, const std::optional<Integers>& glue,
+                             const program::Surface_choice& choice) {
+  if (!glue) return IT::make_domain(vertices, faces, lengths, choice.kind, choice.mollification);
+  IT::Gluing_map mesh(gluing_of(vertices, faces, *glue));
+  std::vector<double> squares = squared_lengths(mesh, lengths);
+  return IT::make_domain(
+      IT::Intrinsic_input(std::move(mesh), std::move(squares), choice.mollification), choice.kind);
 }
 
 Surface_ptr build_of_lengths(std::uint32_t vertices, const Integers& corners,
@@ -164,21 +175,16 @@ Surface_ptr build_of_lengths(std::uint32_t vertices, const Integers& corners,
                              std::vector<Point> points, const std::string& domain, bool exact,
                              const std::string& mollification) {
   const Options options = options_of("the surface", domain, mollification, "fan");
-  std::vector<std::array<std::uint32_t, 3>> faces(static_cast<std::size_t>(corners.shape(0)));
+  Triangles faces(static_cast<std::size_t>(corners.shape(0)));
   for (std::size_t c = 0; c < 3 * faces.size(); ++c)
     faces[c / 3][c % 3] = static_cast<std::uint32_t>(corners.data()[c]);
+  const std::vector<Point> sides = points_of(lengths);
   Watch watch;
   return without_interpreter(watch, [&] {
-    std::vector<char> reversed;
-    const IT::Gluing g = gluing_of(vertices, faces, glue, reversed);
-    IT::Gluing_map mesh(g);
-    std::vector<double> squares = squared_lengths(mesh, lengths, reversed);
     const program::Surface_choice choice = program::surface_of(options);
     program::Mesh_file file;
     file.polygons = faces.size();
-    IT::Domain made = IT::make_domain(
-        IT::Intrinsic_input(std::move(mesh), std::move(squares), choice.mollification),
-        choice.kind);
+    IT::Domain made = domain_of_lengths(vertices, faces, sides, glue, choice);
     file.input = std::move(made.input);
     file.domain = std::move(made.report);
     Surface_ptr s = surface_of(std::move(file), options, exact);

@@ -70,10 +70,12 @@ In_corner in_corner(const IT::Input& input, const Points& coordinates, std::uint
   return result;
 }
 
+// Faces are laid out in scaled units, and the vector is in those of the user.
 IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p,
                               const In_corner& c) {
   const IT::Geodesic_face face(input, p.halfedge);
-  return {p, c.first * face.edge[0] - c.second * face.edge[2]};
+  const double unit = std::ldexp(1., -input.scale_exponent());
+  return {p, unit * (c.first * face.edge[0] - c.second * face.edge[2])};
 }
 
 } // namespace

@@ -40,6 +40,15 @@ void expect_accurate(const std::optional<IT::Inaccuracy>& inaccuracy, const Opti
   throw std::runtime_error(message.str());
 }
 
+void expect_area_kept(double before, double after, const Options& options) {
+  if (std::abs(after - before) <= 1e-6 * before) return; // false for what is not a number
+  std::ostringstream message;
+  message.precision(10);
+  message << options.input << ": rounding has spoilt the triangulation: the total area was "
+          << before << " and is " << after << "; nothing was written; use --arithmetic exact";
+  throw std::runtime_error(message.str());
+}
+
 void expect_covered(double input_area, double area, const Options& options) {
   if (std::abs(area - input_area) <= 1e-6 * input_area) return;
   std::ostringstream message;

@@ -17,6 +17,10 @@ namespace program {
 void expect_accurate(const std::optional<CGAL::Intrinsic_triangulations::Inaccuracy>& inaccuracy,
                      const Options& options);
 
+/// checks that flips have kept the area.
+/// \throws std::runtime_error if rounding has changed it
+void expect_area_kept(double before, double after, const Options& options);
+
 /// checks that the common subdivision covers the input once.
 /// \throws std::runtime_error if rounding has spoilt it
 void expect_covered(double input_area, double area, const Options& options);

@@ -122,7 +122,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
 /// flips to Delaunay, refines and writes files, as options say.
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
-  Json json = improve_and_measure(loaded, options, progress);
+  Json json = improve_and_measure(loaded, options, progress, {});
   if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0 && !options.no_flip)
     std::cerr << options.input << ": " << count << " edges are not Delaunay"
               << (Triangulation::Metric::is_exact

@@ -4,6 +4,7 @@
 #ifndef INTRINSIC_STATISTICS_H
 #define INTRINSIC_STATISTICS_H
 
+#include "accuracy.h"
 #include "constraints.h"
 #include "load.h"
 #include "options.h"
@@ -120,6 +121,16 @@ Integrals integrals_of(Triangulation& t, const std::vector<Point>& scaled_points
   return result;
 }
 
+/// returns the area of a triangulation as its metric stores it, in the units of the input.
+template <class Triangulation>
+double stored_area(const Triangulation& t) {
+  long double sum = 0;
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    sum += t.metric().approximate_quadruple_area(t.index(f));
+  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
+         t.input().names().sheets;
+}
+
 /// returns the area of a triangle in space.
 double area(const Point& p, const Point& q, const Point& r);
 
@@ -131,13 +142,8 @@ double input_area(const Loaded<Triangulation>& loaded) {
   const Triangulation& t = loaded.triangulation;
   const std::vector<Point>& p = loaded.scaled_points();
   if (p.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (!t.input().planar_polygons().empty()) return stored_area(t);
   long double sum = 0;
-  if (!t.input().planar_polygons().empty()) {
-    for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
-      sum += t.metric().approximate_quadruple_area(t.index(f));
-    return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
-           t.input().names().sheets;
-  }
   if constexpr (Triangulation::Metric::is_exact) {
     if (loaded.points.empty()) { // the metric keeps input faces whatever was flipped
       const IT::Input_metric& input = t.input().metric();
@@ -228,7 +234,8 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
 \param constrain called with the statistics before flipping; it returns a writable property map of
   the edges that are kept
 \param improve called with the statistics and that map after flipping, before anything is measured
-\throws std::runtime_error if flipping does not end, which happens in inexact arithmetic only
+\throws std::runtime_error if flipping does not end, or changes the area, which happens in inexact
+arithmetic only
 \return the statistics so far
 */
 template <class Triangulation, class Constrain, class Improve>
@@ -237,7 +244,7 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   constexpr bool is_exact = Triangulation::Metric::is_exact;
   Triangulation& t = loaded.triangulation;
   Json json = loaded_json(loaded, options);
-  const double area = input_area(loaded);
+  const double area = input_area(loaded), stored = is_exact ? 0 : stored_area(t);
   const auto constrained = constrain(json);
   Stopwatch watch;
   IT::Flip_to_delaunay_result result;
@@ -268,8 +275,9 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   // coordinates of inserted vertices are not known to the metric
   const std::vector<Point> none;
   const bool has_points = num_vertices(t.mesh()) == loaded.scaled_points().size();
-  add_integrals(json, integrals_of(t, has_points ? loaded.scaled_points() : none, checked), area,
-                has_points);
+  const Integrals integrals = integrals_of(t, has_points ? loaded.scaled_points() : none, checked);
+  if (!is_exact) expect_area_kept(stored, integrals.area, options);
+  add_integrals(json, integrals, area, has_points);
   json["seconds"]["verify"] = watch.lap();
   return json;
 }

@@ -98,7 +98,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   };
   Number_table table;
   if (from_input) table = read(t.input().number_of_rows(), "vertices of " + options.input);
-  Json json = improve_and_measure(loaded, options, progress);
+  Json json = improve_and_measure(loaded, options, progress, {});
   if (!from_input) table = read(t.number_of_vertices(), "vertices of the intrinsic triangulation");
   Stopwatch watch;
   progress.show("subdividing");

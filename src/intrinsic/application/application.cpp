@@ -3,7 +3,7 @@
 
 #include "application.h"
 #include "../delaunay.h"
-#include "../geodesic/Asked_vertices.h"
+#include "../geodesic/asked_curves.h"
 #include "../support/Number_rows.h"
 #include "../support/naming_file.h"
 #include "../view.h"
@@ -12,8 +12,11 @@
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
@@ -382,23 +385,51 @@ Marks source_marks(const Loaded<Triangulation>& loaded, const Sources& sources,
   const Triangulation& t = loaded.triangulation;
   const std::vector<Point> points = input_points(loaded);
   for (const auto& list : std::span(sources).first(lists_of_points))
-    for (const auto v : list)
-      if (const auto p = IT::locate_on_input(
-              t, IT::Surface_point{t.numbers().halfedge(opposite(halfedge(v, t.mesh()), t.mesh())),
-                                   {1, 0, 0}}))
-        marks.points.push_back({{IT::point_in_space(t, *p, points)}, false, 0});
+    for (const IT::Place& p : list)
+      marks.points.push_back(
+          {{IT::point_in_space(t, point_on_input(t.input(), p), points)}, false, 0});
   return marks;
 }
 
+// Reads points before long work begins: each has an element of the mesh that is good for it.
+template <class Triangulation>
+Sources sources_of(const Triangulation& t, const std::vector<Asked_curve>& asked,
+                   const Options& options) {
+  IT::Place_finder<Triangulation> find(t);
+  Sources sources;
+  for (const Asked_curve& list : asked)
+    naming_file(list.source + ": " + options.input, [&] {
+      std::vector<IT::Place>& places = sources.emplace_back();
+      for (const IT::Place& p : list.points) {
+        places.push_back(normalized(t.input(), p));
+        if (places.back().is_vertex()) (void)find.vertex(places.back().vertex);
+      }
+    });
+  return sources;
+}
+
+// Vertices at the points of curves. They need a triangulation that is not refined any more.
+template <class Triangulation>
+bool insert_curves(Triangulation& t, const std::vector<Asked_curve>& asked,
+                   const Options& options) {
+  const std::size_t before = num_vertices(t.mesh());
+  for (const Asked_curve& list : asked)
+    if (list.kind == Curve_kind::joined)
+      naming_file(list.source + ": " + options.input,
+                  [&] { return IT::insert_places(t, list.points); });
+  return num_vertices(t.mesh()) != before;
+}
+
 // Adaptive refinement is about the first vertex from which something is computed.
-Options about_source(Options options, const std::vector<Asked_curve>& asked) {
+Options about_source(Options options, const std::vector<Asked_curve>& asked,
+                     const Sources& sources) {
   if (!options.adaptive.is_asked_for || asked.empty()) return options;
-  const Asked_point& first = asked.front().points.front();
-  if (!first.is_vertex)
+  const IT::Place& first = sources.front().front();
+  if (!first.is_vertex())
     throw std::runtime_error(
         asked.front().source +
         ": --adaptive refines about a vertex; give one first, or another criterion");
-  options.adaptive.source = first.element;
+  options.adaptive.source = first.vertex;
   return options;
 }
 
@@ -413,17 +444,17 @@ Computed solved(Loaded<Solved_triangulation<Traits>>& loaded, const Options& opt
 template <class Traits>
 void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
          const Solver<Traits>& solve, Progress& progress) {
-  Asked_vertices find(loaded.triangulation, options);
   const std::vector<Asked_curve> asked =
       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
-  Sources sources;
-  for (const Asked_curve& points : asked) sources.push_back(find(points));
+  const Sources sources = sources_of(loaded.triangulation, asked, options);
   if (options.application.alignment && loaded.scaled_points().empty())
     throw std::runtime_error(options.input +
                              ": the stored triangulation has lengths and no points, so that it has "
                              "no directions of curvature; leave --align out, or start from the "
                              "mesh");
-  Json json = improve_and_measure(loaded, about_source(options, asked), progress);
+  Json json = improve_and_measure(loaded, about_source(options, asked, sources), progress, [&] {
+    return insert_curves(loaded.triangulation, asked, options);
+  });
   Stopwatch watch;
   progress.show("solving");
   Computed computed = solved(loaded, options, solve, sources, progress);

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
 
 #include <functional>
 #include <vector>
@@ -19,8 +20,8 @@
 
 namespace program {
 
-/// The vertices of each list of points on the command line.
-using Sources = std::vector<std::vector<IT::Gluing_map::Vertex>>;
+/// The points of each list on the command line, normalized.
+using Sources = std::vector<std::vector<IT::Place>>;
 
 /// A triangulation on which a command solves a problem.
 template <class Traits>

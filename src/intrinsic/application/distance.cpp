@@ -15,10 +15,13 @@
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 
 #include <algorithm>
 #include <array>
@@ -41,6 +44,7 @@ namespace {
 
 using Vertices = std::vector<IT::Gluing_map::Vertex>;
 using Curve = std::vector<IT::Gluing_map::Halfedge>;
+using Places = std::span<const std::vector<IT::Place>>;
 
 // the shortest ways along edges from each point of a curve to the next one
 template <class Triangulation>
@@ -77,18 +81,44 @@ Computed computed_distances(Eigen::VectorXd distances, const Application_options
   return computed;
 }
 
-Vertices joined(std::span<const Vertices> lists) {
-  Vertices all;
-  for (const Vertices& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
+// The points of all places in lists; on a cover, a place has several. `first`: the number of the
+// first point of each place, and that of points.
+struct Joined_points {
+  std::vector<IT::Surface_point> points;
+  std::vector<std::size_t> first;
+
+  std::span<const IT::Surface_point> of_place(std::size_t i) const {
+    return std::span(points).subspan(first[i], first[i + 1] - first[i]);
+  }
+  std::size_t number_of_places() const { return first.size() - 1; }
+  std::vector<std::uint32_t> place_of_point() const {
+    std::vector<std::uint32_t> result(points.size());
+    for (std::size_t i = 0; i + 1 < first.size(); ++i)
+      std::fill(result.begin() + static_cast<std::ptrdiff_t>(first[i]),
+                result.begin() + static_cast<std::ptrdiff_t>(first[i + 1]),
+                static_cast<std::uint32_t>(i));
+    return result;
+  }
+};
+
+template <class Triangulation>
+Joined_points joined(const Triangulation& t, Places lists) {
+  IT::Place_finder<Triangulation> find(t);
+  Joined_points result{{}, {0}};
+  for (const std::vector<IT::Place>& list : lists)
+    for (const IT::Place& p : list) {
+      find.append(p, result.points);
+      result.first.push_back(result.points.size());
+    }
+  return result;
 }
 
 template <class Triangulation>
-Computed heat_distances(const Triangulation& t, const Sources& sources,
-                        const Application_options& o) {
-  std::vector<Curve> curves;
+Computed heat_distances(Triangulation& t, const Sources& sources, const Application_options& o) {
+  std::vector<Curve> curves; // their vertices are there
   for (std::size_t i = 0; i < o.curves.size(); ++i)
-    curves.push_back(along_edges(t, sources[o.sources.size() + i], o.curves[i]));
+    curves.push_back(
+        along_edges(t, IT::insert_places(t, sources[o.sources.size() + i]), o.curves[i]));
   const auto with_time = [&](Eigen::VectorXd distances, double time) {
     Computed computed = computed_distances(std::move(distances), o);
     computed.json["time"] = time;
@@ -99,7 +129,7 @@ Computed heat_distances(const Triangulation& t, const Sources& sources,
     IT::Signed_heat_distance heat(t, factor);
     return with_time(heat.distances(curves), heat.time());
   }
-  const Vertices points = joined(std::span(sources).first(o.sources.size()));
+  const auto points = joined(t, Places(sources).first(o.sources.size())).points;
   IT::Heat_distance heat(t, factor);
   return with_time(curves.empty()   ? heat.distances(points)
                    : points.empty() ? heat.distances(curves)
@@ -157,23 +187,22 @@ Computed found_distances(const IT::Polyhedral_distance<Triangulation>& search,
 template <class Triangulation>
 Computed exact_distances(const Triangulation& t, const Sources& sources,
                          const Application_options& o) {
-  const Vertices points = joined(std::span(sources).first(o.sources.size()));
-  const Vertices targets = joined(std::span(sources).subspan(o.sources.size()));
+  const Joined_points from = joined(t, Places(sources).first(o.sources.size())),
+                      to = joined(t, Places(sources).subspan(o.sources.size()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const IT::Polyhedral_distance<Triangulation> search(
-      t, points,
-      IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(targets));
+      t, from.points,
+      IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(to.points));
   Computed computed = found_distances(search, o);
-  const Eigen::VectorXd& by_row = computed.functions.front().values;
   Json to_targets = Json::array();
-  for (const auto v : targets) to_targets.push_back(finite_or_null(by_row[t.input_vertex(v)]));
+  for (std::size_t i = 0; i < to.number_of_places(); ++i) {
+    double least = infinity;
+    for (const IT::Surface_point& p : to.of_place(i)) least = std::min(least, search.distance(p));
+    to_targets.push_back(finite_or_null(least));
+  }
   computed.json["reached"] = finite_or_null(search.reached_distance());
   computed.json["targets"] = std::move(to_targets);
-  if (!o.voronoi.empty()) {
-    std::vector<std::uint32_t> own(points.size());
-    std::iota(own.begin(), own.end(), 0U);
-    add_cells(search, own, o, computed);
-  }
+  if (!o.voronoi.empty()) add_cells(search, from.place_of_point(), o, computed);
   return computed;
 }
 
@@ -338,8 +367,7 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options, Prog
 } // namespace
 
 void run_distance(const Options& options) {
-  run_application(options, [&](const auto& t, const Sources& sources, const Points&,
-                               Progress& progress) {
+  run_application(options, [&](auto& t, const Sources& sources, const Points&, Progress& progress) {
     const Application_options& o = options.application;
     if (!o.pairs.empty()) return distances_of_pairs(t, options, progress);
     if (!o.source_sets.empty())

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -201,13 +202,15 @@ std::vector<Complex> cloud_logarithms(const Triangulation& t, std::uint32_t row,
 }
 
 template <class Triangulation>
-std::vector<Complex> logarithms(const Triangulation& t, IT::Gluing_map::Vertex source,
+std::vector<Complex> logarithms(const Triangulation& t, const IT::Place& source,
                                 const Options& options, const std::string& method) {
-  if (method == "exact") return IT::logarithmic_map(t, source);
-  return IT::Vector_heat_method<Triangulation>(
-             t, IT::parameters::time_factor(options.application.time_factor))
-      .logarithmic_map(source, method == "polar" ? IT::Logarithm_method::polar
+  return IT::logarithms_from_place(t, source, [&](const auto& from) {
+    if (method == "exact") return IT::logarithmic_map(t, from);
+    return IT::Vector_heat_method<Triangulation>(
+               t, IT::parameters::time_factor(options.application.time_factor))
+        .logarithmic_map(from, method == "polar" ? IT::Logarithm_method::polar
                                                  : IT::Logarithm_method::affine);
+  });
 }
 
 template <class Triangulation>
@@ -216,9 +219,9 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   if (sources.size() != 1 || sources[0].size() != 1)
     throw std::runtime_error("logarithmic maps have one source; give one point with --source");
   const std::string method = logarithm_method(t, options.application.logarithm);
-  const std::vector<Complex> log =
-      is_cloud(t) ? cloud_logarithms(t, t.input_vertex(sources[0][0]), options, points)
-                  : logarithms(t, sources[0][0], options, method);
+  const std::vector<Complex> log = is_cloud(t)
+                                       ? cloud_logarithms(t, sources[0][0].vertex, options, points)
+                                       : logarithms(t, sources[0][0], options, method);
   const std::vector<std::uint32_t> nearest =
       is_cloud(t) ? all_rows(t) : IT::nearest_copies_of_rows(t, log);
   Computed computed{"logmap", {}, {}};
@@ -329,9 +332,7 @@ void run_transport(const Options& options) {
 }
 void run_logmap(const Options& options) {
   run_application(options, [&](const auto& t, const Sources& sources, const Points& points,
-                               Progress&) {
-    return logarithmic_map(t, sources, options, points);
-  });
+                               Progress&) { return logarithmic_map(t, sources, options, points); });
 }
 void run_field(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points& points, Progress&) {

@@ -4,8 +4,8 @@
 #ifndef INTRINSIC_APPLICATION_VERTEX_SETS_H
 #define INTRINSIC_APPLICATION_VERTEX_SETS_H
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,15 +40,14 @@ template <class Triangulation>
 std::vector<std::vector<typename Triangulation::vertex_descriptor>>
 vertices_of(const Triangulation& t, const Vertex_sets& sets) {
   namespace IT = CGAL::Intrinsic_triangulations;
+  IT::Place_finder<Triangulation> find(t);
   std::vector<std::vector<typename Triangulation::vertex_descriptor>> result(sets.rows.size());
   for (std::size_t i = 0; i < result.size(); ++i)
-    for (const std::uint32_t row : sets.rows[i]) {
-      const auto v = IT::vertex_of_row(t, row);
-      if (halfedge(v, t.mesh()).index == IT::Gluing::none)
-        sets.refuse(i,
-                    "vertex " + std::to_string(row) + " is isolated: no face has it; leave it out");
-      result[i].push_back(v);
-    }
+    for (const std::uint32_t row : sets.rows[i]) try {
+        result[i].push_back(find.vertex(row));
+      } catch (const IT::Invalid_input& e) {
+        sets.refuse(i, e.what());
+      }
   return result;
 }
 

@@ -8,7 +8,6 @@
 #include "../load.h"
 #include "../options.h"
 #include "../support/naming_file.h"
-#include "Asked_vertices.h"
 #include "asked_curves.h"
 
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
@@ -17,6 +16,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
+#include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
 
 #include <algorithm>
@@ -45,8 +45,7 @@ public:
   /// prepares the curves of `options` on what was loaded.
   Curve_builder(Loaded<Triangulation>& loaded, const Options& options,
                 IT::Curve_network<Triangulation>& network)
-      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network),
-        points_(loaded.triangulation, options) {}
+      : loaded_(loaded), t_(loaded.triangulation), options_(options), network_(network) {}
 
   /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
   void run() {
@@ -54,7 +53,10 @@ public:
         asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
     std::vector<Curve> through;
     for (const Asked_curve& curve : curves)
-      through.push_back({points_(curve), curve.is_loop, options_.geodesic.has_waypoints});
+      through.push_back(
+          {naming_file(curve.source + ": " + options_.input,
+                       [&] { return IT::insert_places(t_, curve.points, curve.is_loop); }),
+           curve.is_loop, options_.geodesic.has_waypoints});
     IT::internal::fix_junctions(network_, through);
     if (has_constraints(options_))
       named(options_.input,
@@ -134,6 +136,13 @@ private:
     });
   }
 
+  // as the user names it
+  std::string name(Vertex v) const {
+    return t_.is_inserted(v)
+               ? "a point inside of a face of " + options_.input
+               : "vertex " + std::to_string(t_.input_vertex(v)) + " of " + options_.input;
+  }
+
   // Calls a function; reports a crossing with the numbers of the file.
   template <class Function>
   void named(const std::string& source, const Function& function) const {
@@ -141,12 +150,11 @@ private:
       function();
     } catch (const IT::Invalid_input& e) {
       if (e.kind() != IT::Element_kind::vertex) throw;
-      throw std::runtime_error(
-          source + ": the curve crosses another or itself at " +
-          points_.name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
-          ", where none may pass another; let curves end there, give it as a "
-          "point of this one with "
-          "--waypoints, or make each geodesic in a run of its own");
+      throw std::runtime_error(source + ": the curve crosses another or itself at " +
+                               name(t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()))) +
+                               ", where none may pass another; let curves end there, give it as a "
+                               "point of this one with "
+                               "--waypoints, or make each geodesic in a run of its own");
     }
   }
 
@@ -154,7 +162,7 @@ private:
     const std::size_t n = vertices.size();
     for (std::size_t i = 0; i + (curve.is_loop ? 0 : 1) < n; ++i)
       if (IT::internal::are_copies(t_, vertices[i], vertices[(i + 1) % n]))
-        throw std::runtime_error(curve.source + ": " + points_.name(vertices[i]) +
+        throw std::runtime_error(curve.source + ": " + name(vertices[i]) +
                                  " follows itself; give it once");
   }
 
@@ -170,8 +178,8 @@ private:
         piece =
             find(IT::internal::copies_of_vertex(t_, from), IT::internal::copies_of_vertex(t_, to));
       if (piece.empty())
-        throw std::runtime_error(curve.source + ": no path leads from " + points_.name(from) +
-                                 " to " + points_.name(to) +
+        throw std::runtime_error(curve.source + ": no path leads from " + name(from) + " to " +
+                                 name(to) +
                                  ", they are in different components; choose points of one");
       way.insert(way.end(), piece.begin(), piece.end());
     }
@@ -182,7 +190,6 @@ private:
   Triangulation& t_;
   const Options& options_;
   IT::Curve_network<Triangulation>& network_;
-  Asked_vertices<Triangulation> points_;
   std::vector<IT::Traced_curve> initial_;
   IT::Shortening_result shortening_;
 };

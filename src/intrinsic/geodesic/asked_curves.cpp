@@ -5,7 +5,9 @@
 #include "../support/text_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -26,40 +28,37 @@ std::vector<std::string_view> parts(std::string_view text, char separator) {
   }
 }
 
-// Weights that sum to 1 up to rounding are made to.
-std::optional<Asked_point> point_of(std::string_view text) {
+std::optional<IT::Place> point_of(std::string_view text) {
   const std::vector<std::string_view> words = parts(text, ':');
-  Asked_point p{words.size() == 1, 0, {1, 0, 0}};
-  if (!internal::parse_number(words[0], p.element)) return std::nullopt;
-  if (p.is_vertex) return p;
+  std::uint32_t element = 0;
+  if (!internal::parse_number(words[0], element)) return std::nullopt;
+  if (words.size() == 1) return IT::Place::at_vertex(element);
   if (words.size() != 4) return std::nullopt;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double& x = p.weights[k];
-    if (!internal::parse_number(words[k + 1], x) || !(x >= 0 && x <= 2)) return std::nullopt;
-    sum += x;
-  }
-  if (!(std::abs(sum - 1) <= 1e-6)) return std::nullopt;
-  for (double& x : p.weights) x /= sum;
-  return p;
+  std::array<double, 3> weights{};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!internal::parse_number(words[k + 1], weights[k]) || !(weights[k] >= 0))
+      return std::nullopt;
+  if (!(std::abs(weights[0] + weights[1] + weights[2] - 1) <= 1e-6)) return std::nullopt;
+  return IT::Place::in_face(element, weights);
 }
 
-std::vector<Asked_point> points_of(std::string_view text) {
-  std::vector<Asked_point> points;
+std::vector<IT::Place> points_of(std::string_view text) {
+  std::vector<IT::Place> points;
   for (const std::string_view word : parts(text, ',')) points.push_back(point_of(word).value());
   return points;
 }
 
 void expect_elements(const Asked_curve& curve, const std::string& file, std::size_t vertices,
                      std::size_t faces) {
-  for (const Asked_point& p : curve.points) {
-    const std::size_t count = p.is_vertex ? vertices : faces;
-    const char* const kind = p.is_vertex ? "vertex" : "face";
+  for (const IT::Place& p : curve.points) {
+    const std::size_t count = p.has_face() ? faces : vertices;
+    const char* const kind = p.has_face() ? "face" : "vertex";
+    const std::uint32_t element = p.has_face() ? p.face : p.vertex;
     if (count == 0)
       throw std::runtime_error(curve.source + ": " + file + " has no faces; give numbers of " +
                                "vertices");
-    if (p.element >= count)
-      throw std::runtime_error(curve.source + ": " + kind + " " + std::to_string(p.element) +
+    if (element >= count)
+      throw std::runtime_error(curve.source + ": " + kind + " " + std::to_string(element) +
                                " does not exist in " + file + "; give numbers from 0 to " +
                                std::to_string(count - 1));
   }
@@ -72,7 +71,7 @@ void append_network(const std::string& path, std::size_t vertices,
   while (lines.next()) {
     Asked_curve curve{{}, lines.words().front() == "loop", {}, Curve_kind::joined};
     for (std::size_t i = curve.is_loop ? 1 : 0; i < lines.words().size(); ++i)
-      curve.points.push_back({true, lines.element(i, "vertex", vertices), {1, 0, 0}});
+      curve.points.push_back(IT::Place::at_vertex(lines.element(i, "vertex", vertices)));
     if (curve.points.size() < (curve.is_loop ? 3 : 2))
       lines.refuse(curve.is_loop ? "a loop needs three vertices at least; add some"
                                  : "a path needs two vertices at least; add some");

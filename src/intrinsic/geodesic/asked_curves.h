@@ -6,9 +6,9 @@
 
 #include "../options.h"
 
-#include <array>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,12 +16,7 @@
 
 namespace program {
 
-/// A vertex of the mesh file, or a point in one of its faces.
-struct Asked_point {
-  bool is_vertex = true;
-  std::uint32_t element = 0;     ///< number of the vertex or the face
-  std::array<double, 3> weights; ///< of the corners of the face; they sum to 1
-};
+namespace IT = CGAL::Intrinsic_triangulations;
 
 /// What the points of a curve are for.
 enum class Curve_kind {
@@ -32,7 +27,7 @@ enum class Curve_kind {
 
 /// A path or a loop through points, or another list of points.
 struct Asked_curve {
-  std::vector<Asked_point> points;
+  std::vector<IT::Place> points;
   bool is_loop = false;
   std::string source; ///< where it comes from: an option, or file and line
   Curve_kind kind = Curve_kind::joined;

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -42,10 +43,12 @@ std::vector<double> values_of_rows(Triangulation& t, const Loaded<Triangulation>
     table.expect_rows(rows, what);
     return table.values;
   }
-  std::vector<typename Triangulation::vertex_descriptor> sources;
-  Asked_vertices<Triangulation> points(t, options);
+  std::vector<IT::Surface_point> sources;
+  IT::Place_finder<Triangulation> find(t);
   for (const Asked_curve& list : asked_points(options, rows, loaded.facts.polygons))
-    for (const auto v : points(list)) sources.push_back(v);
+    naming_file(list.source + ": " + options.input, [&] {
+      for (const IT::Place& p : list.points) find.append(p, sources);
+    });
   return IT::Polyhedral_distance<Triangulation>(t, sources).distances();
 }
 
@@ -56,10 +59,8 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
   const Range range = range_of(values);
   const std::vector<double> levels = levels_of(options.cut.levels, range.least, range.greatest);
   const std::vector<IT::Isoline> lines = IT::isolines(t, values, levels);
-  json["isolines"] = {{"levels", levels},
-                      {"lines", lines.size()},
-                      {"min", range.least},
-                      {"max", range.greatest}};
+  json["isolines"] = {
+      {"levels", levels}, {"lines", lines.size()}, {"min", range.least}, {"max", range.greatest}};
   if (lines.empty())
     throw std::runtime_error(options.input + ": no isoline has one of the levels, as values are " +
                              "from " + std::to_string(range.least) + " to " +
@@ -69,7 +70,7 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
 
 template <class Triangulation>
 Edge_labels<Triangulation> geodesic_labels(Loaded<Triangulation>& loaded, const Options& options,
-                                            Json& json, Progress& progress) {
+                                           Json& json, Progress& progress) {
   Geodesic_curves<Triangulation> curves(loaded, options, input_points(loaded));
   curves.run(json, progress);
   warn_of_cap(json, options);

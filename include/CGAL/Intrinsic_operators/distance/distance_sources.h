@@ -77,6 +77,9 @@ public:
   template <class Sources>
   Source_places read(const Sources& sources) {
     add(sources);
+    std::ranges::sort(places_.rows); // copies of a vertex are one source
+    const auto repeated = std::ranges::unique(places_.rows);
+    places_.rows.erase(repeated.begin(), repeated.end());
     return std::move(places_);
   }
 

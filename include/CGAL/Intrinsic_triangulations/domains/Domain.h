@@ -7,9 +7,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -98,6 +100,26 @@ See above. The edges are those of the gluing, which may have squared lengths in 
 \complexity linear
 */
 Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);
+
+/*!
+\brief makes a surface of triangles with lengths, which need not lie in space.
+
+See above. Edges are matched by their end vertices. Lengths alone do not determine the order of more
+than two faces around an edge: the tufted cover takes that of their numbers.
+\param number_of_vertices how many vertices there are
+\param triangles their corners
+\param lengths of the sides of each triangle, from each corner to the next
+\param kind the kind of surface
+\param mollification treatment of degenerate faces
+\throws Invalid_input as `make_domain()` of a soup; if there are more or fewer lengths than triangles;
+  or naming a face with a side that differs in length from another side of its edge
+\complexity linear
+*/
+Domain make_domain(std::uint32_t number_of_vertices,
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                   const std::vector<std::array<double, 3>>& lengths,
+                   Domain_kind kind = Domain_kind::automatic,
+                   Mollification mollification = Mollification::automatic);
 
 /*!
 \brief makes a surface of signed incidence matrices and lengths: any number of faces may meet at an

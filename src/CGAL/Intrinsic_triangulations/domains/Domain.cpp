@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Incidence_reader.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
@@ -11,7 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -175,6 +178,26 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
       .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
 }
 
+// The square of the length of each edge, in which its sides must agree.
+std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
+                                             const std::vector<std::array<double, 3>>& lengths) {
+  const auto length = [&](const Edge_side& s) { return lengths[s.halfedge / 3][s.halfedge % 3]; };
+  std::vector<double> result;
+  result.reserve(edges.number_of_edges());
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
+    const double known = length(edges[e][0]);
+    for (const Edge_side& s : edges[e])
+      if (const double l = length(s); std::abs(l - known) > 1e-9 * std::max(l, known))
+        throw Invalid_input(Element_kind::face, s.halfedge / 3,
+                            "lengths[" + std::to_string(s.halfedge / 3) + ", " +
+                                std::to_string(s.halfedge % 3) + "] is " + std::to_string(l) +
+                                ", but another side of that edge has the length " +
+                                std::to_string(known) + "; give all sides of an edge one length");
+    result.push_back(known * known);
+  }
+  return result;
+}
+
 } // namespace internal
 
 Domain make_domain(Triangle_soup soup, Domain_kind kind, Mollification mollification) {
@@ -213,6 +236,30 @@ Domain make_domain(Intrinsic_input input, Domain_kind kind) {
       for (const Gluing_map::Halfedge h : input.mesh.sides({f})) edge.push_back(h.index / 2);
   return internal::Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
       .make(kind, conflict);
+}
+
+Domain make_domain(std::uint32_t number_of_vertices,
+                   const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                   const std::vector<std::array<double, 3>>& lengths, Domain_kind kind,
+                   Mollification mollification) {
+  internal::check_size_of_cover(triangles.size());
+  if (lengths.size() != triangles.size())
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(lengths.size()) +
+                            " triples of lengths; give one for each of the " +
+                            std::to_string(triangles.size()) + " triangles");
+  Gluing faces = internal::unglued_triangles(number_of_vertices, triangles);
+  const internal::Sides_by_edge edges = internal::sides_by_edge(faces);
+  Intrinsic_input input;
+  input.squared_lengths = internal::squared_lengths_of_edges(edges, lengths);
+  input.mollification = mollification;
+  std::vector<std::uint32_t> edge(faces.origin.size());
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e)
+    for (const internal::Edge_side& s : edges[e]) edge[s.halfedge] = e;
+  return internal::domain_of_faces(
+      std::move(input), std::move(faces), edges, std::move(edge), kind,
+      [&](std::uint32_t e) { internal::fail_nonmanifold(faces, edges[e], {}); },
+      [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], {}); });
 }
 
 Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths, Domain_kind kind,

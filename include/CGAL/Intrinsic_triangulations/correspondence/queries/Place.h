@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <array>
@@ -17,6 +16,8 @@ Points as users name them, by numbers of their vertices and faces, and the one w
 */
 
 namespace CGAL::Intrinsic_triangulations {
+
+class Input;
 
 /*!
 \brief is a point that a user names: a vertex, or a point in one of the user's triangles.
@@ -74,7 +75,7 @@ namespace internal {
 
 // The same point, of which a name is chosen by where it is, not by the face that named it: on an
 // edge, in the frame of its even halfedge, unless that has no face.
-Surface_point with_one_name(const Input& input, Surface_point p);
+Surface_point with_one_name(const Input& input, const Surface_point& p);
 
 } // namespace internal
 

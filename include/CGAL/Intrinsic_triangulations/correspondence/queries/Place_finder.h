@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
@@ -23,6 +25,14 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The same vector, at a point with one name: on an edge it may be in the frame of the other face.
+// At a corner it keeps its frame.
+Tangent_vector with_one_name(const Input& input, const Tangent_vector& v);
+
+} // namespace internal
 
 /*!
 \brief finds the vertices and points of a triangulation at places that a user names.
@@ -115,6 +125,20 @@ public:
     std::vector<Surface_point> result;
     for (const Place& p : places) append(p, result);
     return result;
+  }
+
+  /*!
+  \brief takes a vector in the frame of the face that names a place to the triangulation.
+  \param place the place, normalized
+  \param vector along the first side of the face, and to the left of it
+  \return the vector, in the frame of a face there; on a cover, on the front
+  \pre the place has a face
+  \complexity that of `tangent_to_intrinsic()`
+  */
+  Tangent_vector tangent(const Place& place, const Plane_vector<double>& vector) const {
+    const Input& input = t_.input();
+    return *tangent_to_intrinsic(
+        t_, internal::with_one_name(input, {point_on_input(input, place), vector}));
   }
 
 private:

@@ -4,8 +4,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -64,12 +67,19 @@ Surface_point turned(const Input& input, const Surface_point& p) {
 
 } // namespace
 
-Surface_point with_one_name(const Input& input, Surface_point p) {
-  for (int k = 0; k < 3 && p.weights[2] != 0; ++k) p = turned(input, p);
-  const std::uint32_t other = p.halfedge ^ 1U;
-  const bool is_on_odd_side = p.weights[2] == 0 && p.halfedge % 2 == 1;
-  if (!is_on_odd_side || input.is_border(other)) return p;
-  return {other, {p.weights[1], p.weights[0], 0}};
+Surface_point with_one_name(const Input& input, const Surface_point& p) {
+  return with_one_name(input, Tangent_vector{p, {0, 0}}).point;
+}
+
+Tangent_vector with_one_name(const Input& input, const Tangent_vector& v) {
+  Surface_point p = v.point;
+  unsigned side = 0;
+  for (; side < 3 && p.weights[2] != 0; ++side) p = turned(input, p);
+  if (side == 3 || corner_of(p) < 3) return v;
+  const Plane_vector<double> along =
+      Geodesic_face(input, v.point.halfedge).relative_to(side, v.vector);
+  if (p.halfedge % 2 == 0 || input.is_border(p.halfedge ^ 1U)) return {p, along};
+  return {{p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}}, {-along[0], -along[1]}};
 }
 
 } // namespace internal
