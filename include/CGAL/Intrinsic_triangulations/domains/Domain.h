@@ -111,7 +111,7 @@ than two faces around an edge: the tufted cover takes that of their numbers.
 \param lengths of the sides of each triangle, from each corner to the next
 \param kind the kind of surface
 \param mollification treatment of degenerate faces
-\throws Invalid_input as `make_domain()` of a soup; if there are more or fewer lengths than triangles;
+\throws Invalid_input as for a soup; if there are more or fewer lengths than triangles;
   or naming a face with a side that differs in length from another side of its edge
 \complexity linear
 */
