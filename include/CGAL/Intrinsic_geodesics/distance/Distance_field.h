@@ -24,16 +24,17 @@ struct Window;
 /*!
 \brief keeps the windows that look into faces, 32 bytes each, in a list per side.
 
-The ends of intervals are rounded outwards to multiples of 2^-32 of the side, the ends of the side
-exactly. A path through the added part passes a vertex on the wrong side by that much: usually it is
-too short by the square of it.
+The ends of intervals are rounded outwards, to 2^-30 of the geometric mean of the side and of the
+distance to its nearer end; the ends of the side exactly. A path through the added part passes a
+vertex on the wrong side by that much: it is too short by the square of it, divided by the distance
+of the vertex, also next to the ends of the side.
 */
 class Stored_windows {
 public:
   /// A window, but for what all windows of its side share.
   struct Record {
     Plane_vector<double> image; ///< the source, in the frame of the side
-    std::uint32_t begin;        ///< of the interval, in units of the side
+    std::uint32_t begin;        ///< of the interval, see `place()`
     std::uint32_t end;          ///< of the interval
     std::uint32_t source;       ///< number of the source
     std::uint32_t next;         ///< another window of the side, or `Gluing::none`
@@ -56,7 +57,8 @@ public:
   }
   /// returns where an interval begins or ends on a side with a length.
   static double place(std::uint32_t end, double length) {
-    return end == largest ? length : end / units * length;
+    const double root = end / units, back = 1 - root; // finer towards both ends
+    return root < 0.5 ? 2 * root * root * length : length - 2 * back * back * length;
   }
   /// returns the number of windows.
   std::size_t size() const { return size_; }

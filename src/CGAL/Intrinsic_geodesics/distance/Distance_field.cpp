@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,13 +14,14 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 void Stored_windows::add(const Window& w, std::uint32_t side, double length) {
-  const auto rounded = [](double x) { // downwards
-    return static_cast<std::uint32_t>(std::clamp(x, 0.0, units));
+  const auto rounded = [length](double x, double up) {
+    const double part = std::clamp(x / length, 0.0, 1.0);
+    const double root = part < 0.5 ? std::sqrt(part / 2) : 1 - std::sqrt((1 - part) / 2);
+    return static_cast<std::uint32_t>(std::min(root * units + up, units));
   };
   if (size_ % block_size == 0)
     blocks_.push_back(std::make_unique_for_overwrite<Record[]>(block_size));
-  at(size_) = {w.image, rounded(w.begin / length * units), rounded(w.end / length * units + 1),
-               w.source, first_[side]};
+  at(size_) = {w.image, rounded(w.begin, 0), rounded(w.end, 1), w.source, first_[side]};
   first_[side] = size_++;
 }
 
@@ -79,6 +81,7 @@ Distance_and_arrival Distance_field::at(const Point_in_face& p) const {
 void Distance_field::look_through(std::uint32_t side, Plane_vector<double> p,
                                   Distance_and_arrival& best) const {
   const double length = table.corners[side].length;
+  p.y = std::max(p.y, 0.0); // not below the side, where rounding would swing rays far along it
   windows.for_each(side, [&](const Stored_windows::Record& w) {
     const double distance = offset(w.source) + planar_distance(w.image, p);
     if (!(distance < best.distance)) return;

@@ -131,10 +131,12 @@ private:
   void finish(std::uint32_t v);
   void reach_copies(std::uint32_t v);
   void open_fan(std::uint32_t v, std::uint32_t first, bool everywhere);
-  void open_closed_fan(std::uint32_t v, std::size_t arrival, double angle);
-  void open_border_fan(std::uint32_t v, std::size_t arrival, double angle);
+  void open_closed_fan(std::uint32_t v, std::size_t arrival, double angle, double hidden);
+  void open_border_fan(std::uint32_t v, std::size_t arrival, double angle, double hidden);
   void open_wedge(std::uint32_t v, const Wedge& wedge, double from, double to);
   double find_arrival(std::uint32_t v, std::size_t& index) const;
+  double rounding_around(std::uint32_t corner) const;
+  double hidden_angle(std::uint32_t v, std::uint32_t corner) const;
   void add_window(std::uint32_t side, Window w);
   void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
   void add_first_window(std::uint32_t side, Window w);
@@ -178,16 +180,21 @@ void Window_propagation::add_source(const Places::Numbered<Point_in_face>& sourc
   field_.origins.push_back(source.index);
 }
 
-// Looks from a source in a face, by its number, to all sides.
+// Looks from a source in a face, by its number, to all sides. Within rounding of a corner it only
+// reaches the corners: the vertex there looks around for it.
 void Window_propagation::open_source(std::uint32_t source) {
   const Point_in_face p = field_.face_sources[source - field_.vertices.size()];
   const std::uint32_t face = p.side / 3;
+  bool is_at_corner = false;
+  for (std::uint32_t c = 3 * face; c < 3 * face + 3; ++c)
+    is_at_corner = is_at_corner || planar_distance(field_.turned_to(c, p.point, p.side), {0, 0}) <=
+                                       rounding_around(c);
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
     const Plane_vector<double> q = field_.turned_to(side, p.point, p.side);
     const Face_corner& c = table_.corners[side];
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
-    if (c.opposite == Gluing::none) continue;
+    if (is_at_corner || c.opposite == Gluing::none) continue;
     add_first_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
   }
 }
@@ -241,6 +248,32 @@ double Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) con
   return std::clamp(angle, 0.0, found->angle);
 }
 
+// Windows that pass a vertex on its two sides have images that rounding has moved apart: by units in
+// the last place of the sides around, which this sums up for the fan of a corner.
+double Window_propagation::rounding_around(std::uint32_t corner) const {
+  double longest = 0, faces = 0;
+  const auto add = [&](std::uint32_t c) {
+    longest = std::max({longest, table_.corners[c].length,
+                        table_.corners[Corner_table::previous(c)].length});
+    ++faces;
+  };
+  std::uint32_t c = corner;
+  do add(c);
+  while ((c = table_.turn_left(c)) != Gluing::none && c != corner);
+  if (c == Gluing::none)
+    while ((corner = table_.turn_right(corner)) != Gluing::none) add(corner);
+  return 0x1p-51 * faces * longest;
+}
+
+// The nearer an image is to a vertex, the more directions behind it neither of these windows shows.
+// Returns the angle, 0 if the tolerance of windows makes up for it.
+double Window_propagation::hidden_angle(std::uint32_t v, std::uint32_t corner) const {
+  const Arrival& a = field_.vertices[v].arrival;
+  const double rounding = rounding_around(corner);
+  const double distance = planar_distance(a.image, Window_face(table_, a.side).apex);
+  return rounding > window_angle_tolerance * distance ? rounding / distance : 0;
+}
+
 // Looks from a vertex into the faces of a fan, as far as shortest paths may go on there.
 void Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool everywhere) {
   fan_.clear();
@@ -258,20 +291,22 @@ void Window_propagation::open_fan(std::uint32_t v, std::uint32_t first, bool eve
   } while (c != Gluing::none && c != first);
   std::size_t index = fan_.size();
   const double angle = everywhere ? 0 : find_arrival(v, index);
-  if (index == fan_.size())
+  const double hidden = index == fan_.size() ? 0 : hidden_angle(v, first);
+  if (index == fan_.size() || !(hidden < 0.5))
     for (const Wedge& w : fan_) open_wedge(v, w, 0, w.angle);
   else if (c == Gluing::none)
-    open_border_fan(v, index, angle);
+    open_border_fan(v, index, angle, hidden);
   else
-    open_closed_fan(v, index, angle);
+    open_closed_fan(v, index, angle, hidden);
 }
 
 // Paths go on where they leave half a turn at least on both sides.
-void Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double angle) {
+void Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, double angle,
+                                         double hidden) {
   double total = 0;
   for (const Wedge& w : fan_) total += w.angle;
-  if (total <= 2 * std::numbers::pi + window_angle_tolerance / 4) return;
-  const double from = std::numbers::pi - window_angle_tolerance;
+  if (total + 2 * hidden <= 2 * std::numbers::pi + window_angle_tolerance / 4) return;
+  const double from = std::numbers::pi - window_angle_tolerance - hidden;
   const double to = total - from;
   double turned = -angle;
   for (std::size_t i = 0; i < fan_.size(); ++i) {
@@ -281,9 +316,10 @@ void Window_propagation::open_closed_fan(std::uint32_t v, std::size_t arrival, d
   }
 }
 
-void Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double angle) {
-  const double half = std::numbers::pi + window_angle_tolerance / 4;
-  const double from = std::numbers::pi - window_angle_tolerance;
+void Window_propagation::open_border_fan(std::uint32_t v, std::size_t arrival, double angle,
+                                         double hidden) {
+  const double half = std::numbers::pi + window_angle_tolerance / 4 - hidden;
+  const double from = std::numbers::pi - window_angle_tolerance - hidden;
   double left = -angle, right = angle;
   for (std::size_t i = arrival; i < fan_.size(); ++i) left += fan_[i].angle;
   for (std::size_t i = 0; i < arrival; ++i) right += fan_[i].angle;
