@@ -30,8 +30,27 @@ struct Face_corner {
   double cosine = 1; ///< of the angle at the corner
   double sine = 0;   ///< of the angle at the corner
   std::uint32_t opposite =
-      Gluing::none; ///< the same edge as a side of a face, `Gluing::none` on the border
+      Gluing::none; ///< the same edge as a side of a face; a number from `first_branch` on where it
+                    ///< has several others; `Gluing::none` on the border
   std::uint32_t origin = Gluing::none; ///< the vertex
+
+  /// Numbers from here on are those of branches, plus this.
+  static constexpr std::uint32_t first_branch = 0x80000000U;
+  /// returns whether there is just one face on the other side, which runs against this one.
+  bool has_one_neighbor() const { return opposite < first_branch; }
+};
+
+/*!
+\brief is a side of a face where other than one face goes on that runs against it.
+*/
+struct Branch {
+  /// The same edge as a side of another face.
+  struct Side {
+    std::uint32_t side; ///< a corner
+    bool is_along;      ///< whether it runs along this one, instead of against it
+  };
+  std::uint32_t side = Gluing::none; ///< a corner
+  std::vector<Side> others;          ///< all others at the edge
 };
 
 /*!
@@ -49,17 +68,27 @@ struct Corner_table {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> other_fans;
   /// On a cover, per vertex the next copy of the same vertex of the user, in a circle; else empty.
   std::vector<std::uint32_t> next_copy;
-  double unit = 1; ///< what the length 1 is in the units of the input
+  std::vector<Branch> branches; ///< sides where several faces go on
+  double unit = 1;              ///< what the length 1 is in the units of the input
 
   /// returns the next corner of the face.
   static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
   /// returns the corner before it in the face.
   static std::uint32_t previous(std::uint32_t c) { return c % 3 == 0 ? c + 2 : c - 1; }
+  /// returns the side on the other side if it is the only one and runs against this one, or
+  /// `Gluing::none`.
+  std::uint32_t neighbor(std::uint32_t c) const {
+    return corners[c].has_one_neighbor() ? corners[c].opposite : Gluing::none;
+  }
+  /// returns the branch of a side. \pre it has one
+  const Branch& branch(std::uint32_t c) const {
+    return branches[corners[c].opposite - Face_corner::first_branch];
+  }
   /// returns the corner of the same vertex in the next face counterclockwise, or `Gluing::none`.
-  std::uint32_t turn_left(std::uint32_t c) const { return corners[previous(c)].opposite; }
+  std::uint32_t turn_left(std::uint32_t c) const { return neighbor(previous(c)); }
   /// returns the corner of the same vertex in the next face clockwise, or `Gluing::none`.
   std::uint32_t turn_right(std::uint32_t c) const {
-    const std::uint32_t o = corners[c].opposite;
+    const std::uint32_t o = neighbor(c);
     return o == Gluing::none ? o : next(o);
   }
 

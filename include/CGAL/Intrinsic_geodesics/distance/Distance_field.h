@@ -79,6 +79,19 @@ private:
   std::uint32_t size_ = 0;
 };
 
+/// A source behind a branch: windows that cross the same branches belong together.
+struct Crossing {
+  std::uint32_t source; ///< number of the source before
+  std::uint32_t root;   ///< the vertex, or the source in a face
+  std::uint32_t from;   ///< the side that is crossed
+  std::uint32_t to;     ///< the side behind it
+
+  /// Sources with numbers from here on are crossings.
+  static constexpr std::uint32_t first = 0x80000000U;
+  /// returns whether a source is a crossing.
+  static bool is_one(std::uint32_t source) { return source >= first && source != Gluing::none; }
+};
+
 /// A point of a face.
 struct Point_in_face {
   std::uint32_t side;            ///< a corner
@@ -122,7 +135,8 @@ struct Distance_field {
       face_sources; ///< sources in faces: the i-th has the number of vertices plus i
   std::vector<std::uint32_t> origins; ///< the index of each source in a face among all sources
   std::vector<std::uint32_t>
-      sources_by_face;    ///< the indices of sources in faces, in the order of their faces
+      sources_by_face;             ///< the indices of sources in faces, in the order of their faces
+  std::vector<Crossing> crossings; ///< of branches, by paths
   Stored_windows windows; ///< what looks into faces, if it is kept: points in faces need it
   double radius = 0;      ///< distances up to this one are final
 
@@ -137,14 +151,21 @@ struct Distance_field {
     face_sources.clear();
     origins.clear();
     sources_by_face.clear();
+    crossings.clear();
     radius = 0;
+  }
+  /// returns the vertex, or the source in a face, where the straight path begins.
+  std::uint32_t root(std::uint32_t source) const {
+    return Crossing::is_one(source) ? crossings[source - Crossing::first].root : source;
   }
   /// returns how far the source of a window is from the nearest true one.
   double offset(std::uint32_t source) const {
+    source = root(source);
     return source < vertices.size() ? vertices[source].distance : 0;
   }
   /// returns the index of the true source where the shortest path to the source of a window begins.
   std::uint32_t origin(std::uint32_t source) const {
+    source = root(source);
     return source < vertices.size() ? vertices[source].arrival.origin
                                     : origins[source - vertices.size()];
   }

@@ -10,13 +10,16 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -75,7 +78,11 @@ struct Propagation_memory::Arrays {
         is_final(field.vertices.size()) {}
 
   Window_queue queue;
-  Changing_values<Split> split;   // per side
+  Changing_values<Split> split; // per side
+  // behind branches: per side and crossing
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Split> split_behind;
+  // the numbers of crossings
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> crossings;
   Changing_values<char> is_final; // per vertex
 };
 
@@ -88,6 +95,8 @@ Propagation_memory::Arrays& Propagation_memory::cleared(const Distance_field& fi
   if (!arrays_) arrays_ = std::make_unique<Arrays>(field);
   arrays_->queue.clear();
   arrays_->split.reset();
+  arrays_->split_behind.clear();
+  arrays_->crossings.clear();
   arrays_->is_final.reset();
   return *arrays_;
 }
@@ -139,11 +148,17 @@ private:
   double hidden_angle(std::uint32_t v, std::uint32_t corner) const;
   void add_window(std::uint32_t side, Window w);
   void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
-  void add_first_window(std::uint32_t side, Window w);
+  void add_behind(const Branch& branch, Window& w, double at_source, double at_target,
+                  double length);
+  std::uint32_t crossing(std::uint32_t source, std::uint32_t from, std::uint32_t to);
+  void add_first_window(std::uint32_t back, Window w);
   void part_at_sources(std::uint32_t side, Window& w);
   void look_through(std::uint32_t side);
   void collect_views(std::uint32_t side, const Window_face& face);
-  const View* show_apex(std::uint32_t side, const Window_face& face);
+  void look_through(std::uint32_t side, const Window_face& face, std::span<const View> views);
+  std::uint32_t crossing_of(const View& view);
+  const View* show_apex(std::uint32_t side, const Window_face& face, std::span<const View> views,
+                        Split& split);
   void pass_on(const View& view, const Window_face& face, const Corner_distances& distances,
                double nearest_crossing, bool is_nearest);
   bool knows_targets(const Propagation_limits& limits) const;
@@ -151,6 +166,7 @@ private:
   Distance_field& field_;
   const Corner_table& table_;
   Window_queue& queue_;
+  Propagation_memory::Arrays& memory_;
   Changing_values<Split>& split_;
   Changing_values<char>& is_final_;
   std::vector<Wedge> fan_;  // of the vertex that is dealt with
@@ -161,8 +177,8 @@ private:
 };
 
 Window_propagation::Window_propagation(Distance_field& field, Propagation_memory::Arrays& memory)
-    : field_(field), table_(field.table), queue_(memory.queue), split_(memory.split),
-      is_final_(memory.is_final) {}
+    : field_(field), table_(field.table), queue_(memory.queue), memory_(memory),
+      split_(memory.split), is_final_(memory.is_final) {}
 
 void Window_propagation::add_source(const Places::Numbered<std::uint32_t>& v) {
   reach(v.place, 0, {{0, 0}, Gluing::none, v.place, Arrival::Kind::at_source, v.index});
@@ -195,7 +211,7 @@ void Window_propagation::open_source(std::uint32_t source) {
     const Window_face f(table_, side);
     reach(f.left.origin, planar_distance(q, f.apex), {q, side, source, Arrival::Kind::straight});
     if (is_at_corner || c.opposite == Gluing::none) continue;
-    add_first_window(c.opposite, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
+    add_first_window(side, {0, c.length, {c.length - q.x, -q.y}, 0, source, Gluing::none});
   }
 }
 
@@ -253,8 +269,8 @@ double Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) con
 double Window_propagation::rounding_around(std::uint32_t corner) const {
   double longest = 0, faces = 0;
   const auto add = [&](std::uint32_t c) {
-    longest = std::max({longest, table_.corners[c].length,
-                        table_.corners[Corner_table::previous(c)].length});
+    longest = std::max(
+        {longest, table_.corners[c].length, table_.corners[Corner_table::previous(c)].length});
     ++faces;
   };
   std::uint32_t c = corner;
@@ -351,12 +367,12 @@ void Window_propagation::open_wedge(std::uint32_t v, const Wedge& wedge, double 
                       f.base.length);
   };
   const double length = f.base.length;
-  add_first_window(f.base.opposite, {to >= wedge.angle ? 0 : length - place(to),
-                                     from <= 0 ? length : length - place(from),
-                                     {length - f.apex.x, -f.apex.y},
-                                     field_.vertices[v].distance,
-                                     v,
-                                     Gluing::none});
+  add_first_window(side, {to >= wedge.angle ? 0 : length - place(to),
+                          from <= 0 ? length : length - place(from),
+                          {length - f.apex.x, -f.apex.y},
+                          field_.vertices[v].distance,
+                          v,
+                          Gluing::none});
 }
 
 void Window_propagation::add_window(std::uint32_t side, Window w) {
@@ -367,9 +383,39 @@ void Window_propagation::add_window(std::uint32_t side, Window w) {
                c.length);
 }
 
-// The ends of the side, which has a length, have distances.
+// Where several faces go on, a window goes on into each of them. Those that have crossed the same
+// branches prune each other; paths of others cross in the plane where they do not on the surface.
+void Window_propagation::add_behind(const Branch& branch, Window& w, double at_source,
+                                    double at_target, double length) {
+  for (const Branch::Side& other : branch.others) {
+    Window behind = w;
+    behind.source = crossing(w.source, branch.side, other.side);
+    if (other.is_along) { // seen from its own ends
+      behind.begin = length - w.end;
+      behind.end = length - w.begin;
+      behind.image.x = length - w.image.x;
+      add_window(other.side, behind, at_target, at_source, length);
+    } else {
+      add_window(other.side, behind, at_source, at_target, length);
+    }
+  }
+}
+
+// The number of a crossing, which comes into being if it is not there yet.
+std::uint32_t Window_propagation::crossing(std::uint32_t source, std::uint32_t from,
+                                           std::uint32_t to) {
+  const auto next = static_cast<std::uint32_t>(Crossing::first + field_.crossings.size());
+  const auto [place, is_new] = memory_.crossings.try_emplace({source, from, to}, next);
+  if (is_new) field_.crossings.push_back({source, field_.root(source), from, to});
+  return place->second;
+}
+
+// The ends of the side, which has a length, have distances. It may be the number of a branch.
 void Window_propagation::add_window(std::uint32_t side, Window& w, double at_source,
                                     double at_target, double length) {
+  if (side >= Face_corner::first_branch) [[unlikely]]
+    return add_behind(table_.branches[side - Face_corner::first_branch], w, at_source, at_target,
+                      length);
   const Squared_rays rays(w);
   if (rays.are_useless(w, at_source, at_target, length)) return;
   const double squared = rays.least(w), radius = radius_ - w.offset;
@@ -386,17 +432,21 @@ bool part_at(Window& w, Plane_vector<double> p, Window& right) {
   return true;
 }
 
-// Adds a window whose source is in the face before the side. Other sources in that face part it:
-// paths that pass behind one do not cross those of the nearest window, which would cut them off.
-void Window_propagation::add_first_window(std::uint32_t side, Window w) {
-  const std::uint32_t back = table_.corners[side].opposite;
+// Adds a window whose source is in the face before the edge of a side of it, `back`. Other sources
+// in that face part it: paths that pass behind one do not cross those of the nearest window, which
+// would cut them off.
+void Window_propagation::add_first_window(std::uint32_t back, Window w) {
+  const Face_corner& c = table_.corners[back];
   Window right;
   for (const std::uint32_t s : field_.sources_in_face(back / 3)) {
     const Point_in_face& source = field_.face_sources[s];
     const Plane_vector<double> p = field_.turned_to(back, source.point, source.side);
-    if (part_at(w, {table_.corners[side].length - p.x, -p.y}, right)) add_first_window(side, right);
+    if (part_at(w, {c.length - p.x, -p.y}, right)) add_first_window(back, right);
   }
-  add_window(side, w);
+  if (is_window(w))
+    add_window(c.opposite, w,
+               field_.vertices[table_.corners[Corner_table::next(back)].origin].distance,
+               field_.vertices[c.origin].distance, c.length);
 }
 
 // Parts a window by the ray through a source in its face, as a vertex there would do: parts show no
@@ -414,13 +464,35 @@ void Window_propagation::part_at_sources(std::uint32_t side, Window& w) {
 void Window_propagation::look_through(std::uint32_t side) {
   const Window_face face(table_, side);
   collect_views(side, face);
-  if (views_.empty()) return;
-  const View* nearest = show_apex(side, face);
-  const double crossing = split_[side].crossing;
+  if (table_.branches.empty()) return look_through(side, face, views_);
+  std::ranges::stable_sort(views_, {}, [this](const View& v) { return crossing_of(v); });
+  for (auto begin = views_.begin(); begin != views_.end();) {
+    const auto end = std::ranges::find_if_not(
+        begin, views_.end(), [&](const View& v) { return crossing_of(v) == crossing_of(*begin); });
+    look_through(side, face, {begin, end});
+    begin = end;
+  }
+}
+
+// The last crossing of a window; all that have none are alike.
+std::uint32_t Window_propagation::crossing_of(const View& view) {
+  const std::uint32_t source = queue_.window(view.window).source;
+  return Crossing::is_one(source) ? source : 0;
+}
+
+// Looks into a face through windows of a side that have crossed the same branches.
+void Window_propagation::look_through(std::uint32_t side, const Window_face& face,
+                                      std::span<const View> views) {
+  if (views.empty()) return;
+  const std::uint32_t crossed = table_.branches.empty() ? 0 : crossing_of(views.front());
+  Split split = crossed == 0 ? split_[side] : memory_.split_behind[{side, crossed}];
+  const View* nearest = show_apex(side, face, views, split);
+  if (nearest != nullptr && crossed == 0) split_.set(side, split);
+  if (nearest != nullptr && crossed != 0) memory_.split_behind[{side, crossed}] = split;
   const Corner_distances distances{field_.vertices[face.base.origin].distance,
                                    field_.vertices[face.right.origin].distance,
                                    field_.vertices[face.left.origin].distance};
-  for (const View& view : views_) pass_on(view, face, distances, crossing, &view == nearest);
+  for (const View& view : views) pass_on(view, face, distances, split.crossing, &view == nearest);
 }
 
 void Window_propagation::collect_views(std::uint32_t side, const Window_face& face) {
@@ -446,13 +518,14 @@ void Window_propagation::collect_views(std::uint32_t side, const Window_face& fa
   }
 }
 
-// Finds the nearest window that shows the far corner; null if an earlier one of the side is as
-// near.
+// Finds the nearest window that shows the far corner, and takes note of it; null if an earlier one
+// of the side is as near.
 const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side,
-                                                              const Window_face& face) {
-  Split nearest = split_[side];
+                                                              const Window_face& face,
+                                                              std::span<const View> views,
+                                                              Split& nearest) {
   const View* result = nullptr;
-  for (const View& view : views_) {
+  for (const View& view : views) {
     if (!view.apex.is_seen()) continue;
     const double distance =
         queue_.window(view.window).offset + std::sqrt(view.apex.squared_distance);
@@ -461,7 +534,6 @@ const Window_propagation::View* Window_propagation::show_apex(std::uint32_t side
     result = &view;
   }
   if (result != nullptr) {
-    split_.set(side, nearest);
     const Window& w = queue_.window(result->window);
     reach(face.left.origin, nearest.distance, {w.image, side, w.source, Arrival::Kind::straight});
   }

@@ -96,6 +96,7 @@ private:
   bool arrive(const Ray& ray, Step& step) {
     const auto vertices = static_cast<std::uint32_t>(field_.vertices.size());
     const double near = 1e3 * ray.tolerance + 0x1p-50 * table_.corners[ray.side].length;
+    if (Crossing::is_one(ray.source)) return false;
     if (ray.source < vertices) {
       step = Step::at_vertex;
       return arrive_at_corner(ray, near);
@@ -144,21 +145,34 @@ private:
     return Step::crossed;
   }
 
+  // Where several faces meet: finds the side that the path has crossed before, and its source there.
+  bool cross_branch(Ray& ray, std::uint32_t& back, bool& is_along) const {
+    if (!Crossing::is_one(ray.source)) return false;
+    const Crossing& crossing = field_.crossings[ray.source - Crossing::first];
+    if (crossing.to != ray.side) return false;
+    for (const Branch::Side& other : table_.branch(ray.side).others)
+      if (other.side == crossing.from) is_along = other.is_along;
+    back = crossing.from;
+    ray.source = crossing.source;
+    return true;
+  }
+
   // Crosses the side of a ray, and finds the side where it leaves the next face.
   Step cross_side(Ray& ray) {
     const Face_corner& side = table_.corners[ray.side];
     const double down = ray.from.y - ray.image.y;
     if (side.opposite == Gluing::none || !(down > 0)) return Step::lost;
+    std::uint32_t back = side.opposite;
+    bool is_along = false;
+    if (!side.has_one_neighbor() && !cross_branch(ray, back, is_along)) return Step::lost;
     // a source on the side itself is met there, at whatever angle
     const double part = -ray.image.y <= ray.tolerance ? 1 : ray.from.y / down;
     const double x = std::clamp(ray.from.x + (ray.image.x - ray.from.x) * part, 0.0, side.length);
     places_.push_back({ray.side, {1 - x / side.length, x / side.length, 0}});
-    ray = {side.opposite,
-           {side.length - x, 0},
-           {side.length - ray.end.x, -ray.end.y},
-           {side.length - ray.image.x, -ray.image.y},
-           ray.source,
-           ray.tolerance};
+    const auto beyond = [&](Plane_vector<double> p) {
+      return Plane_vector<double>{is_along ? p.x : side.length - p.x, -p.y};
+    };
+    ray = {back, beyond({x, 0}), beyond(ray.end), beyond(ray.image), ray.source, ray.tolerance};
     Step step = Step::crossed;
     if (arrive(ray, step)) return step;
     const Plane_vector<double> apex = Window_face(table_, ray.side).apex;
