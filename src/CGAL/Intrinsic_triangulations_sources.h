@@ -63,6 +63,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.cpp>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Residues.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/field.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.cpp>

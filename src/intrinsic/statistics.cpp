@@ -117,7 +117,9 @@ const char* name(IT::Domain_kind kind) {
 Json domain_json(const IT::Domain_report& report,
                  const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices) {
   const bool is_sheet = report.kind != IT::Domain_kind::manifold && report.sheets == 1;
-  Json json = {{"kind", cloud ? "points" : is_sheet ? "sheet" : name(report.kind)},
+  Json json = {{"kind", cloud      ? "points"
+                        : is_sheet ? "sheet"
+                                   : name(report.kind)},
                {"reason", report.reason},
                {"sheets", report.sheets},
                {"vertices", vertices},
@@ -165,6 +167,13 @@ Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
   json["sharpenings"] = Json::object();
   for (const auto& [bits, count] : statistics.sharpenings)
     json["sharpenings"][std::to_string(bits)] = count;
+  json["rungs"] = Json::object();
+  for (std::size_t r = 0; r < IT::number_of_rungs; ++r)
+    if (const IT::Rung_statistics& rung = statistics.rungs[r]; rung.asked > 0)
+      json["rungs"][IT::name_of(static_cast<IT::Rung>(r))] = {{"asked", rung.asked},
+                                                              {"decided", rung.decided},
+                                                              {"zeros", rung.zeros},
+                                                              {"seconds", rung.seconds}};
   json["certified_zero"] = statistics.certified_zero;
   json["probable_zero"] = statistics.probable_zero + check.probable_zero;
   json["non_delaunay_edges"] = check.non_delaunay_edges;

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -101,6 +102,9 @@ public:
   }
   const IT::Unfolded_diamond& diamond(std::uint32_t h) {
     return unfolder_(view_, t_->correspondence(), h);
+  }
+  const IT::Unfolded_diamond& wedge(std::span<const IT::Indexed_face> faces) {
+    return unfolder_.wedge(view_, t_->correspondence(), faces);
   }
 
   /// Intervals in many bits, rounded to doubles, from a halfedge on; rounding must be upwards.

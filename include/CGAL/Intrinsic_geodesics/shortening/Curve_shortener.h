@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
@@ -76,7 +77,6 @@ public:
       : network_(network), t_(network.triangulation()), segments_(network.segments_),
         session_(session), flip_wedge_(t_, session, log) {}
 
-  // `go_on(result)` is called now and then
   Shortening_result run(const Shortening_limits& limits,
                         const std::function<bool(const Shortening_result&)>& go_on) {
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
@@ -85,6 +85,7 @@ public:
         push(s);
       });
     limits_ = &limits;
+    const Proof_watch watch([&] { return go_on(result_); });
     while (!queue_.empty() && result_.status == Status::done) {
       const Joint joint = queue_.top();
       if (joint.rank >= limits.rank || length_ <= limits.length) {
@@ -92,9 +93,9 @@ public:
         break;
       }
       queue_.pop();
-      if (!is_alive(joint)) continue;
-      straighten(joint);
-      if ((++steps_ & 0x3ffU) == 0 && !session_.suspended([&] { return go_on(result_); }))
+      if (is_alive(joint)) straighten(joint);
+      if ((watch.is_stopped() || (++steps_ & 0x3ffU) == 0) &&
+          !session_.suspended([&] { return go_on(result_); }))
         result_.status = Status::cancelled;
     }
     return result_;

@@ -74,7 +74,8 @@ Geodesic_report certify_geodesic(const Curve_network<Triangulation>& network) {
   Geodesic_report report;
   report.joints = internal::Network_joints<Triangulation>(network).reports(
       [&](Halfedge h, Halfedge g) { return session.compare_angle_to_pi(here(h), here(g)); });
-  report.invalid_elements = internal::count_invalid_elements(network, session, here);
+  report.invalid_elements = internal::count_invalid_elements(network, session, here) +
+                            integers.statistics().probable_zero;
   return report;
 }
 

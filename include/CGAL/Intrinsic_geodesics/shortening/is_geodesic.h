@@ -102,7 +102,7 @@ struct Joint_report {
 */
 struct Geodesic_report {
   /// Faces whose area is not positive, and edges that are not straight, among those of the
-  /// certificate; see `certify_geodesic()`.
+  /// certificate, and signs that are not proven; see `certify_geodesic()`.
   std::size_t invalid_elements = 0;
   /// The joints of all curves, in order.
   std::vector<Joint_report> joints;

@@ -76,6 +76,10 @@ public:
   std::uint32_t halfedge_of_face(std::uint32_t f) const {
     return number(internal::graph_halfedge(t_->numbers().face_at(f), t_->mesh()));
   }
+  /// returns the halfedge of edge `e` in face `f` where the next one is on edge `next_e`.
+  std::uint32_t halfedge(std::uint32_t f, std::uint32_t e, std::uint32_t next_e) const {
+    return face(2 * e) == f && next(2 * e) / 2 == next_e ? 2 * e : 2 * e + 1;
+  }
   /// returns a halfedge that starts at vertex `v`, the one whose right side is the border if there
   /// is one. \pre `v` is not isolated
   std::uint32_t outgoing_halfedge(std::uint32_t v) const {

@@ -4,10 +4,21 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PREDICATE_STATISTICS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PREDICATE_STATISTICS_H
 
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
+
+#include <array>
 #include <cstdint>
 #include <map>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// What was asked of a rung.
+struct Rung_statistics {
+  std::uint64_t asked = 0;   ///< questions
+  std::uint64_t decided = 0; ///< signs that it found, zeros included
+  std::uint64_t zeros = 0;   ///< zeros that it proved
+  double seconds = 0;        ///< its time; not measured for `Rung::integers`, which takes none
+};
 
 /*!
 \brief counts how predicates were decided.
@@ -29,6 +40,8 @@ struct Predicate_statistics {
   /// Predicates assumed to be zero without proof, since all proofs failed and
   /// `thresholds::probable_bits` bits show no sign.
   std::uint64_t probable_zero = 0;
+  /// The rungs of the ladder in their order.
+  std::array<Rung_statistics, number_of_rungs> rungs{};
   /// Predicates left open by intervals without further steps.
   std::uint64_t undecided = 0;
 };

@@ -147,6 +147,18 @@ struct Left_area_expression {
 };
 
 /*!
+\brief evaluates to a value with the sign of the cosine of the angle at `i` in the face on the right
+of an edge.
+*/
+struct Right_cosine_expression {
+  /// evaluates the expression
+  template <class FT>
+  constexpr FT operator()(const Diamond_values<FT>& d) const {
+    return d.ij + d.im - d.mj;
+  }
+};
+
+/*!
 \brief computes the new squared length and quadruple areas of a flip.
 
 L_km = ((p_k - p_m)^2 + (a_f + a_g)^2) / (4 L_ij): with ij on an axis, the feet of k and m are (p_k

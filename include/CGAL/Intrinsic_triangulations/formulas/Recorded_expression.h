@@ -203,6 +203,30 @@ private:
   std::optional<Expression_degree> degree_;
 };
 
+namespace internal {
+
+// those of the library depend only on the values; another one without data may still read global
+// state
+template <class Expression>
+inline constexpr bool is_recorded_once =
+    std::is_same_v<Expression, Delaunay_expression> ||
+    std::is_same_v<Expression, Left_area_expression> ||
+    std::is_same_v<Expression, Right_cosine_expression> ||
+    std::is_same_v<Expression, Convexity_at_source_expression> ||
+    std::is_same_v<Expression, Convexity_at_target_expression>;
+
+} // namespace internal
+
+/// records an expression; each of the library once for all.
+template <DiamondExpression Expression>
+decltype(auto) recorded(const Expression& expression) {
+  if constexpr (internal::is_recorded_once<Expression>) {
+    static const Recorded_diamond_expression once(expression);
+    return (once);
+  } else
+    return Recorded_diamond_expression(expression);
+}
+
 /*!
 \brief is an expression in the values of faces that can be evaluated in any field.
 */
@@ -218,7 +242,12 @@ public:
                 faces.push_back({{x(n), x(n + 1), x(n + 2)}, x(n + 3)});
               return Recorded_number(
                   expression(std::span<const Face_values<Recorded_number>>(faces)));
-            })) {}
+            })) {
+    if constexpr (std::is_same_v<Expression, Wedge_sine_expression>)
+      of_sides_ = &recorded(Convexity_at_source_expression());
+    if constexpr (std::is_same_v<Expression, Wedge_cosine_expression>)
+      of_sides_ = &recorded(Right_cosine_expression());
+  }
 
   /// evaluates the expression. \tparam FT a field \pre there are as many faces as were recorded
   template <class FT>
@@ -231,32 +260,14 @@ public:
     return steps_.run<FT>(values);
   }
 
+  /// returns an expression in the diamond of the two sides of a wedge, see
+  /// `Diamond_unfolder::wedge()`, with the same sign; null if the expression is another one.
+  const Recorded_diamond_expression* of_sides() const { return of_sides_; }
+
 private:
   Expression_steps steps_;
+  const Recorded_diamond_expression* of_sides_ = nullptr;
 };
-
-namespace internal {
-
-// those of the library depend only on the values; another one without data may still read global
-// state
-template <class Expression>
-inline constexpr bool is_recorded_once =
-    std::is_same_v<Expression, Delaunay_expression> ||
-    std::is_same_v<Expression, Left_area_expression> ||
-    std::is_same_v<Expression, Convexity_at_source_expression> ||
-    std::is_same_v<Expression, Convexity_at_target_expression>;
-
-} // namespace internal
-
-/// records an expression; each of the library once for all.
-template <DiamondExpression Expression>
-decltype(auto) recorded(const Expression& expression) {
-  if constexpr (internal::is_recorded_once<Expression>) {
-    static const Recorded_diamond_expression once(expression);
-    return (once);
-  } else
-    return Recorded_diamond_expression(expression);
-}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -58,7 +58,7 @@ Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
       // Values still open are almost always zero.
       climb.ask(in_numbers(256)) ||
       // All other zeros, exactly in the field of the square roots.
-      climb.ask(Field_proof());
+      climb.ask(Field_proof{known.image_steps_left(input)});
   // Values proven not to be zero show their sign at some precision.
   for (unsigned bits = 512; !is_decided && !climb.gives_up(bits); bits *= 2)
     if (climb.ask(in_numbers(bits))) break;
@@ -130,8 +130,8 @@ void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_
   internal::replay_in_intervals<Ball<Mpfr_number>>(input, faces, visit);
 }
 
-std::vector<std::optional<double>>
-Exact_ladder::weights(const Input_metric& input, const Replayed_faces& faces) {
+std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& input,
+                                                         const Replayed_faces& faces) {
   using Number = Ball<Double_double>;
   std::vector<std::optional<double>> result;
   std::optional<Face_values<Number>> left;

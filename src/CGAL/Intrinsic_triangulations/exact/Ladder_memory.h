@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
@@ -22,7 +23,10 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
+#include <chrono>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -80,6 +84,15 @@ struct Exact_ladder::Memory {
     return figure.template values<FT>(faces.of(input));
   }
 
+  // What long proofs in the field may still cost.
+  double* image_steps_left(const Input_metric& input) {
+    if (!steps_left)
+      steps_left = thresholds::all_image_steps +
+                   thresholds::image_steps_of_face * static_cast<double>(input.number_of_faces());
+    return &*steps_left;
+  }
+
+  std::optional<double> steps_left;
   Input_face_intervals<Interval_nt<false>> doubles;
   Input_face_intervals<Ball<Double_double>> short_balls;
   std::map<unsigned, Input_face_intervals<Ball<Mpfr_number>>> long_balls; // by precision
@@ -135,8 +148,19 @@ public:
   bool ask(Proof&& proof) {
     using P = std::remove_reference_t<Proof>;
     if constexpr (ProofOf<P, Asked>) {
+      const Rung rung = rung_of(proof);
+      Rung_statistics& counts = statistics_.rungs[static_cast<std::size_t>(rung)];
+      const bool is_timed = rung != Rung::integers;
+      if (is_timed && last_ == Clock::time_point()) last_ = Clock::now();
       const Answer a = proof(question_);
       if (a != Answer::open) answer_ = a;
+      ++counts.asked;
+      counts.decided += is_sign_known();
+      counts.zeros += a == Answer::zero;
+      if (is_timed) {
+        const Clock::time_point before = std::exchange(last_, Clock::now());
+        counts.seconds += std::chrono::duration<double>(last_ - before).count();
+      }
       if (a == Answer::zero)
         ++statistics_.certified_zero;
       else if (is_sign_known()) {
@@ -152,7 +176,7 @@ public:
   // Whether to assume that a value without proof is zero, instead of computing it in the given
   // bits.
   bool gives_up(unsigned bits) {
-    if (answer_ == Answer::open && bits > thresholds::probable_bits) {
+    if (answer_ == Answer::open && (bits > thresholds::probable_bits || !Proof_watch::goes_on())) {
       ++statistics_.probable_zero;
       answer_ = Answer::zero;
       return true;
@@ -170,6 +194,18 @@ public:
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
+  template <class Proof>
+  static Rung rung_of(const Proof& proof) {
+    if constexpr (requires { Proof::rung; })
+      return Proof::rung;
+    else
+      return proof.bits <= 53    ? Rung::doubles
+             : proof.bits <= 106 ? Rung::bits_106
+             : proof.bits <= 256 ? Rung::bits_256
+                                 : Rung::more_bits;
+  }
   bool is_sign_known() const {
     return answer_ == Answer::zero || answer_ == Answer::positive || answer_ == Answer::negative;
   }
@@ -177,6 +213,7 @@ private:
   const Asked& question_;
   Predicate_statistics& statistics_;
   Answer answer_ = Answer::open;
+  Clock::time_point last_; // when the last rung ended
 };
 
 } // namespace internal

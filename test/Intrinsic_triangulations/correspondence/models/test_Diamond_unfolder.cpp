@@ -246,6 +246,54 @@ TEST(Diamond_unfolder, agrees_exactly_with_repeated_moves_on_Delta_complexes) {
   EXPECT_GT(checked, 100U);
 }
 
+// Wedges of up to `most` faces from each halfedge on: the two sides against the product over all faces.
+std::size_t check_wedges(const Walk& walk, std::size_t most) {
+  const Followed& followed = walk.t.correspondence();
+  const auto& mesh = walk.t.mesh();
+  places::Unfolded<Exact> unfolded(walk.t);
+  std::size_t result = 0;
+  for (Halfedge h : halfedges(mesh)) {
+    std::vector<IT::Indexed_face> faces;
+    CGAL::Intrinsic_triangulations::Plane_vector<Multiquadratic_number> z{1, 0};
+    while (faces.size() < most &&
+           face(h, mesh) != boost::graph_traits<IT::Gluing_map>::null_face()) {
+      const Halfedge n = next(h, mesh), l = next(n, mesh);
+      faces.push_back({face(h, mesh).index, {h.index / 2, n.index / 2, l.index / 2}});
+      const Face f = unfolded.exact(h.index, followed.exact_input());
+      const auto& [l0, l1, l2] = f.squared_lengths;
+      z = z * CGAL::Intrinsic_triangulations::Plane_vector<Multiquadratic_number>{l0 + l2 - l1,
+                                                                                  f.quadruple_area};
+      const Diamond d = unfolded.wedge(faces).values<Multiquadratic_number>(followed.exact_input());
+      const Multiquadratic_number cosine = IT::Right_cosine_expression()(d);
+      expect_equal(d.area_f, Multiquadratic_number());
+      expect_equal(cosine * z.y, d.area_g * z.x); // one direction
+      const auto to_double = [](const CGAL::Gmpq& x) { return CGAL::to_double(x); };
+      EXPECT_GT((cosine * z.x + d.area_g * z.y).value(to_double), 0);
+      ++result;
+      h = opposite(l, mesh);
+    }
+  }
+  return result;
+}
+
+TEST(Diamond_unfolder, unfolds_the_sides_of_wedges) {
+  std::size_t checked = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    Walk walk(meshes::integer_height_field(2, 2, seed).input(), seed);
+    for (int round = 0; round < 3; ++round) {
+      for (int i = 0; i < 3; ++i) walk.step();
+      checked += check_wedges(walk, 3);
+    }
+  }
+  for (const gallery::Surface& s : gallery::oriented()) {
+    SCOPED_TRACE(s.name);
+    Walk walk(gallery::input(s), 7);
+    for (int i = 0; i < 5; ++i) walk.step();
+    checked += check_wedges(walk, 4);
+  }
+  EXPECT_GT(checked, 500U);
+}
+
 // an insertion on an edge, and one that is as near to it as weights allow
 TEST(Diamond_unfolder, lets_the_field_tell_a_straight_angle_from_one_that_is_bent_by_an_ulp) {
   std::array<std::size_t, 2> straight{};

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -79,6 +80,42 @@ public:
     reach_left(view, h, last(view, h));
     corners_[3] = corners_[0];
     return unfold_from_common_base();
+  }
+
+  /*!
+  \brief unfolds the two sides of a wedge, without the edges in between: a diamond with the source
+  of the sides as corner i, the end of the last side as corners j and k, and that of the first as m.
+  \param view, coordinates see the other function
+  \param faces the faces of the wedge, each from corner i on, counterclockwise: `is_wedge()`
+  \complexity linear in the number of crossings of the two sides and of curves at corner i
+  */
+  template <class View>
+  const Unfolded_diamond& wedge(const View& view, const Integer_coordinates& coordinates,
+                                std::span<const Indexed_face> faces) {
+    reach_ends(view, coordinates, first_side(view, faces.front()));
+    corners_[3] = corners_[1];
+    Path& path = corners_[1].path;
+    path.clear();
+    for (const Indexed_face& f : faces) { // turns counterclockwise about i
+      const std::uint32_t h = first_side(view, f);
+      if (&f != &faces.front() && is_along_curve(h)) append(path, first_curve(h));
+      const Corner_coordinates c = corner_coordinates(view, coordinates, h);
+      for (Normal_coordinate n = 0; n < c.emanating[0]; ++n) append(path, curve(h, n));
+    }
+    const std::uint32_t ki = last(view, first_side(view, faces.back()));
+    if (!is_along_curve(ki)) append_followed(view, ki ^ 1U, 0, path);
+    end_at(corners_[1], corner(view, ki, true));
+    corners_[2] = corners_[1];
+    return unfold_from_common_base();
+  }
+
+  /// tells whether faces are those of a wedge: each is entered from the one before.
+  template <class View>
+  static bool is_wedge(const View& view, std::span<const Indexed_face> faces) {
+    for (std::size_t n = 1; n < faces.size(); ++n)
+      if ((last(view, first_side(view, faces[n - 1])) ^ 1U) != first_side(view, faces[n]))
+        return false;
+    return true;
   }
 
   /*!
@@ -146,6 +183,11 @@ private:
   template <class View>
   static std::uint32_t last(const View& view, std::uint32_t h) {
     return view.next(view.next(h));
+  }
+
+  template <class View>
+  static std::uint32_t first_side(const View& view, const Indexed_face& f) {
+    return view.halfedge(f.face, f.edges[0], f.edges[1]);
   }
 
   bool is_along_curve(std::uint32_t h) const { return coordinates_->normal_coordinate(h / 2) < 0; }

@@ -60,6 +60,13 @@ public:
 
   Sign sign(std::span<const Indexed_face> faces, const Recorded_face_expression& expression,
             std::vector<Face_values<FT>>& better, Predicate_statistics& statistics) const {
+    const auto* of_sides = expression.of_sides(); // edges in between have roots of their own
+    if (of_sides != nullptr && Diamond_unfolder::is_wedge(view_, faces) &&
+        can_unfold(std::array{faces.front().edges[0], faces.back().edges[2]})) {
+      Diamond_values<FT> sides;
+      return memory_.ladder.sign(metric(), memory_.unfolder.wedge(view_, coordinates(), faces),
+                                 *of_sides, sides, statistics);
+    }
     return with_figure(faces, [&](const auto& figure) {
       return memory_.ladder.sign(metric(), figure, expression, better, statistics);
     });
@@ -121,7 +128,7 @@ public:
   // The input triangles through which the first side of a face runs. \pre it can be unfolded
   const Unfolded_diamond& strip(const Indexed_face& face) const {
     return memory_.unfolder.strip(view_, coordinates(),
-                                  halfedge(face.face, face.edges[0], face.edges[1]));
+                                  view_.halfedge(face.face, face.edges[0], face.edges[1]));
   }
 
   // the double nearest to the cotangent weight of a diamond, if it was found with all others
@@ -160,14 +167,14 @@ public:
     Unfolded_faces unfolded;
     for (const auto& [face, e] : faces)
       unfolded.faces.push_back(
-          memory_.unfolder.face(view_, coordinates(), halfedge(face, e[0], e[1])));
+          memory_.unfolder.face(view_, coordinates(), view_.halfedge(face, e[0], e[1])));
     return f(unfolded);
   }
 
   // two faces of the input, if the diamond consists of them
   std::optional<Input_diamond> input_diamond(const Diamond& d) const {
     const Integer_coordinates& c = coordinates();
-    const std::uint32_t h = halfedge(d.f, d.ij, d.jk);
+    const std::uint32_t h = view_.halfedge(d.f, d.ij, d.jk);
     if (c.has_inserted_vertices() || !is_of_input(c, h) || !is_of_input(c, h ^ 1U))
       return std::nullopt;
     const std::uint32_t x = c.fans().halfedge(c.roundabout(h));
@@ -263,7 +270,7 @@ private:
   }
 
   const Unfolded_diamond& unfolded(const Diamond& d) const {
-    return memory_.unfolder(view_, coordinates(), halfedge(d.f, d.ij, d.jk));
+    return memory_.unfolder(view_, coordinates(), view_.halfedge(d.f, d.ij, d.jk));
   }
 
   // Two faces of the input, if all moves were flips and none flipped an edge of the diamond. This
@@ -280,7 +287,7 @@ private:
   // the side of an input face on an edge, where the next one is on another given edge
   std::optional<Face_side> untouched_side(std::uint32_t f, std::uint32_t edge,
                                           std::uint32_t next) const {
-    const std::uint32_t h = halfedge(f, edge, next), n = view_.next(h);
+    const std::uint32_t h = view_.halfedge(f, edge, next), n = view_.next(h);
     const auto name = [this](std::uint32_t x) { return metric().name(view_.source(x), x / 2); };
     const std::optional<unsigned> slot = metric().slot(f, {name(h), name(n), name(view_.next(n))});
     return slot ? std::optional(Face_side{f, *slot}) : std::nullopt;
@@ -296,7 +303,7 @@ private:
   // a plane in space that contains the diamond, if known
   std::optional<Flat_diamond> flat_diamond(const Diamond& d) const {
     if (!metric().is_in_space()) return std::nullopt;
-    const std::uint32_t p = flat_part(d), h = halfedge(d.f, d.ij, d.jk);
+    const std::uint32_t p = flat_part(d), h = view_.halfedge(d.f, d.ij, d.jk);
     if (p == Flat_parts::none) return std::nullopt;
     return Flat_diamond{p,
                         {corner(view_.source(h)), corner(view_.target(h)),
@@ -329,12 +336,6 @@ private:
     const std::uint32_t next = c.input().next(p.halfedge);
     return {{c.input().source(p.halfedge), c.input().source(next), c.input().target(next)},
             p.weights};
-  }
-
-  // the halfedge of an edge in a face, where the next one is on another given edge
-  std::uint32_t halfedge(std::uint32_t face, std::uint32_t edge, std::uint32_t next) const {
-    return view_.face(2 * edge) == face && view_.next(2 * edge) / 2 == next ? 2 * edge
-                                                                            : 2 * edge + 1;
   }
 
   const Triangulation& t_;

@@ -125,6 +125,9 @@ private:
   static Multiquadratic_number sum(const Multiquadratic_number& x, const Multiquadratic_number& y,
                                    const Signed& with_sign);
 
+  // of all coefficients
+  std::size_t number_of_words() const;
+
   // adds a term whose radical is not below those that are there
   void add(const Term& t);
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_SQUARE_CLASS_BASIS_H
 
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
+
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/assertions.h>
@@ -80,18 +82,21 @@ public:
   static Gmpz extract_square(Gmpz& n);
 
   /*!
-  \brief bounds the time that products of numbers of the basis may take from now on: when more than
-  `pairs` pairs of terms have been multiplied, `std::length_error` is thrown.
+  \brief bounds the time that products of numbers of the basis may take from now on: when the
+  lengths of coefficients, multiplied and summed over all pairs, have reached `words`,
+  `std::length_error` is thrown.
 
-  A number of a field of k square roots has up to 2^k terms, but sums of many lengths have few: the
-  flat picture of a strip of n rectangles has about n^2.
+  A number of a field of k square roots has up to 2^k terms.
   */
-  void limit_products(std::size_t pairs) { pairs_left_ = pairs; }
-  /// counts the pairs of terms that are multiplied. \throws std::length_error see
+  void limit_products(std::size_t words) { words_left_ = words; }
+  /// returns what is left of that.
+  std::size_t words_left() const { return words_left_; }
+  /// counts the words of coefficients that are multiplied. \throws std::length_error see
   /// `limit_products()`
-  void count_pairs(std::size_t pairs) const {
-    if (pairs > pairs_left_) throw std::length_error("products have too many terms");
-    pairs_left_ -= pairs;
+  void count_words(std::size_t words) const {
+    if (words > words_left_ || (words > 1000 && !Proof_watch::goes_on()))
+      throw std::length_error("products have too many terms");
+    words_left_ -= words;
   }
 
   /// returns the number of representatives.
@@ -128,7 +133,7 @@ private:
   void append(const Gmpz& n, Mask candidate, const Gmpz& e);
 
   std::vector<Generator> generators_;
-  mutable std::size_t pairs_left_ = std::numeric_limits<std::size_t>::max();
+  mutable std::size_t words_left_ = std::numeric_limits<std::size_t>::max();
   Gmpz one_ = Gmpz(1);
   mutable std::unordered_map<Mask, Gmpz> products_;
 };

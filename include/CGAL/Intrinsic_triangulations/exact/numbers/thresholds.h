@@ -14,14 +14,30 @@ measurement.
 */
 struct thresholds {
   /*!
-  \brief Maximal number of pairs of terms that a proof in the field multiplies.
+  \brief Maximal cost of a proof by images in finite fields that a value is zero: the number of
+  triangles that are computed, four images at a time.
 
-  A pair takes one to three microseconds. The value of a diamond takes about twelve products of
-  numbers with up to 2^k terms for k independent square roots: 1.5 seconds for k = 8, ten for k = 9,
-  the last one within this bound. Sums of few roots go on beyond. On CGAL's data set all values of
-  this step are rational; over cylinders (`Prism_in_field_proof`) k is at most 6.
+  One takes a quarter of a microsecond. A value over n triangles with k independent square roots
+  takes about 10 n 2^k, for coordinates of 53 bits: the limit is at k = 14.
   */
-  static constexpr std::size_t pairs_of_terms = std::size_t(1) << 22;
+  static constexpr double image_steps = 0x1p22;
+  /// The same for all proofs of a surface together that cost more than `few_image_steps`, and for
+  /// each of its faces: a few seconds, and as many microseconds as flips take.
+  static constexpr double all_image_steps = 0x1p24, image_steps_of_face = 0x1p6;
+  /// Cost of a proof that is not counted.
+  static constexpr double few_image_steps = 0x1p12;
+
+  /// Number of roots whose signs are changed where there are too many for a proof that a value is
+  /// zero: one image that is not proves the contrary.
+  static constexpr std::size_t signs_without_proof = 4;
+
+  /*!
+  \brief Maximal cost of products in a proof by coefficients, for repeated flips: the sum of
+  products of lengths of coefficients, in words.
+
+  A pair of words takes about ten nanoseconds, for the greatest common divisor.
+  */
+  static constexpr std::size_t words_of_coefficients = std::size_t(1) << 26;
 
   /*!
   \brief Precision up to which a value is computed if all proofs fail; then it is assumed to be

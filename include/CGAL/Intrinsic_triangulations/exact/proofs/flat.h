@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_FLAT_H
 
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
@@ -39,6 +40,8 @@ square root as a factor, so that no field extension is needed. On CAD surfaces n
 of this kind.
 */
 struct Flat_proof {
+  /// Its rung.
+  static constexpr Rung rung = Rung::flat;
   /// returns the sign.
   Answer operator()(const Question<Flat_diamond, Recorded_diamond_expression>& q) const;
 };

@@ -5,20 +5,24 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_MIRRORED_H
 
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief proves that the corners of an unfolded diamond are cocircular, if a reflection of its
+\brief proves that the corners of an unfolded diamond are cocircular, if a reflection of some of its
 triangles exchanges the ends of two opposite sides: then it is an isosceles trapezoid.
 
-Ties on curved surfaces that are symmetric by a plane are of this kind. Their values have as many
-square roots as triangles, too many for other proofs. Linear in the number of triangles, times that
-at a corner.
+Ties on curved surfaces that are symmetric by a plane are of this kind, and those on covers, which
+exchange their sheets. Their values may have as many square roots as triangles, too many for other
+proofs. Quadratic in the number of triangles at a corner, times the number of triangles that are
+mapped.
 */
 struct Mirrored_proof {
+  /// Its rung.
+  static constexpr Rung rung = Rung::mirrored;
   /// returns `zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };

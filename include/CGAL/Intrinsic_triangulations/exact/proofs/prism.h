@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_PROOFS_PRISM_H
 
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 
@@ -19,6 +20,8 @@ are made of rectangles there. Linear in the number of triangles, about a fifth o
 each.
 */
 struct Prism_proof {
+  /// Its rung.
+  static constexpr Rung rung = Rung::prism;
   /// returns `zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };
@@ -32,6 +35,8 @@ takes no division: ten microseconds, where the field takes hundreds, whatever th
 triangles.
 */
 struct Prism_in_field_proof {
+  /// Its rung.
+  static constexpr Rung rung = Rung::prism_in_field;
   /// returns `zero`, `not_zero`, or nothing.
   Answer operator()(const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const;
 };

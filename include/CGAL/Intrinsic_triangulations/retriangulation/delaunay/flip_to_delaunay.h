@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -104,7 +105,7 @@ struct Flip_to_delaunay_result {
 */
 struct Flip_to_delaunay_visitor {
   /*!
-  \brief is called about every 65536 checks.
+  \brief is called about every 65536 checks, and by proofs that take long.
   \return whether to go on
   */
   bool progress(const Flip_to_delaunay_result&) { return true; }
@@ -123,8 +124,8 @@ public:
       : t_(t), session_(session), constrained_(constrained), visitor_(visitor), cap_(cap) {}
 
   bool before_check() {
-    if ((++result.checks & 0xffffU) != 0 ||
-        session_.suspended([this] { return visitor_.progress(result); }))
+    if ((++result.checks & 0xffffU) != 0 && !watch_.is_stopped()) return true;
+    if (!watch_.is_stopped() && session_.suspended([this] { return visitor_.progress(result); }))
       return true;
     result.status = Status::cancelled;
     return false;
@@ -146,6 +147,7 @@ private:
   Constrained constrained_;
   Visitor& visitor_;
   std::uint64_t cap_;
+  Proof_watch watch_{[this] { return visitor_.progress(result); }};
 };
 
 // Not inline, and without parameters by name: the library has it compiled for the usual

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
@@ -236,7 +237,7 @@ private:
   }
 
   bool is_time_to_report(std::uint64_t insertions) {
-    if (insertions < next_report_) return false;
+    if (insertions < next_report_ && !watch_.is_stopped()) return false;
     next_report_ = insertions + 256;
     return true;
   }
@@ -286,6 +287,7 @@ private:
   // again.
   std::set<std::array<std::uint32_t, 3>> refused_;
   Visitor& visitor_;
+  Proof_watch watch_{[this] { return visitor_.progress(state_.result.counts); }};
   Refinement_order order_;
   std::uint64_t cap_;
   std::uint64_t next_report_ = 255, checks_ = 0;

@@ -35,6 +35,13 @@ Gmpq Multiquadratic_number::coefficient(Mask radical) const {
   return Gmpq(0);
 }
 
+std::size_t Multiquadratic_number::number_of_words() const {
+  std::size_t words = 0;
+  for (const Term& t : terms_)
+    words += mpz_size(mpq_numref(t.coefficient.mpq())) + mpz_size(mpq_denref(t.coefficient.mpq()));
+  return words;
+}
+
 Multiquadratic_number Multiquadratic_number::inverse() const {
   CGAL_precondition(!is_zero());
   if (terms_.size() == 1) {
@@ -60,7 +67,7 @@ Multiquadratic_number operator-(const Multiquadratic_number& x, const Multiquadr
 Multiquadratic_number operator*(const Multiquadratic_number& x, const Multiquadratic_number& y) {
   using Term = Multiquadratic_number::Term;
   const Square_class_basis* basis = Multiquadratic_number::common_basis(x, y);
-  if (basis != nullptr) basis->count_pairs(x.terms_.size() * y.terms_.size());
+  if (basis != nullptr) basis->count_words(x.number_of_words() * y.number_of_words());
   std::vector<Term> all;
   all.reserve(x.terms_.size() * y.terms_.size());
   for (const Term& s : x.terms_)
@@ -84,9 +91,8 @@ bool operator==(const Multiquadratic_number& x, const Multiquadratic_number& y) 
                     });
 }
 
-const Square_class_basis*
-Multiquadratic_number::common_basis(const Multiquadratic_number& x,
-                                    const Multiquadratic_number& y) {
+const Square_class_basis* Multiquadratic_number::common_basis(const Multiquadratic_number& x,
+                                                              const Multiquadratic_number& y) {
   CGAL_precondition(x.basis_ == nullptr || y.basis_ == nullptr || x.basis_ == y.basis_);
   return x.basis_ != nullptr ? x.basis_ : y.basis_;
 }

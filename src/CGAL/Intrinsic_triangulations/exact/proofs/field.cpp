@@ -1,25 +1,35 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Residues.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/images.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -41,32 +51,277 @@ const typename Asked::Figure& decisive_part(const Asked& q,
   return part ? *part : q.figure;
 }
 
-// the values of input faces in one field
+// The values of input faces in one field, where roots are those of a basis.
 class Faces_in_field {
-  using Number = Multiquadratic_number;
-  using Face = std::pair<std::array<Number, 3>, Number>; // squared lengths, quadruple area
-
 public:
-  explicit Faces_in_field(const Input_metric& input) : input_(input) {
-    basis_.limit_products(thresholds::pairs_of_terms);
-  }
-  const Face& operator()(std::uint32_t f) const {
+  struct Face {
+    std::array<Gmpq, 3> squared_lengths;
+    Square_root area; // quadruple
+  };
+
+  explicit Faces_in_field(const Input_metric& input) : input_(input) {}
+
+  // throws std::length_error if there are too many roots
+  const Face& operator()(std::uint32_t f) {
     const auto found = faces_.find(f);
     return found != faces_.end() ? found->second : faces_.emplace(f, face(f)).first->second;
   }
+  Square_class_basis& basis() { return basis_; }
 
 private:
-  Face face(std::uint32_t f) const {
-    const auto length = [&](unsigned k) { return Number(input_.squared_length<Gmpq>(f, k)); };
+  Face face(std::uint32_t f) {
     const auto area = basis_.sqrt_of(input_.squared_quadruple_area<Gmpq>(f));
     if (!area) throw std::length_error("too many square roots");
-    return {{length(0), length(1), length(2)}, Number(basis_, *area)};
+    return {{input_.squared_length<Gmpq>(f, 0), input_.squared_length<Gmpq>(f, 1),
+             input_.squared_length<Gmpq>(f, 2)},
+            *area};
   }
 
   const Input_metric& input_;
-  mutable Square_class_basis basis_;
-  mutable std::unordered_map<std::uint32_t, Face> faces_;
+  Square_class_basis basis_;
+  std::unordered_map<std::uint32_t, Face> faces_;
 };
+
+double log2_of(const Gmpz& n) {
+  long exponent = 0;
+  const double part = mpz_get_d_2exp(&exponent, n.mpz());
+  return std::log2(part) + static_cast<double>(exponent);
+}
+double log2_of(const Gmpq& x) { return log2_of(x.numerator()) - log2_of(x.denominator()); }
+// of the sum of two numbers
+double log2_of_sum(double x, double y) {
+  return x == y ? x + 1 : std::max(x, y) + std::log2(1 + std::exp2(-std::abs(x - y)));
+}
+
+/*
+The unfolded triangles of a diamond and their images in finite fields, see `decide_by_images()`.
+
+Squared lengths are integers over 2^s. With these, and the areas that belong to them, in w = (p +
+a i) / (2 L), d w is an algebraic integer if 2 L divides d: for all positions, d is the product over
+all triangles. A conjugate changes the signs of some areas, hence turns some triangles over: lengths
+of sides stay as they are, and bound the distances of all points from the first.
+*/
+class Unfolded_images {
+public:
+  using Position = Unfolded_diamond::Position<Residues>;
+
+  Unfolded_images(const Unfolded_diamond& diamond, Faces_in_field& faces) : diamond_(diamond) {
+    for (const Unfolded_diamond::Triangle& t : diamond.triangles) {
+      const auto& [l, area] = faces(t.side.face);
+      if (l[t.side.slot] == Gmpq(0)) throw std::length_error("a side without length");
+      steps_.push_back({&l, &area, {}, {}});
+      for (const Gmpq& x : l)
+        scale_ = std::max(scale_, static_cast<int>(mpz_scan1(x.denominator().mpz(), 0)));
+    }
+  }
+
+  // binary logarithm of the denominator d
+  double bits_of_denominator() const {
+    double bits = 0;
+    for (std::uint32_t n = 0; n < steps_.size(); ++n) bits += log2_of(length(n, 0)) + scale_ + 1;
+    return bits;
+  }
+  // bounds of the values of the diamond
+  Diamond_values<Conjugate_bound> bounds() const {
+    std::vector<double> radius{-HUGE_VAL, 0}; // binary logarithms
+    std::uint32_t n = 0;
+    diamond_.triangles.carry(radius, [&](const auto&, double from, double) {
+      return log2_of_sum(from, (log2_of(length(n++, 2)) - log2_of(length(0, 0))) / 2);
+    });
+    Unfolded_diamond::Positions<Conjugate_bound> z;
+    for (const double r : radius) {
+      const Conjugate_bound bound(1, 0, std::max(r, 0.0));
+      z.push_back({bound, bound});
+    }
+    return values(z, Conjugate_bound(0, scale_, log2_of(length(0, 0))));
+  }
+
+  // how many triangles `at_roots()` computes on average, of so many roots
+  double steps(std::size_t roots) const {
+    double sum = std::ldexp(static_cast<double>(steps_.size()), -static_cast<int>(roots));
+    for (std::size_t g = 0; g < roots; ++g) {
+      const auto first = std::find_if(steps_.begin(), steps_.end(), [g](const Step& s) {
+        return (s.area->radical >> g & 1U) != 0;
+      });
+      sum += std::ldexp(static_cast<double>(steps_.end() - first),
+                        static_cast<int>(g) - static_cast<int>(roots));
+    }
+    return sum;
+  }
+  // in new fields
+  void prepare(const std::vector<Residues>& roots) {
+    for (std::uint32_t n = 0; n < steps_.size(); ++n) {
+      Step& s = steps_[n];
+      const Residues first(length(n, 0)), half = (first + first).inverse();
+      s.across = half * (first + Residues(length(n, 2)) - Residues(length(n, 1)));
+      s.up = half * image_of(*s.area, roots);
+    }
+    unit_ = Residues(length(0, 0));
+    z_ = {{Residues(0), Residues(0)}, {Residues(1), Residues(0)}};
+  }
+  // changes the sign of a root
+  void negate(std::size_t root) {
+    std::size_t first = steps_.size();
+    for (std::size_t n = steps_.size(); n-- > 0;)
+      if ((steps_[n].area->radical >> root & 1U) != 0) {
+        steps_[n].up = -steps_[n].up;
+        first = n;
+      }
+    if (first + 2 < z_.size()) z_.resize(first + 2);
+  }
+  Diamond_values<Residues> at_roots() {
+    std::size_t n = z_.size() - 2;
+    diamond_.triangles.carry(z_, [&](const auto&, const Position& from, const Position& to) {
+      const Step& s = steps_[n++];
+      return from + (to - from) * Position{s.across, s.up};
+    });
+    return values(z_, unit_);
+  }
+
+private:
+  struct Step {
+    const std::array<Gmpq, 3>* squared_lengths;
+    const Square_root* area;
+    Residues across, up; // to the apex, where the first side is 1
+  };
+
+  // of a side of a triangle, from its first one on
+  const Gmpq& length(std::uint32_t n, std::uint32_t side) const {
+    return (*steps_[n].squared_lengths)[(diamond_.triangles[n].side.slot + side) % 3];
+  }
+  template <class FT>
+  Diamond_values<FT> values(const Unfolded_diamond::Positions<FT>& z, const FT& unit) const {
+    return Unfolded_diamond::values_of<FT>({diamond_.position(0, z), diamond_.position(1, z),
+                                            diamond_.position(2, z), diamond_.position(3, z)},
+                                           unit);
+  }
+
+  const Unfolded_diamond& diamond_;
+  std::vector<Step> steps_;
+  int scale_ = 0;
+  Residues unit_;
+  Unfolded_diamond::Positions<Residues> z_;
+};
+
+// The images of an expression in the values of a figure that is unfolded.
+template <class Asked>
+class Images_of_figure {
+  static constexpr bool are_faces = std::is_same_v<typename Asked::Figure, Unfolded_faces>;
+
+public:
+  Images_of_figure(const typename Asked::Figure& figure,
+                   const typename Asked::Expression& expression, Faces_in_field& faces)
+      : expression_(expression), faces_(faces) {
+    if constexpr (are_faces)
+      for (const Unfolded_diamond& f : figure.faces) parts_.emplace_back(f, faces);
+    else
+      parts_.emplace_back(figure, faces);
+  }
+
+  // see `decide_by_images()`; nothing is known if the expression has quotients
+  double bits() {
+    double denominator = 0;
+    for (const Unfolded_images& p : parts_) denominator += p.bits_of_denominator();
+    try {
+      return value([](Unfolded_images& p) { return p.bounds(); }).bits_of_integer(denominator);
+    } catch (const std::length_error&) {
+      return HUGE_VAL;
+    }
+  }
+  double steps() const {
+    double sum = 0;
+    for (const Unfolded_images& p : parts_) sum += p.steps(faces_.basis().dimension());
+    return sum;
+  }
+  void prepare(const std::vector<Residues>& roots) {
+    for (Unfolded_images& p : parts_) p.prepare(roots);
+  }
+  void negate(std::size_t root) {
+    for (Unfolded_images& p : parts_) p.negate(root);
+  }
+  Residues at_roots() {
+    return value([](Unfolded_images& p) { return p.at_roots(); });
+  }
+
+private:
+  template <class Values>
+  auto value(const Values& values) {
+    if constexpr (are_faces) {
+      std::vector<decltype(face(values(parts_[0])))> all;
+      for (Unfolded_images& p : parts_) all.push_back(face(values(p)));
+      return expression_(all);
+    } else {
+      return expression_(values(parts_[0]));
+    }
+  }
+  template <class FT>
+  static Face_values<FT> face(const Diamond_values<FT>& v) {
+    return {{v.ij, v.jk, v.ki}, v.area_f};
+  }
+
+  const typename Asked::Expression& expression_;
+  Faces_in_field& faces_;
+  std::vector<Unfolded_images> parts_;
+};
+
+Unfolded_diamond unfolded(const Input_diamond& d) {
+  Unfolded_diamond result;
+  result.triangles.start(d.left);
+  result.triangles.enter(0, 0, d.right);
+  result.corners = {{{0, 0}, {0, 1}, {0, 2}, {1, 2}}};
+  return result;
+}
+
+template <class Asked>
+Answer decide_by_triangles(const Asked& q, Faces_in_field& faces, double& steps_left) {
+  std::optional<typename Asked::Figure> part;
+  Images_of_figure<Asked> images(decisive_part(q, part), q.expression, faces);
+  return decide_by_images(faces.basis(), images.bits(), images, steps_left);
+}
+Answer decide_by_triangles(const Question<Input_diamond, Recorded_diamond_expression>& q,
+                           Faces_in_field& faces, double& steps_left) {
+  return decide_by_triangles(Question{q.input, unfolded(q.figure), q.expression}, faces,
+                             steps_left);
+}
+
+// Flips divide by lengths of edges, of which no bound follows: one image may prove that a value is
+// not zero, and coefficients that it is.
+template <class Asked>
+Answer decide_by_flips(const Asked& q, Faces_in_field& faces, double& steps_left) {
+  using Number = Multiquadratic_number;
+  const auto value = [&]<class FT>(const auto& root) {
+    return q.expression(q.figure.template values<FT>([&](std::uint32_t f) {
+      const auto& [l, area] = faces(f);
+      return std::pair(std::array{FT(l[0]), FT(l[1]), FT(l[2])}, root(area));
+    }));
+  };
+  {
+    const Residue_fields scope(0);
+    std::vector<Residues> roots;
+    const auto root = [&](const Square_root& area) {
+      while (roots.size() < faces.basis().dimension())
+        roots.push_back(Residues::sqrt_of(faces.basis().representative(roots.size())));
+      return image_of(area, roots);
+    };
+    const Residues image = value.template operator()<Residues>(root);
+    if (Residue_fields::are_defined() && !image.is_zero()) return Answer::not_zero;
+  }
+  constexpr double words_of_step =
+      static_cast<double>(thresholds::words_of_coefficients) / thresholds::image_steps;
+  const double most =
+      std::clamp(words_of_step * steps_left, words_of_step * thresholds::few_image_steps,
+                 static_cast<double>(thresholds::words_of_coefficients));
+  faces.basis().limit_products(static_cast<std::size_t>(most));
+  const auto root = [&](const Square_root& area) { return Number(faces.basis(), area); };
+  Answer answer = Answer::open;
+  try {
+    answer = value.template operator()<Number>(root).is_zero() ? Answer::zero : Answer::not_zero;
+  } catch (const std::length_error&) {
+  }
+  const double cost = (most - static_cast<double>(faces.basis().words_left())) / words_of_step;
+  if (cost > thresholds::few_image_steps) steps_left -= cost;
+  return answer;
+}
 
 } // namespace
 
@@ -75,12 +330,15 @@ private:
 template <class Figure, class Expression>
   requires(!std::is_same_v<Figure, Flat_diamond>)
 Answer Field_proof::operator()(const Question<Figure, Expression>& q) const {
-  std::optional<Figure> part;
-  const Figure& figure = internal::decisive_part(q, part);
-  const internal::Faces_in_field faces(q.input);
+  internal::Faces_in_field faces(q.input);
+  double enough = thresholds::all_image_steps;
+  double& steps_left = image_steps_left != nullptr ? *image_steps_left : enough;
   try {
-    const auto value = q.expression(figure.template values<Multiquadratic_number>(faces));
-    return value.is_zero() ? Answer::zero : Answer::not_zero;
+    if constexpr (std::is_same_v<Figure, Replayed_diamond> ||
+                  std::is_same_v<Figure, Replayed_faces>)
+      return internal::decide_by_flips(q, faces, steps_left);
+    else
+      return internal::decide_by_triangles(q, faces, steps_left);
   } catch (const std::length_error&) {
     return Answer::open;
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
@@ -73,8 +74,7 @@ Sign integer_diamond_sign(Diamond_values<Integer> d,
 // The four corners i, j, k, m of a diamond of input faces.
 class Corners {
 public:
-  Corners(const Input_metric& input, const Input_diamond& d)
-      : delta_(input.delta()) {
+  Corners(const Input_metric& input, const Input_diamond& d) : delta_(input.delta()) {
     const auto& [left, right] = d;
     const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     const std::uint32_t corner[4] = {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
@@ -127,8 +127,7 @@ private:
 // The five sides of a diamond of input faces with given squared lengths.
 class Side_lengths {
 public:
-  Side_lengths(const Input_metric& input, const Input_diamond& d)
-      : delta_(input.delta()) {
+  Side_lengths(const Input_metric& input, const Input_diamond& d) : delta_(input.delta()) {
     const auto& [left, right] = d;
     const Input_metric::Sides &f = input.sides(left.face), &g = input.sides(right.face);
     for (const std::uint32_t e : {f[left.slot], f[(left.slot + 1) % 3], f[(left.slot + 2) % 3],
@@ -177,6 +176,7 @@ Nearly all ties on real meshes are of this kind: quadrilaterals of CAD surfaces 
 a diagonal. Constant time, a third of a microsecond.
 */
 struct Input_integers_proof {
+  static constexpr Rung rung = Rung::integers;
   /// returns the sign.
   Answer operator()(const Question<Input_diamond, Recorded_diamond_expression>& q) const {
     if (!q.expression.is_linear_in_areas()) return Answer::open;

@@ -11,6 +11,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,25 +23,28 @@ namespace internal {
 namespace {
 
 /*
-A reflection of the unfolded triangles of a diamond onto themselves: a map of the tree of triangles
-that turns each over, with the same side lengths, and neighbors to neighbors. Then the figure in the
-plane has that reflection, too, since the triangles determine it.
+A map of some of the unfolded triangles of a diamond to others that turns each over, with the same
+side lengths, and neighbors to neighbors. Triangles that are connected determine their figure in the
+plane: the map is an isometry there that changes the orientation. It is a reflection if it has a
+fixed point: a point, or the midpoint of two points that it exchanges. Triangles in between need not
+be symmetric, such as those of sheets of a cover that are glued in another way.
 */
 class Strip_reflection {
 public:
   Strip_reflection(const Input_metric& input, const Unfolded_diamond& diamond)
       : input_(input), diamond_(diamond) {}
 
-  // whether there is one that takes corners i to a and j to b, hence a to i and b to j
+  // whether there is a reflection that exchanges corners i and a, and j and b
   bool exchanges(std::size_t a, std::size_t b) {
-    const std::uint32_t i = diamond_.point(0), j = diamond_.point(1), to_i = diamond_.point(a);
-    const Unfolded_diamond::Corner& start = diamond_.corners[0];
-    for (std::uint32_t t = 0; t < diamond_.triangles.size(); ++t)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        if (diamond_.triangles[t].point[k] == to_i &&
-            maps_all({start.triangle, t, (start.corner + k) % 3}) && image_[i] == to_i &&
-            image_[j] == diamond_.point(b) && image_[to_i] == i && image_[diamond_.point(b)] == j)
-          return true;
+    const std::uint32_t i = diamond_.point(0), j = diamond_.point(1), to_i = diamond_.point(a),
+                        to_j = diamond_.point(b);
+    for (std::uint32_t s = 0; s < diamond_.triangles.size(); ++s)
+      if (const std::uint32_t c = corner_at(s, i); c < 3)
+        for (std::uint32_t t = 0; t < diamond_.triangles.size(); ++t)
+          if (const std::uint32_t d = corner_at(t, to_i); d < 3 && maps({s, t, (c + d) % 3}) &&
+                                                          is_reflection_ &&
+                                                          (image_[j] == to_j || image_[to_j] == j))
+            return true;
     return false;
   }
 
@@ -54,10 +58,17 @@ private:
     std::uint32_t side(std::uint32_t s) const { return (sum + 5 - s) % 3; }
   };
 
-  // extends the map of one triangle to the others; returns whether that is possible
-  bool maps_all(const Step& first) {
+  // which corner of a triangle a point is, or 3
+  std::uint32_t corner_at(std::uint32_t triangle, std::uint32_t point) const {
+    const auto& p = diamond_.triangles[triangle].point;
+    return static_cast<std::uint32_t>(std::find(p.begin(), p.end(), point) - p.begin());
+  }
+
+  // extends the map of one triangle to as many others as possible; false if there is none
+  bool maps(const Step& first) {
     if (!are_mirrored(first)) return false; // most are not
     image_.assign(diamond_.triangles.size() + 2, none);
+    is_reflection_ = false;
     std::vector<Step> stack{first};
     std::vector<bool> is_done(diamond_.triangles.size());
     while (!stack.empty()) {
@@ -65,13 +76,15 @@ private:
       stack.pop_back();
       is_done[s.from] = true;
       for (std::uint32_t k = 0; k < 3; ++k) {
-        image_[diamond_.triangles[s.from].point[k]] = diamond_.triangles[s.to].point[s.corner(k)];
+        const std::uint32_t p = diamond_.triangles[s.from].point[k],
+                            q = diamond_.triangles[s.to].point[s.corner(k)];
+        image_[p] = q;
+        is_reflection_ = is_reflection_ || p == q || image_[q] == p;
         const std::uint32_t next = diamond_.triangles[s.from].beyond[k],
                             to = diamond_.triangles[s.to].beyond[s.side(k)];
-        if ((next == none) != (to == none)) return false;
-        if (next == none || is_done[next]) continue;
-        stack.push_back({next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3});
-        if (!are_mirrored(stack.back())) return false;
+        if (next == none || to == none || is_done[next]) continue;
+        const Step step{next, to, (side_to(next, s.from) + side_to(to, s.to) + 1) % 3};
+        if (are_mirrored(step)) stack.push_back(step);
       }
     }
     return true;
@@ -117,7 +130,8 @@ private:
 
   const Input_metric& input_;
   const Unfolded_diamond& diamond_;
-  std::vector<std::uint32_t> image_; // of each point
+  std::vector<std::uint32_t> image_; // of each point that is mapped
+  bool is_reflection_ = false;       // whether the map has a fixed point
 };
 
 } // namespace
