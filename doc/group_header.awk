@@ -69,6 +69,7 @@ BEGIN {
   group["Intrinsic_operators/operators/Connection_graph.h"]  = "ref_inside"
   group["Intrinsic_operators/distance/"]                     = "ref_applications"
   group["Intrinsic_operators/editing/"]                      = "ref_applications"
+  group["Intrinsic_operators/maps/"]                         = "ref_applications"
   group["Intrinsic_operators/parametrization/"]              = "ref_applications"
   group["Intrinsic_operators/vectors/"]                      = "ref_applications"
   group["Intrinsic_operators/vectors/Direction_problem.h"]   = "ref_inside"

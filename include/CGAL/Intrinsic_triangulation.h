@@ -242,12 +242,17 @@ public:
 
   /*!
   \brief sets the factors by which vertices scale the metric, at first one: moves horocycles.
-  \param factors one positive number per row, see `input_vertex()`: they define the metric exactly
+  \param factors one positive number per row, see `input_vertex()`: they define the metric exactly,
+    with their rests
+  \param rests what rounding took from each factor, for more digits than those of doubles; none:
+    nothing
   \throws Invalid_input if their number is another one, or naming a vertex with a wrong factor
   \complexity linear
   */
-  void scale_vertices(std::span<const double> factors) requires internal::Scales_vertices<Metric> {
-    internal::Mover<Intrinsic_triangulation>(*this).scale_vertices(factors);
+  void
+  scale_vertices(std::span<const double> factors,
+                 std::span<const double> rests = {}) requires internal::Scales_vertices<Metric> {
+    internal::Mover<Intrinsic_triangulation>(*this).scale_vertices(factors, rests);
   }
 
   /*!

@@ -21,7 +21,8 @@ class PlaneMap:
     `certificate` is a dict: "injective", "flipped_faces", "degenerate_faces", "border_is_simple",
     exact for the numbers in `uv`; `injective_on_input` is the same answer for the triangles of the
     mesh. `distortion` is a dict; "mean_quasi_conformal" is 1 if angles stay the same. `status` is
-    "done", or says why the map is not injective.
+    "done", or says why the map is not injective; of maps by "spectral" and "lscm" it is
+    "inaccurate" if faces have turned over or have no area.
     """
 
     def __init__(self, surface, uv, status, certificate, distortion, rounds, inserted):
@@ -59,19 +60,23 @@ class ConformalMap:
     """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
 
     `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
-    prescribed ones, and "inaccurate" if rounding has turned over pieces then; `residual` is the largest difference, in radians, and `proven_residual` a
-    proven bound of it. `cones` is a dict from vertices to their angles. `target` is "plane",
+    prescribed ones, "inaccurate" if rounding has turned over pieces then, and "stalled" or "cap" if
+    the solver ended before. `residual` is the largest difference of the angles that
+    `scale_factors` give, in radians, and `proven_residual` a proven bound of it, with
+    `scale_factors` and with `u` as well: a large u has fewer digits. On a sphere both are of the
+    plane that is projected. `cones` is a dict from vertices to their angles. `target` is "plane",
     "sphere", "torus" or "disk".
 
     On a sphere `positions` of shape (n, 3) are the vertices; of a torus, `period` is a complex
     number. `layout` is a `Layout`, with `certificate` and `distortion` as those of a `PlaneMap`;
-    None for spheres.
+    None for spheres, and where `no_layout` says why there is none: a Möbius strip or a cloud of
+    points has no front, and a solver that stalled may leave triangles that have no shape.
     """
 
-    def __init__(self, target, found):
+    def __init__(self, found):
         sphere = found.pop("sphere", None)
         layout = found.pop("layout", None)
-        self.target = target
+        self.no_layout = None
         self.certificate = self.distortion = self.positions = None
         self.__dict__.update(found)
         self.sphere = sphere
@@ -142,8 +147,9 @@ class _Maps:
         discretely conformal, with scale 1 on the border, see `uniformize()`, whose `start` it
         has and whose `ConformalMap` it returns. Clouds of points have the method "spectral".
 
-        `cut` is "auto" to cut any surface open to a disk along short curves, or an array of edges
-        of shape (k, 2), as pairs of vertices.
+        `cut` is "auto" to cut any surface open to disks along short curves, or an array of edges of
+        shape (k, 2), as pairs of vertices. Of faces that form no oriented manifold, each is mapped
+        once, and edges of more than two faces are cut.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
         if method == "conformal":
@@ -170,9 +176,7 @@ class _Maps:
         if cut is not None:
             raise ValueError('method="conformal" maps disks as they are; leave cut out, or take '
                              "uniformize(), which cuts any surface open")
-        if not self._is_cloud() and _core.topology(self._core)[2] == 0:
-            raise ValueError('method="conformal" maps disks, and the surface has no border; take '
-                             "uniformize(), with cones where it asks for them")
+        _core.expect_disks(self._core)
         return self.uniformize(target="plane", start=start or "delaunay", progress=progress)
 
     def uniformize(self, angles=None, *, cones=None, target=None, start="delaunay",
@@ -193,9 +197,11 @@ class _Maps:
         _arrays.expect_word(start, "start", ("input", "delaunay"))
         if angles is not None and cones is not None:
             raise ValueError("give angles or cones, not both")
-        closed, polygons = self._closed()
-        core = closed._flipped() if start == "delaunay" else closed._core
-        target = _target(core, target, angles is not None or cones is not None)
+        core = self._flipped() if start == "delaunay" else self._core
+        if target is not None:
+            _arrays.expect_word(target, "target", ("plane", "sphere", "torus", "disk"))
+        if target in ("sphere", "torus") and (angles is not None or cones is not None):
+            raise ValueError(f'target="{target}" has no cones; leave angles and cones out')
         count = None
         if cones is not None and not isinstance(cones, dict):
             count = int(_arrays.indices(cones, "cones", ()))
@@ -204,10 +210,8 @@ class _Maps:
                                  "a dict")
         arrays = _angle_arrays(cones if isinstance(cones, dict) else angles,
                                core.number_of_input_vertices)
-        found = _core.uniformize(core, target, start == "input", count, *arrays, progress)
-        if polygons is not None and "layout" in found:
-            found["layout"]["input_faces"] = polygons[found["layout"]["input_faces"]]
-        return ConformalMap(target, found)
+        return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
+                                             progress))
 
     def eigen(self, k, *, progress=None):
         """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
@@ -242,50 +246,15 @@ class _Maps:
     def _is_cloud(self):
         return _core.sheets(self._core) > 2
 
-    def _of_triangles(self, triangles, points, domain):
-        arithmetic = "exact" if _core.is_exact(self._core) else "double"
-        return type(self)(points, triangles, domain=domain, arithmetic=arithmetic)
-
-    def _input_triangles(self, why):
-        points = _core.input_points(self._core)
-        if not len(points):
-            raise ValueError(f"a surface of lengths alone cannot be {why}; give one that is")
-        return points, *_core.input_triangles(self._core)
-
-    def _closed(self):
-        """Returns the surface, or the double of one with border; and the user's face that each of
-        its faces is, or None."""
-        if self._is_cloud():
-            raise ValueError("a cloud of points has no faces; give a mesh")
-        if _core.topology(self._core)[2] == 0:
-            return self, None
-        points, triangles, polygons = self._input_triangles("doubled")
-        return self._of_triangles(triangles, points, "closed"), polygons
-
     def _cut_open(self, cut, progress):
         """Returns the surface, cut open, and the vertex that each of its vertices is a copy of."""
         if cut is None:
             return self, None
-        points, triangles, polygons = self._input_triangles("cut open")
         if isinstance(cut, str):
             if cut != "auto":
                 raise ValueError(f'cut="{cut}" does not exist; give "auto" or an array of edges')
             cut = None
         else:
-            cut = _arrays.indices(cut, "cut", (None, 2), count=len(points))
-        faces, original = _core.cut_open(points, triangles, polygons, cut, progress)
-        return self._of_triangles(faces, points[original], "auto"), original
-
-
-def _target(core, target, has_angles):
-    """Returns what a surface becomes, if the user does not say it."""
-    if target is not None:
-        _arrays.expect_word(target, "target", ("plane", "sphere", "torus", "disk"))
-    if has_angles and target not in (None, "plane", "disk"):
-        raise ValueError(f'target="{target}" has no cones; leave angles and cones out')
-    if target is not None:
-        return target
-    components, euler, border, sheets = _core.topology(core)
-    if has_angles or sheets > 1 or border or components != 1 or euler % 2:
-        return "plane"
-    return {2: "sphere", 0: "torus"}.get(euler, "disk")
+            cut = _arrays.indices(cut, "cut", (None, 2), count=self._core.number_of_input_vertices)
+        core, original = _core.cut_open(self._core, cut, progress)
+        return type(self)._of(core), original

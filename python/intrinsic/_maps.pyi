@@ -48,6 +48,7 @@ class ConformalMap:
     positions: _Numbers | None
     sphere: dict[str, Any] | None
     layout: Layout | None
+    no_layout: str | None
     certificate: dict[str, Any] | None
     distortion: dict[str, float] | None
 

@@ -41,17 +41,10 @@ struct Cut {
   IT::Cut_surface surface;
 };
 
-void expect_no_cover(const IT::Input& input) {
-  if (input.names().sheets > 1)
-    throw IT::Invalid_input(IT::Element_kind::none, 0,
-                            "the surface is a cover of the faces, as they are no oriented "
-                            "manifold, and cannot be cut; repair the mesh before");
-}
-
 // Inserts curves into a copy of a triangulation, and cuts along them.
 template <class T>
 Cut cut_along_ways(T t, const std::vector<const Way*>& ways, Watch& watch) {
-  expect_no_cover(t.input());
+  IT::expect_one_sheet(t.input());
   std::vector<IT::Inserted_polyline<T>> paths;
   for (const Way* way : ways) {
     watch.begin("curve");
@@ -75,7 +68,7 @@ Cut cut_along_ways(T t, const std::vector<const Way*>& ways, Watch& watch) {
 
 template <class T>
 Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
-  expect_no_cover(t.input());
+  IT::expect_one_sheet(t.input());
   std::vector<typename T::vertex_descriptor> vertices;
   Place_finder<T> find(t);
   for (const Place& p : through) vertices.push_back(find.vertex(p.vertex));
@@ -88,7 +81,6 @@ Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
 
 template <class T>
 Cut cut_along_edges(const T& t, const std::vector<std::uint32_t>& labels) {
-  expect_no_cover(t.input());
   return {t.shared_input(),
           IT::cut_along(t, boost::make_function_property_map<typename T::edge_descriptor>(
                                [&](auto e) { return labels[t.index(e)]; }))};

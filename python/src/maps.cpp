@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "maps.h"
-#include "../../src/intrinsic/application/map_by_method.h"
 #include "../../src/intrinsic/status_name.h"
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/maps/parametrize.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/input/definition_of.h>
 
 #include <pybind11/stl.h>
 
@@ -64,6 +63,12 @@ struct Map_watch {
   bool progress(std::size_t solutions) { return (*watch)("solutions", solutions); }
 };
 
+IT::Map_method method_of(const std::string& name) {
+  return name == "lscm"       ? IT::Map_method::least_squares
+         : name == "spectral" ? IT::Map_method::spectral
+                              : IT::Map_method::harmonic;
+}
+
 // The surface may be refined.
 py::tuple parametrize(Surface& s, const std::string& method, const py::object& progress) {
   IT::Map_distortion distortion;
@@ -71,7 +76,7 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
   Map_watch visitor{&watch};
   IT::Injective_map map = with_triangulation(s, watch, [&](auto& t) {
     IT::Injective_map result =
-        program::map_by_method(t, method, IT::parameters::visitor(std::ref(visitor)));
+        IT::parametrize(t, method_of(method), IT::parameters::visitor(std::ref(visitor)));
     if (result.status == IT::Status::cancelled) return result;
     distortion = IT::measure_distortion(t, result.uv);
     if (result.inserted > 0) s.cache.clear(); // it was of the surface before
@@ -123,49 +128,42 @@ py::tuple input_triangles(Surface& s) {
   return py::make_tuple(array_of(std::move(triangles)), array_of(std::move(polygons)));
 }
 
-// Marks edges by their ends. \throws Invalid_input naming one that does not exist
+// ---- Surfaces that are cut open ----------------------------------------------------------------
+
+// Marks edges by their ends. \throws Invalid_input naming one that does not exist, or is not alone
 std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
-  std::map<std::array<std::int64_t, 2>, std::uint32_t> edge_of;
+  std::map<std::array<std::int64_t, 2>, std::vector<std::uint32_t>> edges_of;
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const std::int64_t i = mesh.source({2 * e}).index, j = mesh.source({2 * e + 1}).index;
-    edge_of[{std::min(i, j), std::max(i, j)}] = e;
+    edges_of[{std::min(i, j), std::max(i, j)}].push_back(e);
   }
   std::vector<char> marks(mesh.number_of_edges(), 0);
   const std::int64_t* const ends = edges.data();
   for (std::size_t k = 0; k < static_cast<std::size_t>(edges.size()) / 2; ++k) {
     const std::int64_t i = ends[2 * k], j = ends[2 * k + 1];
-    const auto found = edge_of.find({std::min(i, j), std::max(i, j)});
-    if (found == edge_of.end())
+    const std::vector<std::uint32_t>& found = edges_of[{std::min(i, j), std::max(i, j)}];
+    if (found.empty())
       refuse("cut[" + std::to_string(k) + "]: no edge joins the vertices " + std::to_string(i) +
              " and " + std::to_string(j) + "; give edges of the mesh");
-    marks[found->second] = 1;
+    for (const std::uint32_t e : found) marks[e] = 1; // sides of a fan share their ends, too
   }
   return marks;
 }
 
-// Cuts triangles open along edges, or, without edges, to disks. The corners of the triangles
-// afterwards, and the vertex that each vertex is a copy of.
-// \param polygons the face that each triangle is a part of: polygons stay whole
-py::tuple cut_open(const Doubles& points, const Integers& triangles, const Integers& polygons,
-                   const std::optional<Integers>& edges, const py::object& progress) {
-  IT::Triangle_soup soup;
-  soup.points = points_of(points);
-  const std::vector<std::uint32_t> corners = numbers_of(triangles, soup.points.size(), "vertex");
-  for (std::size_t c = 0; c + 2 < corners.size(); c += 3)
-    soup.triangles.push_back({corners[c], corners[c + 1], corners[c + 2]});
-  soup.input_faces = soup.triangles.size();
-  expect_size(polygons, soup.triangles.size(), "polygons");
-  soup.polygon_of_triangle = numbers_of(polygons, IT::Gluing::none, "face");
-  if (!soup.triangles.empty()) soup.input_faces = soup.polygon_of_triangle.back() + 1;
+// The triangles of a surface, cut open along edges, or, without edges, to disks, and the vertex
+// that each vertex is a copy of.
+py::tuple cut_open(Surface& s, const std::optional<Integers>& edges, const py::object& progress) {
   Watch watch(progress);
-  IT::Opened_input opened = without_interpreter(watch, [&] {
-    const IT::Intrinsic_input in =
-        IT::make_domain(std::move(soup), IT::Domain_kind::manifold).input;
+  bool is_exact = false;
+  IT::Opened_input opened = with_triangulation(s, watch, [&](auto& t) {
+    is_exact = std::remove_cvref_t<decltype(t)>::Metric::is_exact;
+    const IT::Intrinsic_input sheet = IT::sheet_of_cover(IT::definition_of(t.input()));
     watch.begin("cut");
-    return IT::cut_open(in, edges ? marks_of(in.mesh, *edges) : IT::cut_to_disk(in));
+    return IT::cut_to_disks(sheet, edges ? marks_of(sheet.mesh, *edges) : std::vector<char>());
   });
-  return py::make_tuple(array_of(std::move(opened.corners)),
-                        array_of(std::move(opened.original_vertex)));
+  std::shared_ptr<Surface> result = without_interpreter(
+      watch, [&] { return surface_of(std::move(opened.input), s.name, is_exact); });
+  return py::make_tuple(std::move(result), array_of(std::move(opened.original_vertex)));
 }
 
 // How many sheets the surface has over each face of the user.
@@ -233,10 +231,6 @@ void bind_maps(py::module_& m) {
   m.def("input_triangles", &input_triangles);
   m.def("cut_open", &cut_open);
   m.def("sheets", &sheets);
-  m.def("is_exact", [](Surface& s) {
-    return with_triangulation(
-        s, [](auto& t) { return std::remove_cvref_t<decltype(t)>::Metric::is_exact; });
-  });
   m.def("eigen", &eigen);
   m.def("deform", &deform);
   bind_uniformize(m);

@@ -272,6 +272,19 @@ Surface_ptr restore(const std::string& contents, bool exact, const std::string& 
 
 } // namespace
 
+std::shared_ptr<Surface> surface_of(IT::Intrinsic_input input, const std::string& name,
+                                    bool is_exact) {
+  Options options;
+  options.input = name;
+  program::Mesh_file file;
+  const std::vector<std::uint32_t>& polygons = input.names.polygon_of_triangle;
+  file.polygons =
+      polygons.empty() ? input.mesh.number_of_faces() : std::size_t{polygons.back()} + 1;
+  file.domain.sheets = input.names.sheets;
+  file.input = std::move(input);
+  return surface_of(std::move(file), options, is_exact);
+}
+
 void bind_surface(py::module_& m) {
   py::class_<Surface, Surface_ptr>(m, "Surface")
       .def_readonly("is_flipped", &Surface::is_flipped)

@@ -164,7 +164,7 @@ class Arguments(unittest.TestCase):
                 ("does not exist", lambda: s.parametrize("conformal", start="end")),
                 ("of conformal maps", lambda: s.parametrize("lscm", start="input")),
                 ("leave cut out", lambda: cube.parametrize("conformal", cut="auto")),
-                ("no border; take uniformize", lambda: cube.parametrize("conformal")),
+                ("0 borders of 1 components; uniformize", lambda: cube.parametrize("conformal")),
                 ("not both", lambda: cube.uniformize([1] * 8, cones=3)),
                 ("has 2 angles", lambda: cube.uniformize([1, 2])),
                 ("vertex 0 is", lambda: cube.uniformize(["2"] * 8)),

@@ -77,6 +77,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/input/Element_names.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.cpp>
+#include <CGAL/Intrinsic_triangulations/input/definition_of.cpp>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.cpp>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.cpp>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.cpp>

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scale factors with which surfaces have prescribed angles."""
 
+import json
 import math
 
 from cli_support import CUBE, Cli_test, grid, icosphere, main, read_obj, torus, triangles
@@ -218,10 +219,29 @@ class Uniformize(Cli_test):
         for p in read_obj(self.path("x.obj"))[0][:len(points)]:
             self.assertLess(abs(math.hypot(*p) - 1), 1e-12)
 
-    def test_covers_with_border_name_the_remedy(self):
-        mesh = self.write_off("g.off", *grid(3))
-        self.assert_fails(self.run_program("uniformize", mesh, "--domain", "orientation-cover"),
-                          "g.off", "--domain closed")
+    def test_covers_with_border_are_closed(self):
+        points, faces = grid(3)
+        mesh = self.write_off("g.off", [(x, y, x * y / 9) for x, y, _ in points], faces)
+        _, u = self.scale(mesh)
+        self.assertGreater(max(u) - min(u), 1e-3)
+        for domain in ("orientation-cover", "closed", "tufted"):
+            for x, y in zip(u, self.scale(mesh, "--domain", domain)[1]):
+                self.assertLess(abs(x - y), 1e-9)
+
+    def test_a_solver_that_stops_says_so(self):
+        points, faces = torus(16, 10)  # scales differ by 1e68: no layout in doubles
+        mesh = self.write_off("t.off", [(1e4 * x, y, z) for x, y, z in points], triangles(faces))
+        run = self.run_program("uniformize", mesh, "-o", "u.txt", "--stats", "s.json")
+        self.assertEqual(run.code, 0)
+        with open(self.path("s.json"), encoding="utf-8") as file:
+            status = json.load(file)["conformal"]["status"]
+        self.assertEqual("t.off: the solver has stopped" in run.err, status != "done")
+        self.assertNotIn("not flat", run.err)
+        two = self.write_off("two.off", [*points, *((x + 9, y, z) for x, y, z in icosphere(1)[0])],
+                             [*triangles(faces), *([v + len(points) for v in f]
+                                                   for f in icosphere(1)[1])])
+        self.assert_fails(self.run_program("uniformize", two), "two.off", "cones",
+                          "take the 2 components one by one")
 
     def disk(self, mesh, *arguments):
         """The statistics of a layout in the disk, and the places of the pieces."""
@@ -297,7 +317,7 @@ class Uniformize(Cli_test):
         self.assert_fails(refused("--cones", "2"), "place at least 3")
         self.stats("refine", mesh, "--max-circumradius", "0.3", "-o", "r.idt")
         self.assert_fails(self.run_program("uniformize", "r.idt", "--start", "delaunay"),
-                          "inserted", "--start input")
+                          "inserted", '"input"')
         for text, words in (("pi\n", ("has 1 angles", "8 vertices")),
                             ("-1\n" * 8, ("a.txt:1:", "not positive")),
                             ("xpi\n" * 8, ("a.txt:1:", "3/2pi")),

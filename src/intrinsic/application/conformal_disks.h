@@ -7,19 +7,10 @@
 #include "Computed.h"
 
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <vector>
 
 namespace program {
-
-/// checks that a surface, or the front of a double, consists of disks.
-/// \throws Invalid_input naming what it has, and the command that maps it
-void expect_disks(const IT::Input& surface);
-
-/// returns the double of a surface before the first move, with its vertices in the order of the
-/// file.
-IT::Intrinsic_input double_of(const IT::Input& surface);
 
 /*!
 \brief makes a map of disks to the plane of what `uniformize` has computed: its functions are u and
@@ -29,8 +20,8 @@ v at each vertex of the file.
 \param points where the vertices of the mesh are
 \param is_on_mesh whether files show the faces of the mesh, on which this is another map
 */
-Computed map_of_disks(Computed computed, const IT::Input& surface,
-                      const std::vector<Point>& points, bool is_on_mesh);
+Computed map_of_disks(Computed computed, const IT::Input& surface, const std::vector<Point>& points,
+                      bool is_on_mesh);
 
 } // namespace program
 

@@ -4,12 +4,8 @@
 #include "conformal_layout.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
 #include <cstdint>
-#include <functional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,15 +25,6 @@ void report_disk(const IT::Scaled_layout& layout, Json& json) {
     motions.push_back(
         {seam.motion.a.real(), seam.motion.a.imag(), seam.motion.b.real(), seam.motion.b.imag()});
   json["generators"] = std::move(motions);
-}
-
-// What to say if triangles of a layout degenerate.
-IT::Invalid_input unreached(const IT::Conformal_metric& m) {
-  return {IT::Element_kind::none, 0,
-          "the solution is not reached: angles differ from the prescribed ones by up to " +
-              std::to_string(m.residual) +
-              " radians, and triangles of the layout degenerate; take other angles or cones, or "
-              "write scale factors alone to a file .txt"};
 }
 
 } // namespace
@@ -69,19 +56,6 @@ Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>&
   for (const auto& [i, j] : layout.seams)
     result.seams.push_back({{points[i], points[j]}, false, 0});
   return result;
-}
-
-Laid_out expect_reached(const IT::Conformal_metric& m, const std::function<Laid_out()>& lay_out) {
-  const bool is_done = m.status == IT::Status::done;
-  try {
-    return lay_out();
-  } catch (const std::invalid_argument&) { // matrices that are not finite
-    if (is_done) throw;
-    throw unreached(m);
-  } catch (const IT::Invalid_input& error) {
-    if (is_done || error.kind() != IT::Element_kind::face) throw;
-    throw unreached(m);
-  }
 }
 
 } // namespace program

@@ -6,10 +6,8 @@
 
 #include "Computed.h"
 
-#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
 
-#include <functional>
 #include <vector>
 
 namespace program {
@@ -18,11 +16,6 @@ namespace program {
 /// \param points where the vertices of the mesh are
 Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>& points,
                       Json& json);
-
-/// calls `lay_out`, with an error that tells about the solver where triangles degenerate after it
-/// has stopped too early.
-/// \throws Invalid_input if so
-Laid_out expect_reached(const IT::Conformal_metric& m, const std::function<Laid_out()>& lay_out);
 
 } // namespace program
 

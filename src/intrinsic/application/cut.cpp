@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,21 +29,6 @@ std::vector<char> edges_to_cut(const Mesh_file& file, const Options& options) {
   listed.constraints = cut;
   listed.sharp_angle.reset();
   return constraints_of(file, listed).is_constrained;
-}
-
-// Throws if the edges of a file do not make disks.
-void expect_disks(const IT::Gluing_map& mesh, const Options& options) {
-  if (options.application.cut == "auto") return;
-  const Input_facts facts = facts_of(mesh);
-  const auto count = [](std::size_t n, const std::string& what) {
-    return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
-  };
-  if (facts.genus == 0 && facts.boundary_loops == facts.components) return;
-  throw std::runtime_error(
-      options.application.cut + ": these edges do not cut " + options.input +
-      " to disks: the surface that is cut open has " + count(facts.components, "component") + ", " +
-      (facts.genus ? count(*facts.genus, "handle") : "one side only") + " and " +
-      count(facts.boundary_loops, "border") + "; change the edges, or leave them to --cut auto");
 }
 
 // The edges of the surface that is cut open, for the edges before.
@@ -79,8 +63,9 @@ Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& option
   if (file.cloud) return cut;
   const std::vector<char> is_cut =
       naming_file(options.input, [&] { return edges_to_cut(file, options); });
-  IT::Opened_input opened = IT::cut_open(file.input, is_cut);
-  expect_disks(opened.input.mesh, options);
+  const std::string& edges = options.application.cut;
+  IT::Opened_input opened = naming_file(edges == "auto" ? options.input : edges,
+                                        [&] { return IT::cut_to_disks(file.input, is_cut); });
   const IT::Gluing_map& mesh = file.input.mesh;
   for (std::uint32_t e = 0; e < is_cut.size(); ++e) {
     const Halfedge h{2 * e};

@@ -4,10 +4,9 @@
 #include "../commands.h"
 #include "../status_name.h"
 #include "application.h"
-#include "map_by_method.h"
 
+#include <CGAL/Intrinsic_operators/maps/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
-#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
@@ -27,21 +26,20 @@ namespace program {
 
 namespace {
 
-// Only harmonic maps can be made injective, and only by flips and splits of all edges.
-bool is_made_injective(const Options& options) {
-  const std::string& method = options.application.map;
-  return method != "spectral" && method != "lscm" && !has_constraints(options);
-}
-
+// Flips and splits, which make harmonic maps injective, would remove edges that are to be kept.
 template <class Triangulation>
 IT::Injective_map map_of(Triangulation& t, const Options& options) {
   const std::string& method = options.application.map;
-  const bool moves_edges = method != "harmonic" || is_made_injective(options);
-  return moves_edges ? map_by_method(t, method) : certified(t, IT::harmonic_map(t));
+  if (method == "harmonic" && has_constraints(options))
+    return IT::certified_map(t, IT::harmonic_map(t));
+  return IT::parametrize(t, method == "lscm"       ? IT::Map_method::least_squares
+                            : method == "spectral" ? IT::Map_method::spectral
+                                                   : IT::Map_method::harmonic);
 }
 
 Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion) {
-  return {{"injective", map.certificate.is_injective()},
+  return {{"status", name(map.status)},
+          {"injective", map.certificate.is_injective()},
           {"flipped_faces", map.certificate.flipped},
           {"degenerate_faces", map.certificate.degenerate},
           {"border_is_simple", map.certificate.border_is_simple},
@@ -59,7 +57,6 @@ Computed mapped(Triangulation& t, const Options& options) {
   Computed computed{"parametrize", json_of(map, IT::measure_distortion(t, map.uv)), {}};
   computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
   computed.is_map = true;
-  if (is_made_injective(options)) computed.json["status"] = name(map.status);
   return computed;
 }
 

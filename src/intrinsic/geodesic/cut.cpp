@@ -132,10 +132,7 @@ void write_labels(std::ostream& out, const IT::Cut_surface& s) {
 template <class Triangulation>
 void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   const Triangulation& t = loaded.triangulation;
-  if (t.input().names().sheets > 1)
-    throw std::runtime_error(options.input +
-                             ": the surface is a cover of the faces, as they are no oriented "
-                             "manifold, and cannot be cut; repair the mesh first");
+  naming_file(options.input, [&] { IT::expect_one_sheet(t.input()); });
   expect_points(loaded, options);
   Json json = loaded_json(loaded, options);
   Stopwatch watch;

@@ -35,6 +35,9 @@ Cut_surface cut_subdivision(const Common_subdivision& s, const Input& input,
 
 } // namespace internal
 
+/// checks that curves can cut a surface. \throws Invalid_input if it is a cover
+void expect_one_sheet(const Input& surface);
+
 /*!
 \brief cuts the surface of the user's mesh open along marked edges of an intrinsic triangulation:
 geodesics, isolines, cut graphs, edges of the mesh.

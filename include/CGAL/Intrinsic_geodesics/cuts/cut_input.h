@@ -85,6 +85,18 @@ The pieces are oriented, as most of the faces of each are, if they are orientabl
 */
 Opened_input cut_open(const Intrinsic_input& in, const std::vector<char>& is_cut);
 
+/*!
+\brief cuts the input of an intrinsic triangulation to disks, one for each component: along the
+short cut of `cut_to_disk()`, or along given edges.
+\param in the input; of a cover give `sheet_of_cover()`
+\param is_cut nonzero for each edge to cut, by its number in `in.mesh`; empty: the short cut
+\return the disks
+\throws Invalid_input as `cut_to_disk()` and `cut_open()` do, or if given edges leave handles, more
+  than one border or one side only
+\complexity that of `cut_to_disk()`; linear with given edges
+*/
+Opened_input cut_to_disks(const Intrinsic_input& in, const std::vector<char>& is_cut = {});
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_GEODESICS_CUTS_CUT_INPUT_H

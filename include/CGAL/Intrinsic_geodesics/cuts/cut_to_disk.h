@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -40,6 +41,9 @@ struct Surface_to_cut {
   std::vector<double> length;
   /// Nonzero for each side that must not be cut; one of two sides suffices. Empty: there is none.
   std::vector<char> is_kept{};
+  /// Each side as a vector in a frame of its triangle, for layouts: needles lose their shape if it
+  /// is computed from rounded lengths, as that would be. Empty: it is.
+  std::vector<std::array<double, 2>> vector{};
 };
 
 /*!

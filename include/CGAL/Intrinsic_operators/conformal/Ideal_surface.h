@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_CONFORMAL_IDEAL_SURFACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -50,9 +51,12 @@ inline bool is_needle(const std::array<double, 3>& sides) {
   return std::ranges::min(surpluses(sides)) < 0x1p-10 * (sides[0] + sides[1] + sides[2]);
 }
 
-// Whether all factors are so near 1 that products of two lambda lengths, with two factors each,
-// neither overflow nor underflow.
-bool are_in_range(std::span<const double> factors);
+// Whether factors are so near each other that products of two lambda lengths, with two factors
+// each, neither overflow nor underflow. What they share belongs to the unit of scaled lengths.
+bool are_in_range(std::span<const Double_double> factors);
+
+// What is left of a number when it is rounded to a double.
+inline double rest(const Double_double& x) { return (x - x.to_double()).to_double(); }
 
 // The components of a surface by its rows.
 struct Ideal_components {
@@ -67,13 +71,13 @@ public:
   // the row of each vertex, several of them on a double
   virtual const std::vector<std::uint32_t>& row_of_vertex() const = 0;
   virtual std::size_t number_of_rows() const = 0;
-  // lambdas of faces are 2^this times those in the units of the user
+  // lambdas of faces are 2^this times those in the units of the user; `scale()` may change it
   virtual int scale_exponent() const = 0;
   // how many copies of each face there are
   virtual std::uint32_t sheets() const = 0;
   // Sets scale factors and flips to ideal Delaunay. \return the number of flips; nothing, and there
   // is no change, if a factor is out of range
-  virtual std::optional<std::size_t> scale(std::span<const double> factors) = 0;
+  virtual std::optional<std::size_t> scale(std::span<const Double_double> factors) = 0;
   // Replaces faces by those of now.
   virtual void read(std::vector<Ideal_face>& faces) const = 0;
   // Nothing if the arithmetic does not enclose values. \pre rounding is upwards

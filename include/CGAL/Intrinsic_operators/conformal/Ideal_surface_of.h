@@ -59,9 +59,14 @@ public:
   int scale_exponent() const override { return t_.metric().scale_exponent(); }
   std::uint32_t sheets() const override { return t_.input().names().sheets; }
 
-  std::optional<std::size_t> scale(std::span<const double> factors) override {
+  std::optional<std::size_t> scale(std::span<const Double_double> factors) override {
     if (!are_in_range(factors)) return std::nullopt;
-    t_.scale_vertices(factors);
+    std::vector<double> rounded, rests;
+    for (const Double_double& w : factors) {
+      rounded.push_back(w.to_double());
+      rests.push_back(rest(w));
+    }
+    t_.scale_vertices(rounded, rests);
     const std::size_t flips = flip_to_delaunay(t_).flips;
     sharpen();
     return flips;
@@ -113,7 +118,7 @@ public:
 
 private:
   using Precise = Ball<Double_double>;
-  static constexpr bool is_exact = requires(Triangulation& t, std::uint32_t e) {
+  static constexpr bool is_exact = requires(Triangulation & t, std::uint32_t e) {
     t.metric().sharpen(e, t.exact_values());
   };
 

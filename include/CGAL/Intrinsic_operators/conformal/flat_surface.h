@@ -10,9 +10,13 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <CGAL/Interval_nt.h>
+
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -30,6 +34,31 @@ struct Flat_surface : Surface_to_cut {
   /// border.
   std::vector<std::uint32_t> side;
 };
+
+namespace internal {
+
+// Exact ideal hyperbolic traits.
+template <class Triangulation>
+concept Has_precise_lambdas = requires(const Triangulation& t, std::uint32_t e) {
+  t.metric().sharpen(e, t.exact_values());
+  t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values());
+};
+
+// The lambda length of an edge, in scaled units.
+template <Has_precise_lambdas Triangulation>
+Double_double precise_lambda(const Triangulation& t, std::uint32_t e) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values())[0];
+}
+
+// The sides of triangles as vectors, each with nearly all digits, in a frame in which the first side
+// is on the axis.
+// \param lengths of the sides
+// \param scale_exponent vectors become shorter by two to this power
+std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double_double>& lengths,
+                                                        int scale_exponent);
+
+} // namespace internal
 
 /*!
 \brief takes the lambda lengths of an ideal Delaunay triangulation as lengths of Euclidean
@@ -51,11 +80,20 @@ Flat_surface flat_surface(const Triangulation& t) {
   Flat_surface s;
   s.gluing = internal::numbered_gluing(t.mesh(), t.numbers(), s.side);
   s.length.resize(s.gluing.origin.size());
+  std::vector<Double_double> lambda; // of each side, in scaled units
+  if constexpr (internal::Has_precise_lambdas<Triangulation>) lambda.resize(s.length.size());
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
     const double length = t.lambda(e);
+    Double_double precise;
+    if constexpr (internal::Has_precise_lambdas<Triangulation>)
+      precise = internal::precise_lambda(t, t.index(e));
     for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
-      if (s.side[h] != Gluing::none) s.length[s.side[h]] = length;
+      if (s.side[h] != Gluing::none) {
+        s.length[s.side[h]] = length;
+        if (!lambda.empty()) lambda[s.side[h]] = precise;
+      }
   }
+  s.vector = internal::vectors_of_triangles(lambda, t.metric().scale_exponent());
   return s;
 }
 

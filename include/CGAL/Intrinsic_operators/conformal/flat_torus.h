@@ -34,6 +34,14 @@ struct Flat_torus {
   Eigen::MatrixX2d coordinates;
 };
 
+namespace internal {
+
+// `flat_torus()`. \param is_flat whether it is known to be so: where triangles are smaller than the
+// distance of doubles, their places do not tell
+Flat_torus lay_out_torus(const Surface_to_cut& s, std::size_t roots, bool is_flat);
+
+} // namespace internal
+
 /*!
 \brief lays a flat torus out in the plane, and computes its period.
 

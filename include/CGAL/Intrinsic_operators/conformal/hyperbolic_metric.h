@@ -75,6 +75,7 @@ template <IndexedTriangulation Triangulation>
       Flat_surface hyperbolic_surface(const Triangulation& t) {
     Flat_surface s = flat_surface(t);
     for (double& length : s.length) length = 2 * std::asinh(length / 2);
+    s.vector.clear(); // in Euclid's plane
     return s;
   }
 

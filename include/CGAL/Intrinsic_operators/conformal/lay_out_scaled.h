@@ -51,6 +51,9 @@ struct Scaled_surface {
   const Prescribed_angles& angles;   ///< of each row
   bool is_hyperbolic = false;        ///< whether triangles are hyperbolic
   std::optional<Scaled_mesh> mesh{}; ///< none: the start has the triangles of the mesh
+  /// Nonzero for each face of the mesh, by its number there, that has no area but for rounding: its
+  /// pieces have none either, and no orientation. Empty: none is.
+  std::vector<char> has_no_area{};
 };
 
 /*!
@@ -117,15 +120,21 @@ struct Scaled_layout {
   /// The user's vertices at the ends of each edge that was cut.
   std::vector<std::array<std::uint32_t, 2>> seams;
   Map_certificate certificate; ///< see `certify_map()`
+  /// How many triangles that the certificate counts as turned or without area lie on faces of the
+  /// mesh that have none.
+  std::size_t without_area = 0;
   /// See `flipped_geodesic_triangles()`; 0 if the surface is not hyperbolic.
   std::size_t flipped_geodesic_triangles = 0;
   Map_distortion distortion; ///< from the faces of the mesh to the plane
 
   /// returns `inaccurate` if the metric was found, but triangles of pieces have turned over or have
-  /// no area, with geodesic sides if the surface is hyperbolic; else the status of the metric.
+  /// no area though the face of the mesh has, with geodesic sides if the surface is hyperbolic; else
+  /// the status of the metric.
   Status status(Status of_metric) const {
-    const std::size_t turned = layout.is_hyperbolic ? flipped_geodesic_triangles
-                                                    : certificate.flipped + certificate.degenerate;
+    const std::size_t turned =
+        (layout.is_hyperbolic ? flipped_geodesic_triangles
+                              : certificate.flipped + certificate.degenerate) -
+        without_area;
     return of_metric == Status::done && turned != 0 ? Status::inaccurate : of_metric;
   }
 };

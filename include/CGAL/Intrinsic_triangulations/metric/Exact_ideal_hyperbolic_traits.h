@@ -108,8 +108,9 @@ public:
   void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
 
   /// sets the factors of vertices, by row. Call `scale()` for all edges next.
-  void set_factors(std::span<const double> factors) {
-    Base::set_factors(factors);
+  /// \param rests see `Lambda_values`
+  void set_factors(std::span<const double> factors, std::span<const double> rests = {}) {
+    Base::set_factors(factors, rests);
     signs_ = {};
   }
 

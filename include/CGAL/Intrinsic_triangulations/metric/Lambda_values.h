@@ -10,6 +10,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -33,6 +35,9 @@ struct Flipped_lambda {
 A vertex is scaled by moving its horocycle, which multiplies the lambda lengths of its edges by a
 factor. Flips change the lambda lengths without factors, too. So errors do not add up from one
 scaling to the next, and with exact numbers, factors of one restore all values.
+
+A power of two that all factors share goes to the exponent of the unit, which is exact: products of
+scaled lengths overflow only where factors differ from each other, not where all are large.
 \tparam FT a model of `FieldNumber`
 */
 template <FieldNumber FT>
@@ -51,27 +56,48 @@ public:
   Before_flip before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
 
   /// sets the factors of vertices, by row. Call `scale()` for all edges next.
-  void set_factors(std::span<const double> factors) {
+  /// \param rests what rounding took from each factor; none: nothing
+  void set_factors(std::span<const double> factors, std::span<const double> rests = {}) {
     factors_.assign(factors.begin(), factors.end());
+    rests_.assign(rests.begin(), rests.end());
+    shared_exponent_ = 0;
+    if (factors_.empty()) return;
+    const auto [least, most] = std::ranges::minmax(factors_);
+    shared_exponent_ = (std::ilogb(least) + std::ilogb(most)) / 2;
+    for (std::vector<double>* values : {&factors_, &rests_})
+      for (double& x : *values) x = std::ldexp(x, -shared_exponent_);
   }
   /// multiplies the lambda length of an edge by the factors of its ends, given by row.
   void scale(std::uint32_t e, std::uint32_t from, std::uint32_t to) {
     if (unscaled_.empty()) unscaled_ = lambda_;
     lambda_[e] = scaled(unscaled_[e], from, to);
   }
-  /// returns the factor of a vertex, by row.
-  double factor(std::uint32_t row) const { return factors_.empty() ? 1 : factors_[row]; }
+  /// returns the factor of a vertex, by row, rounded.
+  double factor(std::uint32_t row) const {
+    return factors_.empty() ? 1 : std::ldexp(factors_[row], shared_exponent_);
+  }
 
   /// returns the lambda length of an edge, in scaled units: lengths times 2^scale_exponent().
   const FT& lambda(std::uint32_t e) const { return lambda_[e]; }
-  /// returns the lambda length of an edge without factors of vertices, in scaled units.
+  /// returns the lambda length of an edge without factors of vertices, in the scaled units of the
+  /// input.
   const FT& unscaled_lambda(std::uint32_t e) const {
     return is_scaled() ? unscaled_[e] : lambda_[e];
   }
   /// returns a double near the lambda length of an edge, in scaled units.
   double approximate_lambda(std::uint32_t e) const { return CGAL::to_double(lambda_[e]); }
-  /// returns s, where lengths of the input are scaled by 2^s.
-  int scale_exponent() const { return scale_exponent_; }
+  /// returns s, where lengths are scaled by 2^s: those of the input, until there are factors.
+  int scale_exponent() const { return scale_exponent_ - 2 * shared_exponent_; }
+
+  /// multiplies a lambda length by the factors of its ends, given by row, in the units of
+  /// `lambda()`.
+  template <class Number>
+  Number scaled(const Number& lambda, std::uint32_t from, std::uint32_t to) const {
+    if (factors_.empty()) return lambda;
+    if (rests_.empty()) return lambda * (Number(factors_[from]) * Number(factors_[to]));
+    return lambda * ((Number(factors_[from]) + Number(rests_[from])) *
+                     (Number(factors_[to]) + Number(rests_[to])));
+  }
 
 protected:
   /// tells whether factors were ever set.
@@ -80,11 +106,6 @@ protected:
   Ideal_diamond_values<FT> values(const Diamond& d) const { return values(d, lambda_); }
   /// returns the lambda lengths of a diamond without factors of vertices. \pre `is_scaled()`
   Ideal_diamond_values<FT> unscaled_values(const Diamond& d) const { return values(d, unscaled_); }
-  /// multiplies a lambda length by the factors of its ends, given by row.
-  template <class Number>
-  Number scaled(const Number& lambda, std::uint32_t from, std::uint32_t to) const {
-    return lambda * (Number(factor(from)) * Number(factor(to)));
-  }
   /// stores the lambda lengths of an edge; a better enclosure of the same value is no change.
   void store(std::uint32_t e, const Flipped& n) const {
     lambda_[e] = n.lambda;
@@ -99,7 +120,9 @@ private:
   // mutable: of an exact metric, they are enclosures
   mutable std::vector<FT> lambda_;
   mutable std::vector<FT> unscaled_; // empty before the first factors
-  std::vector<double> factors_;      // by row; empty: all one
+  std::vector<double> factors_;      // by row, without what they share; empty: all one
+  std::vector<double> rests_;        // of them; empty: none
+  int shared_exponent_ = 0;
   int scale_exponent_ = 0;
 };
 

@@ -158,10 +158,11 @@ public:
   }
 
   // Not a move of the correspondence. Metrics allocate memory for the first factors only.
-  void scale_vertices(std::span<const double> factors) requires Scales_vertices<Metric> {
+  void scale_vertices(std::span<const double> factors,
+                      std::span<const double> rests) requires Scales_vertices<Metric> {
     check_vertex_factors(factors, t_.number_of_vertices());
     [[maybe_unused]] const typename Metric::Scope scope;
-    metric_.set_factors(factors);
+    metric_.set_factors(factors, rests);
     for (const typename Graph_traits::edge_descriptor e : edges(mesh_))
       metric_.scale(t_.index(e), t_.input_vertex(source(e, mesh_)),
                     t_.input_vertex(target(e, mesh_)));

@@ -141,7 +141,7 @@ using Before_flip_of = typename Known_before_flip<Metric>::type;
 // Has lambda lengths, and multiplies those of edges by factors of their vertices.
 template <class Metric>
 concept Scales_vertices = requires(Metric& m, std::span<const double> factors, std::uint32_t i) {
-  m.set_factors(factors);
+  m.set_factors(factors, factors);
   m.scale(i, i, i);
 };
 

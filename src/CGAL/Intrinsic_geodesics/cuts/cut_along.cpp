@@ -325,15 +325,22 @@ private:
 
 Cut_surface cut_subdivision(const Common_subdivision& s, const Input& input,
                             const std::vector<std::uint32_t>& label) {
-  if (input.names().sheets > 1)
-    throw Invalid_input(Element_kind::none, 0,
-                        "the triangulation is on a cover, whose two sheets lie on each other: cut "
-                        "a mesh where each edge has one or two faces, and all faces are oriented "
-                        "alike");
+  expect_one_sheet(input);
   return Subdivision_cutter(s, input, label).run();
 }
 
 } // namespace internal
+
+void expect_one_sheet(const Input& surface) {
+  const std::uint32_t sheets = surface.names().sheets;
+  if (sheets == 1) return;
+  throw Invalid_input(
+      Element_kind::none, 0,
+      sheets > 2 ? "a cloud of points has no faces that could be cut; start from a mesh"
+                 : "the surface is a cover of the faces, as they are no oriented manifold, and "
+                   "cannot be cut along curves; start from a mesh where each edge has one or two "
+                   "faces, and all faces are oriented alike");
+}
 
 std::vector<std::array<double, 3>> positions(const Cut_surface& s,
                                              std::span<const std::array<double, 3>> points) {

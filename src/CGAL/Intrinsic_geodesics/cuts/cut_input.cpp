@@ -8,6 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
@@ -16,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -49,6 +52,23 @@ bool is_inside_polygon(const Intrinsic_input& in, std::uint32_t e) {
                       g = in.mesh.face(Gluing_map::Halfedge{2 * e + 1}).index;
   return f != Gluing::none && g != Gluing::none && f != g &&
          in.names.polygon(f) == in.names.polygon(g);
+}
+
+// Throws if components are no disks.
+void expect_disks(const Gluing_map& opened) {
+  const std::size_t components = connected_components(opened).count,
+                    borders = boundary_loops(opened).size();
+  const std::optional<std::size_t> handles = genus(opened);
+  if (handles == 0 && borders == components) return;
+  const auto count = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
+  };
+  throw Invalid_input(Element_kind::none, 0,
+                      "these edges do not cut the surface to disks: cut open, it has " +
+                          count(components, "component") + ", " +
+                          (handles ? count(*handles, "handle") : "one side only") + " and " +
+                          count(borders, "border") +
+                          "; change the edges, or let a short cut be found");
 }
 
 // Calls a function with each side, by its number, and its halfedge.
@@ -200,6 +220,12 @@ Opened_input cut_open(const Intrinsic_input& in, const std::vector<char>& is_cut
   out.names.vertices = internal::names_of_copies(in.names.vertices, result.original_vertex.size());
   out.names.edges = Element_names();
   out.planar_polygons = internal::polygons_of_copies(in, result);
+  return result;
+}
+
+Opened_input cut_to_disks(const Intrinsic_input& in, const std::vector<char>& is_cut) {
+  Opened_input result = cut_open(in, is_cut.empty() ? cut_to_disk(in) : is_cut);
+  if (!is_cut.empty()) internal::expect_disks(result.input.mesh);
   return result;
 }
 

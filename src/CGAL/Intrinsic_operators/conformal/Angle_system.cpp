@@ -21,8 +21,8 @@ Angle_system::Weight& Angle_system::Weight::operator+=(const Weight& other) {
 }
 
 Angle_system::Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed,
-                           Geometry geometry, double unit)
-    : components_(components), geometry_(geometry), unit_(unit),
+                           Geometry geometry)
+    : components_(components), geometry_(geometry),
       is_pinned_(components.faces.size(), geometry == Geometry::euclidean ? 1 : 0),
       unknown_(components.of_row.size(), fixed) {
   for (std::size_t r = 0; r < unknown_.size(); ++r)
@@ -38,7 +38,7 @@ Angle_system::Angle_system(const Ideal_components& components, const std::vector
   }
 }
 
-void Angle_system::read(const std::vector<Ideal_face>& faces) {
+void Angle_system::read(const std::vector<Ideal_face>& faces, double unit) {
   sums_ = excess_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknown_.size()));
   factor_.reset();
   edges_.assign(3 * faces.size() / 2, Weighted_edge());
@@ -48,8 +48,8 @@ void Angle_system::read(const std::vector<Ideal_face>& faces) {
         surplus{f.surplus[1], f.surplus[2], f.surplus[0]};
     if (is_hyperbolic)
       for (std::size_t k = 0; k < 3; ++k) {
-        sides[k] *= unit_;
-        surplus[k] *= unit_;
+        sides[k] *= unit;
+        surplus[k] *= unit;
       }
     const Triangle_angles t =
         is_hyperbolic ? hyperbolic_angles(sides, surplus) : euclidean_angles(sides, surplus);

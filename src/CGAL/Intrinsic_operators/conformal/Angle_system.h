@@ -24,12 +24,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Angle_system {
 public:
   // \param is_fixed for each row, whether u is fixed there
-  // \param unit by which lambdas are multiplied in hyperbolic triangles
   Angle_system(const Ideal_components& components, const std::vector<char>& is_fixed,
-               Geometry geometry = Geometry::euclidean, double unit = 1);
+               Geometry geometry = Geometry::euclidean);
 
   // Takes faces in place of those before.
-  void read(const std::vector<Ideal_face>& faces);
+  // \param unit by which lambdas are multiplied in hyperbolic triangles
+  void read(const std::vector<Ideal_face>& faces, double unit = 1);
   // the sum of angles at each row
   const Eigen::VectorXd& angle_sums() const { return sums_; }
   // the sum of the weights of edges at each row, without their signs
@@ -61,15 +61,14 @@ private:
 
   const Ideal_components& components_;
   Geometry geometry_;
-  double unit_;
   std::vector<char> is_pinned_; // per component: nothing is fixed but one row of ours
   std::vector<int> unknown_;    // of each row
   int number_of_unknowns_ = 0;
-  Eigen::VectorXd sums_, excess_;        // at rows
-  std::vector<Weighted_edge> edges_;     // by their numbers
-  Eigen::SparseMatrix<double> last_;     // whose analysis we have
+  Eigen::VectorXd sums_, excess_;    // at rows
+  std::vector<Weighted_edge> edges_; // by their numbers
+  Eigen::SparseMatrix<double> last_; // whose analysis we have
   Shared_analysis analysis_;
-  double factor_entries_ = 0; // when the order of elimination was found
+  double factor_entries_ = 0;                     // when the order of elimination was found
   std::optional<Laplacian_factorization> factor_; // of the faces, once it was needed
 };
 

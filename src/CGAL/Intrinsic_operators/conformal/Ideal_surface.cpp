@@ -5,13 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips multiply two lengths that two factors scale each: beyond this range products overflow in
 // doubles, and rational numbers have to decide.
-bool are_in_range(std::span<const double> factors) {
-  return std::ranges::all_of(factors, [](double w) { return w >= 0x1p-240 && w <= 0x1p240; });
+bool are_in_range(std::span<const Double_double> factors) {
+  int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
+  for (const Double_double& factor : factors) {
+    const double w = factor.to_double();
+    if (!std::isnormal(w) || w < 0) return false;
+    least = std::min(least, std::ilogb(w));
+    most = std::max(most, std::ilogb(w));
+  }
+  return factors.empty() || most - least <= 480;
 }
 
 double Ideal_face::area() const {

@@ -32,8 +32,9 @@ namespace {
 
 // The angles of one component.
 struct Component_angles {
-  std::size_t first = 0; // vertex
-  std::size_t count = 0; // of vertices
+  std::size_t first = 0;      // vertex
+  std::size_t count = 0;      // of vertices
+  std::size_t full_turns = 0; // of them, the angle that nobody has to ask for
   bool has_free = false, is_rational = true;
   CGAL::Gmpq multiples = 0; // of pi
   double radians = 0;       // of the others
@@ -64,7 +65,6 @@ std::vector<Component_angles> angle_sums(const Prescribed_angles& angles,
                             std::to_string(component.size()) +
                             " vertices; give one number per vertex, in the order of the mesh");
   std::vector<Component_angles> sums(components);
-  std::vector<std::size_t> full_turns(components, 0);
   for (std::size_t v = 0; v < angles.size(); ++v) {
     if (component[v] == Gluing::none) continue;
     Component_angles& sum = sums[component[v]];
@@ -78,14 +78,14 @@ std::vector<Component_angles> angle_sums(const Prescribed_angles& angles,
       sum.is_rational = false;
       sum.add(angles.radians(v));
     } else if (const Multiple_of_pi m = angles.multiple(v); m == Multiple_of_pi()) {
-      ++full_turns[component[v]];
+      ++sum.full_turns;
     } else {
       sum.multiples = sum.multiples + CGAL::Gmpq(static_cast<double>(m.numerator)) /
                                           CGAL::Gmpq(static_cast<double>(m.denominator));
     }
   }
-  for (std::size_t c = 0; c < components; ++c)
-    sums[c].multiples = sums[c].multiples + CGAL::Gmpq(2 * static_cast<double>(full_turns[c]));
+  for (Component_angles& sum : sums)
+    sum.multiples = sum.multiples + CGAL::Gmpq(2 * static_cast<double>(sum.full_turns));
   return sums;
 }
 
@@ -106,15 +106,21 @@ struct Excess {
   }
 };
 
-[[noreturn]] void throw_gauss_bonnet(const Component_angles& sum, double excess) {
+[[noreturn]] void throw_gauss_bonnet(const Component_angles& sum, double excess,
+                                     std::size_t components) {
   std::ostringstream message;
   message.precision(std::numeric_limits<double>::max_digits10);
   message << "the angles of the component of vertex " << sum.first
           << " break the theorem of Gauss and Bonnet: their sum is too "
           << (excess > 0 ? "large" : "small") << " by " << std::abs(excess) << " radians ("
-          << std::abs(excess) / std::numbers::pi
-          << " pi); change the angles of some vertices by that much in all, or let the border be "
-             "free";
+          << std::abs(excess) / std::numbers::pi << " pi); ";
+  if (sum.full_turns == sum.count) // which may be what nobody asked for
+    message << "with full turns everywhere only tori are flat: give it cones"
+            << (components > 1
+                    ? ", or take the " + std::to_string(components) + " components one by one"
+                    : "");
+  else
+    message << "change the angles of some vertices by that much in all, or let the border be free";
   throw Invalid_input(Element_kind::vertex, sum.first, message.str());
 }
 
@@ -130,7 +136,7 @@ std::vector<double> checked_gauss_bonnet(const Prescribed_angles& angles,
     const Component_angles& sum = sums[c];
     if (sum.has_free || sum.count == 0) continue;
     const Excess excess(sum, faces[c], sheets);
-    if (excess.sign != 0) throw_gauss_bonnet(sum, excess.radians);
+    if (excess.sign != 0) throw_gauss_bonnet(sum, excess.radians, faces.size());
     if (!sum.is_rational) correction[c] = -excess.radians / static_cast<double>(sum.count);
   }
   return correction;

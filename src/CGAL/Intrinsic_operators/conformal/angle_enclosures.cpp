@@ -70,8 +70,39 @@ enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda,
   return result;
 }
 
-std::optional<double> proven_residual(const Ideal_surface& surface, const Prescribed_angles& angles,
-                                      Geometry geometry) {
+// By how much the rounded factor and exp(u/2) differ from each factor, relatively, and 0. Functions
+// of the C library err by few units in the last place of a long double.
+static std::vector<Angle_interval> deviations(const Conformal_metric& m) {
+  constexpr double error = 0x1p-60;
+  std::vector<Angle_interval> result;
+  for (std::size_t row = 0; row < m.u.size(); ++row) {
+    const long double factor = static_cast<long double>(m.scale_factors[row]) + m.scale_rests[row];
+    const auto of_u =
+        static_cast<double>(std::exp(static_cast<long double>(m.u[row]) / 2) / factor - 1);
+    const auto of_factor = static_cast<double>(-m.scale_rests[row] / factor);
+    result.emplace_back(std::min({0., of_u, of_factor}) - error,
+                        std::max({0., of_u, of_factor}) + error);
+  }
+  return result;
+}
+
+// Changes sides and surpluses as factors of corners are changed by `deviation`.
+static void stretch(const std::array<Angle_interval, 3>& deviation, // at the ends of side k: k, k+1
+                    std::array<Angle_interval, 3>& sides, std::array<Angle_interval, 3>& surplus) {
+  std::array<Angle_interval, 3> change;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Angle_interval &a = deviation[k], &b = deviation[(k + 1) % 3];
+    change[k] = sides[k] * (a + b + a * b);
+  }
+  surplus = {surplus[0] + (change[1] + change[2] - change[0]),
+             surplus[1] + (change[2] + change[0] - change[1]),
+             surplus[2] + (change[0] + change[1] - change[2])};
+  for (std::size_t k = 0; k < 3; ++k) sides[k] += change[k];
+}
+
+std::optional<double> proven_residual(const Ideal_surface& surface, const Conformal_metric& metric,
+                                      const Prescribed_angles& angles, Geometry geometry) {
+  const std::vector<Angle_interval> deviation = deviations(metric);
   const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
   const std::optional<std::vector<Enclosed_ideal_face>> faces = surface.enclosures();
   if (!faces) return std::nullopt;
@@ -79,7 +110,10 @@ std::optional<double> proven_residual(const Ideal_surface& surface, const Prescr
   std::vector<Angle_interval> sum(angles.size(), 0); // on all sheets
   std::vector<char> has_faces(angles.size(), 0);
   const double unit = std::ldexp(1., -surface.scale_exponent());
-  for (const Enclosed_ideal_face& f : *faces) {
+  for (Enclosed_ideal_face f : *faces) {
+    stretch({deviation[rows[f.vertices[0]]], deviation[rows[f.vertices[1]]],
+             deviation[rows[f.vertices[2]]]},
+            f.lambda, f.surplus);
     std::array<Angle_interval, 3> sides, surplus; // opposite the corners
     for (std::size_t k = 0; k < 3; ++k) {
       sides[k] = f.lambda[(k + 1) % 3] * unit;

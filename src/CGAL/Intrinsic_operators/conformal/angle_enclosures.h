@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/conformal/Ideal_surface.h>
 #include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -20,17 +21,19 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // rounding.
 // \param surplus see `surpluses()`
 // \pre rounding is upwards
-std::array<Interval_nt<false>, 3>
-enclosed_angles(const std::array<Interval_nt<false>, 3>& sides,
-                const std::array<Interval_nt<false>, 3>& surplus);
+std::array<Interval_nt<false>, 3> enclosed_angles(const std::array<Interval_nt<false>, 3>& sides,
+                                                  const std::array<Interval_nt<false>, 3>& surplus);
 std::array<Interval_nt<false>, 3>
 enclosed_hyperbolic_angles(const std::array<Interval_nt<false>, 3>& lambda,
                            const std::array<Interval_nt<false>, 3>& surplus);
 
-// A bound of the differences between the angles at vertices and prescribed ones, in radians;
-// nothing if the surface does not enclose values.
-std::optional<double> proven_residual(const Ideal_surface& surface, const Prescribed_angles& angles,
-                                      Geometry geometry = Geometry::euclidean);
+// A bound of the differences between the angles at vertices and prescribed ones, in radians; nothing
+// if the surface does not enclose values. It holds with the factors of the surface, and with those
+// and u as they are rounded. An edge that is Delaunay with the former is nearly so with these: its
+// flip would change angles by the square of the difference only.
+// \param metric by which the surface is scaled
+std::optional<double> proven_residual(const Ideal_surface& surface, const Conformal_metric& metric,
+                                      const Prescribed_angles& angles, Geometry geometry);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -21,23 +21,38 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
 
-// The scale u at rows. Doubles have too few digits: a unit in the last place of u = 50 changes a
-// factor exp(u/2) by 30 of its own.
-using Scale = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+// The factors exp(u/2) at rows. Doubles have too few digits: beside a needle of 1e-9 of the edges
+// around it, a unit in the last place changes angles by 1e-7.
+using Factors = std::vector<Double_double>;
+
+// exp(x), with an error of 2^-64 of its difference from 1: small changes of factors keep all
+// digits.
+Double_double exponential(double x) {
+  const bool is_small = std::abs(x) < 0.5;
+  const long double wide = x, value = is_small ? std::expm1(wide) : std::exp(wide);
+  const auto rounded = static_cast<double>(value);
+  const Double_double result =
+      Double_double(rounded) + Double_double(static_cast<double>(value - rounded));
+  return is_small ? Double_double(1) + result : result;
+}
+
+// twice the logarithm of a factor
+double logarithmic_scale(const Double_double& factor) {
+  return static_cast<double>(2 *
+                             std::log(static_cast<long double>(factor.to_double()) + rest(factor)));
+}
 
 // Newton's method.
 class Conformal_newton {
 public:
   Conformal_newton(Ideal_surface& surface, const Prescribed_angles& angles,
                    const Conformal_options& options)
-      : surface_(surface), options_(options),
-        u_(Scale::Zero(static_cast<Eigen::Index>(surface.number_of_rows()))) {
+      : surface_(surface), options_(options), factors_(surface.number_of_rows(), 1.) {
     surface_.read(faces_);
     components_ = components_of(faces_, surface.number_of_rows());
     prescribe(angles);
-    system_.emplace(components_, is_fixed_, options.geometry,
-                    std::ldexp(1., -surface.scale_exponent()));
-    go_to(u_);
+    system_.emplace(components_, is_fixed_, options.geometry);
+    go_to(Factors(factors_));
     if (is_hyperbolic()) match_areas();
   }
 
@@ -46,14 +61,18 @@ public:
 private:
   bool is_hyperbolic() const { return options_.geometry == Geometry::hyperbolic; }
   void prescribe(const Prescribed_angles& angles);
-  // Scales by `u`, where angles may be out of reach.
-  void go_to(const Scale& u) {
-    u_ = u;
-    excess_ = excess_at(u).value_or(Eigen::VectorXd::Constant(u.size(), infinity));
+  // Scales by factors with which angles may be out of reach.
+  void go_to(Factors factors) {
+    excess_ = excess_at(factors).value_or(Eigen::VectorXd::Constant(total_.size(), infinity));
+    factors_ = std::move(factors);
   }
-  // Scales by `u`. \return angles minus prescribed ones, zero where it is free; nothing if they
+  // Scales by factors. \return angles minus prescribed ones, zero where it is free; nothing if they
   // cannot be computed
-  std::optional<Eigen::VectorXd> excess_at(const Scale& u);
+  std::optional<Eigen::VectorXd> excess_at(const Factors& factors);
+  // The factors after a change of u.
+  Factors changed(const Eigen::VectorXd& u) const;
+  // Changes u, unless angles cannot be computed then. \return whether it did
+  bool change(const Eigen::VectorXd& u);
   double residual(const Eigen::VectorXd& excess) const {
     return excess.size() == 0 ? 0 : excess.lpNorm<Eigen::Infinity>() / surface_.sheets();
   }
@@ -61,9 +80,8 @@ private:
   bool is_rounding() const;
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
-  // Takes whole steps where the rounding of factors decides on the residual, and keeps the best of
-  // all places.
-  void polish(Conformal_metric& result);
+  // Takes up to `most` whole steps while the residual is above a bound, and keeps the best place.
+  void polish(Conformal_metric& result, double bound, unsigned most);
   // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
   // powers of ten, triangles are needles whose angles are lost in rounding.
   void balance();
@@ -80,11 +98,10 @@ private:
   std::vector<char> is_fixed_;
   Eigen::VectorXd total_; // prescribed angle of each row, on all sheets
   std::optional<Angle_system> system_;
-  Scale u_;
+  Factors factors_;
   Eigen::VectorXd excess_;
   double least_ = infinity; // norm of the excess up to now
   double reach_ = longest;  // a change of u up to which the next step is tried
-  std::vector<double> factors_;
   std::size_t flips_ = 0;
 };
 
@@ -95,7 +112,7 @@ void Conformal_newton::prescribe(const Prescribed_angles& angles) {
   else
     correction =
         checked_gauss_bonnet(angles, components_.of_row, components_.faces, surface_.sheets());
-  total_ = Eigen::VectorXd::Zero(u_.size());
+  total_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(factors_.size()));
   for (std::size_t r = 0; r < angles.size(); ++r) {
     const std::uint32_t c = components_.of_row[r];
     is_fixed_.push_back(c == Gluing::none || angles.is_free(r) ? 1 : 0);
@@ -105,17 +122,31 @@ void Conformal_newton::prescribe(const Prescribed_angles& angles) {
   }
 }
 
-std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Scale& u) {
-  factors_.resize(static_cast<std::size_t>(u.size()));
-  for (std::size_t r = 0; r < factors_.size(); ++r)
-    factors_[r] = static_cast<double>(std::exp(u[static_cast<Eigen::Index>(r)] / 2));
-  const std::optional<std::size_t> flips = surface_.scale(factors_);
+Factors Conformal_newton::changed(const Eigen::VectorXd& u) const {
+  Factors result(factors_);
+  for (std::size_t r = 0; r < result.size(); ++r)
+    if (const double x = u[static_cast<Eigen::Index>(r)]; x != 0)
+      result[r] = result[r] * exponential(x / 2);
+  return result;
+}
+
+bool Conformal_newton::change(const Eigen::VectorXd& u) {
+  Factors factors = changed(u);
+  std::optional<Eigen::VectorXd> excess = excess_at(factors);
+  if (!excess) return false;
+  factors_ = std::move(factors);
+  excess_ = *std::move(excess);
+  return true;
+}
+
+std::optional<Eigen::VectorXd> Conformal_newton::excess_at(const Factors& factors) {
+  const std::optional<std::size_t> flips = surface_.scale(factors);
   if (!flips) return std::nullopt;
   flips_ += *flips;
   surface_.read(faces_);
-  system_->read(faces_);
+  system_->read(faces_, std::ldexp(1., -surface_.scale_exponent()));
   Eigen::VectorXd excess = system_->angle_sums() - total_;
-  for (std::size_t r = 0; r < factors_.size(); ++r)
+  for (std::size_t r = 0; r < factors.size(); ++r)
     if (is_fixed_[r] != 0) excess[static_cast<Eigen::Index>(r)] = 0;
   return excess;
 }
@@ -134,13 +165,13 @@ void Conformal_newton::match_areas() {
       wanted[c] -= total_[static_cast<Eigen::Index>(r)];
       if (is_fixed_[r] != 0) is_kept[c] = 1;
     }
-  const double unit = std::ldexp(1., -surface_.scale_exponent());
-  Scale u = u_;
+  const double unit = surface_.scale_exponent() * -std::numbers::ln2; // its logarithm
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(total_.size());
   for (std::size_t r = 0; r < is_fixed_.size(); ++r)
     if (const std::uint32_t c = components_.of_row[r];
         c != Gluing::none && is_kept[c] == 0 && area[c] > 0)
-      u[static_cast<Eigen::Index>(r)] += std::log(wanted[c] / area[c]) / 2 - std::log(unit);
-  go_to(u);
+      u[static_cast<Eigen::Index>(r)] = std::log(wanted[c] / area[c]) / 2 - unit;
+  go_to(changed(u));
 }
 
 // The energy is convex. At the end of the step its derivative along it may be positive by a tenth
@@ -161,12 +192,12 @@ double Conformal_newton::step() {
   if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
   least_ = std::min(least_, excess_.norm());
   for (double part = std::min(1., reach_ / largest); part >= shortest; part /= 2) {
-    const Scale u = u_ + (part * direction).cast<long double>();
-    std::optional<Eigen::VectorXd> excess = excess_at(u);
+    Factors factors = changed(part * direction);
+    std::optional<Eigen::VectorXd> excess = excess_at(factors);
     if (excess && -direction.dot(*excess) <= -slope / 10 && excess->norm() <= slack * least_) {
       least_ = std::min(least_, excess->norm());
       reach_ = std::min(longest, 4 * part * largest);
-      u_ = u;
+      factors_ = std::move(factors);
       excess_ = *std::move(excess);
       return part;
     }
@@ -188,15 +219,11 @@ void Conformal_newton::balance() {
           ++count[static_cast<std::size_t>(row)];
         }
       }
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(u_.size());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(total_.size());
     for (std::size_t r = 0; r < count.size(); ++r)
-      if (is_fixed_[r] == 0) change[static_cast<Eigen::Index>(r)] = mean - sum[r] / count[r];
-    system_->centre(change);
-    const Scale u = u_ + change.cast<long double>();
-    std::optional<Eigen::VectorXd> excess = excess_at(u);
-    if (!excess) break;
-    u_ = u;
-    excess_ = *std::move(excess);
+      if (is_fixed_[r] == 0) u[static_cast<Eigen::Index>(r)] = mean - sum[r] / count[r];
+    system_->centre(u);
+    if (!change(u)) break;
   }
   if (is_hyperbolic()) match_areas();
 }
@@ -215,7 +242,7 @@ void Conformal_newton::iterate(Conformal_metric& result) {
   reach_ = longest;
   result.status = Status::cap;
   while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
-    const Scale u = u_;
+    const Factors before = factors_;
     const bool was_rounding = is_rounding();
     const double part = step();
     ++result.iterations;
@@ -223,7 +250,7 @@ void Conformal_newton::iterate(Conformal_metric& result) {
     // Near the solution a step that does not help much ends at rounding errors.
     if (part == 0 || (was_rounding && now > result.residual / 2)) {
       if (part == 0 || now >= result.residual)
-        go_to(u);
+        go_to(before);
       else
         result.residual = now;
       result.status = Status::stalled;
@@ -238,22 +265,18 @@ void Conformal_newton::iterate(Conformal_metric& result) {
   if (result.residual <= options_.tolerance) result.status = Status::done;
 }
 
-void Conformal_newton::polish(Conformal_metric& result) {
-  constexpr unsigned most = 16;
-  Scale best = u_;
-  for (unsigned n = 0; n < most && result.residual > options_.tolerance; ++n) {
-    const Scale u = u_ + system_->solve(excess_).cast<long double>();
-    std::optional<Eigen::VectorXd> excess = excess_at(u);
-    if (!excess) break;
+void Conformal_newton::polish(Conformal_metric& result, double bound, unsigned most) {
+  Factors best = factors_;
+  double last = result.residual; // of where the surface is now
+  for (unsigned n = 0; n < most && result.residual > bound && change(system_->solve(excess_));
+       ++n) {
     ++result.iterations;
-    u_ = u;
-    excess_ = *std::move(excess);
-    if (const double now = residual(excess_); now < result.residual) {
-      result.residual = now;
-      best = u_;
-    }
+    last = residual(excess_);
+    if (last >= result.residual) continue;
+    result.residual = last;
+    best = factors_;
   }
-  go_to(best);
+  if (last > result.residual) go_to(best);
   if (result.residual <= options_.tolerance) result.status = Status::done;
 }
 
@@ -261,19 +284,24 @@ Conformal_metric Conformal_newton::solve() {
   Conformal_metric result;
   iterate(result);
   if (result.status == Status::stalled && !is_rounding()) {
-    const Scale u = u_;
+    const Factors factors = factors_;
     const double before = result.residual;
     balance();
     iterate(result);
     if (result.residual > before) {
-      go_to(u);
+      go_to(factors);
       result.residual = before;
     }
   }
-  if (result.status == Status::stalled && is_rounding()) polish(result);
+  if (result.status == Status::stalled && is_rounding()) polish(result, options_.tolerance, 16);
+  // Layouts need more than the tolerance, and one step nearly squares the residual.
+  if (result.status == Status::done) polish(result, options_.tolerance * 0x1p-10, 1);
   result.flips = flips_;
-  result.u.assign(u_.begin(), u_.end());
-  result.scale_factors = std::move(factors_);
+  for (const Double_double& w : factors_) {
+    result.u.push_back(logarithmic_scale(w));
+    result.scale_factors.push_back(w.to_double());
+    result.scale_rests.push_back(rest(w));
+  }
   return result;
 }
 
@@ -282,7 +310,7 @@ Conformal_metric Conformal_newton::solve() {
 Conformal_metric conformal_metric(Ideal_surface& surface, const Prescribed_angles& angles,
                                   const Conformal_options& options) {
   Conformal_metric result = Conformal_newton(surface, angles, options).solve();
-  result.proven_residual = proven_residual(surface, angles, options.geometry);
+  result.proven_residual = proven_residual(surface, result, angles, options.geometry);
   return result;
 }
 

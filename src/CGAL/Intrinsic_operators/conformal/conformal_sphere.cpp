@@ -28,7 +28,7 @@ namespace {
 // A surface whose factors are those given times others.
 class Rescaled_surface final : public Ideal_surface {
 public:
-  Rescaled_surface(Ideal_surface& surface, const std::vector<double>& base)
+  Rescaled_surface(Ideal_surface& surface, const std::vector<Double_double>& base)
       : surface_(surface), base_(base) {}
 
   const std::vector<std::uint32_t>& row_of_vertex() const override {
@@ -37,9 +37,9 @@ public:
   std::size_t number_of_rows() const override { return surface_.number_of_rows(); }
   int scale_exponent() const override { return surface_.scale_exponent(); }
   std::uint32_t sheets() const override { return surface_.sheets(); }
-  std::optional<std::size_t> scale(std::span<const double> factors) override {
-    std::vector<double> product(base_);
-    for (std::size_t i = 0; i < product.size(); ++i) product[i] *= factors[i];
+  std::optional<std::size_t> scale(std::span<const Double_double> factors) override {
+    std::vector<Double_double> product(base_);
+    for (std::size_t i = 0; i < product.size(); ++i) product[i] = product[i] * factors[i];
     return surface_.scale(product);
   }
   void read(std::vector<Ideal_face>& faces) const override { surface_.read(faces); }
@@ -49,8 +49,14 @@ public:
 
 private:
   Ideal_surface& surface_;
-  const std::vector<double>& base_;
+  const std::vector<Double_double>& base_;
 };
+
+std::vector<Double_double> factors_of(const Conformal_metric& m) {
+  std::vector<Double_double> result(m.scale_factors.begin(), m.scale_factors.end());
+  for (std::size_t v = 0; v < result.size(); ++v) result[v] = result[v] + m.scale_rests[v];
+  return result;
+}
 
 // The metric of a sphere without the pole, and what is known about it.
 struct Punctured_sphere {
@@ -94,7 +100,7 @@ public:
   Punctured_sphere run(std::uint32_t pole) {
     result_ = start_;
     result_.pole = pole;
-    base_ = start_.metric.scale_factors;
+    base_ = factors_of(start_.metric);
     surface_.scale(base_);
     surface_.read(faces_);
     std::vector<std::uint32_t> fixed = neighbours();
@@ -116,7 +122,7 @@ public:
 private:
   // A round that found no metric is undone: the map before is one, though it is not convex.
   Punctured_sphere restored(Punctured_sphere before) const {
-    surface_.scale(before.metric.scale_factors);
+    surface_.scale(factors_of(before.metric));
     if (before.rounds == 0) {
       before.metric.status = Status::stalled;
       before.metric.residual = std::numeric_limits<double>::infinity();
@@ -204,7 +210,7 @@ private:
       if (is_fixed[row] == 0) return;
       is_fixed[row] = 0;
       if (first == 0) first = f.lambda[k];
-      base_[row] *= first / f.lambda[k];
+      base_[row] = base_[row] * (first / f.lambda[k]);
     });
     if (first == 0 || !surface_.scale(base_)) return false;
     surface_.read(faces_);
@@ -214,7 +220,7 @@ private:
       greatest = std::max(greatest, f.lambda[(k + 1) % 3]);
     });
     // rounding hides flips of edges to the pole if it is 5e7 times as far as link edges are long
-    base_[result_.pole] *= std::max(1e6 * least, 1e3 * greatest) / first;
+    base_[result_.pole] = base_[result_.pole] * (std::max(1e6 * least, 1e3 * greatest) / first);
     return are_in_range(base_);
   }
 
@@ -235,11 +241,13 @@ private:
     result_.metric = conformal_metric(rescaled, angles, options);
     result_.metric.flips += flips;
     result_.metric.iterations += iterations;
+    const std::vector<Double_double> found = factors_of(result_.metric);
     for (std::size_t v = 0; v < base_.size(); ++v) {
-      base_[v] *= result_.metric.scale_factors[v];
-      result_.metric.u[v] = 2 * std::log(base_[v]);
+      base_[v] = base_[v] * found[v];
+      result_.metric.scale_factors[v] = base_[v].to_double();
+      result_.metric.scale_rests[v] = rest(base_[v]);
+      result_.metric.u[v] = 2 * std::log(base_[v].to_double());
     }
-    result_.metric.scale_factors = base_;
     surface_.read(faces_);
   }
 
@@ -254,7 +262,7 @@ private:
   }
 
   Ideal_surface& surface_;
-  std::vector<double> base_; // factors of rows
+  std::vector<Double_double> base_; // factors of rows
   std::vector<Ideal_face> faces_;
   Punctured_sphere result_, start_; // the round surface
   std::vector<std::uint32_t> poles_;
@@ -301,7 +309,7 @@ Conformal_sphere best_sphere(Ideal_surface& surface, Sphere_puncturer& puncturer
     }
   }
   if (!best) throw *refusal;
-  surface.scale(best->metric.scale_factors);
+  surface.scale(factors_of(best->metric));
   return *std::move(best);
 }
 

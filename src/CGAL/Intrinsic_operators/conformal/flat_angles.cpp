@@ -74,7 +74,7 @@ private:
 
 Cone_placer::Cone_placer(Ideal_surface& surface, std::size_t number, Prescribed_angles& angles)
     : surface_(surface), number_(static_cast<long>(number)), angles_(angles) {
-  surface_.scale(std::vector<double>(surface_.number_of_rows(), 1.));
+  surface_.scale(std::vector<Double_double>(surface_.number_of_rows(), 1.));
   std::vector<Ideal_face> faces;
   surface_.read(faces);
   components_ = components_of(faces, surface_.number_of_rows());

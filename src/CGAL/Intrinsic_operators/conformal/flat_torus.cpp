@@ -111,20 +111,24 @@ void turn_layout(Flat_layout& layout, std::complex<double> by) {
 
 } // namespace
 
+Flat_torus lay_out_torus(const Surface_to_cut& s, std::size_t roots, bool is_flat) {
+  check_torus(s.gluing);
+  Flat_torus result;
+  result.layout = lay_out_in_plane(s, {}, roots);
+  if (!is_flat) check_flatness(result.layout);
+  result.translations = reduced(translations_of(result.layout));
+  const std::complex<double> direction = result.translations[0] / std::abs(result.translations[0]);
+  turn_layout(result.layout, std::conj(direction));
+  for (std::complex<double>& t : result.translations) t *= std::conj(direction);
+  result.period = result.translations[1] / result.translations[0];
+  result.coordinates = coordinates_in(result.translations, result.layout);
+  return result;
+}
+
 } // namespace internal
 
 Flat_torus flat_torus(const Surface_to_cut& s, std::size_t roots) {
-  internal::check_torus(s.gluing);
-  Flat_torus result;
-  result.layout = lay_out_in_plane(s, {}, roots);
-  internal::check_flatness(result.layout);
-  result.translations = internal::reduced(internal::translations_of(result.layout));
-  const std::complex<double> direction = result.translations[0] / std::abs(result.translations[0]);
-  internal::turn_layout(result.layout, std::conj(direction));
-  for (std::complex<double>& t : result.translations) t *= std::conj(direction);
-  result.period = result.translations[1] / result.translations[0];
-  result.coordinates = internal::coordinates_in(result.translations, result.layout);
-  return result;
+  return internal::lay_out_torus(s, roots, false);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -109,6 +109,26 @@ private:
 
 } // namespace
 
+std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double_double>& lengths,
+                                                        int scale_exponent) {
+  std::vector<std::array<double, 2>> result;
+  const auto add = [&](const Double_double& x, const Double_double& y) {
+    result.push_back(
+        {std::ldexp(x.to_double(), -scale_exponent), std::ldexp(y.to_double(), -scale_exponent)});
+  };
+  for (std::size_t h = 0; h < lengths.size(); h += 3) {
+    const Double_double &a = lengths[h], &b = lengths[h + 1], &c = lengths[h + 2];
+    const Double_double x = (a + (c - b) * ((c + b) / a)) * 0.5; // of the apex
+    // (a + b + c) (b + c - a) (c + a - b) (a + b - c) is 16 times the squared area
+    const Double_double product = ((b - a) + c) * ((c - b) + a) * ((a - c) + b) * (a + b + c),
+                        y = product.to_double() > 0 ? sqrt(product) / (a + a) : Double_double();
+    add(a, 0);
+    add(x - a, y);
+    add(-x, -y);
+  }
+  return result;
+}
+
 std::complex<double> turn_across(std::complex<double> side, std::complex<double> partner) {
   const std::complex<double> turn = -side * std::conj(partner);
   return turn / std::abs(turn);
@@ -117,6 +137,8 @@ std::complex<double> turn_across(std::complex<double> side, std::complex<double>
 std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s) {
   std::vector<std::complex<double>> result;
   result.reserve(s.length.size());
+  for (const auto& [x, y] : s.vector) result.emplace_back(x, y);
+  if (!result.empty()) return result;
   for (std::uint32_t f = 0; f < s.gluing.number_of_faces(); ++f)
     for (const std::complex<double>& side : sides_of_triangle(s, f)) result.push_back(side);
   return result;

@@ -73,6 +73,7 @@ Surface_to_cut without_star(const Surface_to_cut& s, std::uint32_t pole) {
     rest.gluing.origin.push_back(g.origin[h]);
     rest.gluing.glue.push_back(side[g.glue[h]]);
     rest.length.push_back(s.length[h]);
+    if (!s.vector.empty()) rest.vector.push_back(s.vector[h]);
   }
   return rest;
 }

@@ -12,6 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/enum.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -44,6 +47,7 @@ public:
     if (torus != nullptr) change_basis(*torus);
     result.certificate = certify_map(layout_);
     if (in_.is_hyperbolic) result.flipped_geodesic_triangles = flipped_geodesic_triangles(layout_);
+    result.without_area = bad_triangles_without_area();
     name_faces();
     result.seams = seams(is_cut);
     result.closed = layout_.subdivision;
@@ -53,6 +57,27 @@ public:
   }
 
 private:
+  // How many triangles are turned or flat on faces without area.
+  std::size_t bad_triangles_without_area() const {
+    if (in_.has_no_area.empty()) return 0;
+    const Common_subdivision& s = layout_.subdivision;
+    const std::vector<std::array<std::uint32_t, 3>> triangles = triangles_of_pieces(s);
+    std::size_t result = 0, t = 0;
+    for (std::uint32_t f = 0; f < s.number_of_faces(); ++f)
+      for (std::size_t k = 2; k < s.face(f).size(); ++k, ++t)
+        if (in_.has_no_area[s.input_face[f]] != 0 && is_bad(triangles[t])) ++result;
+    return result;
+  }
+
+  bool is_bad(const std::array<std::uint32_t, 3>& triangle) const {
+    using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+    std::array<std::complex<double>, 3> z;
+    for (std::size_t k = 0; k < 3; ++k) z[k] = point(layout_.positions, triangle[k]);
+    if (in_.is_hyperbolic) return orientation_in_disk(z[0], z[1], z[2]) <= 0;
+    const auto at = [&z](std::size_t k) { return Point_2(z[k].real(), z[k].imag()); };
+    return CGAL::orientation(at(0), at(1), at(2)) != CGAL::LEFT_TURN;
+  }
+
   std::size_t number_of_sides() const { return opened_.gluing.origin.size(); }
   bool is_front(std::uint32_t side) const {
     return in_.names.sheets == 1 || in_.names.faces.user(side / 3) % 2 == 0;

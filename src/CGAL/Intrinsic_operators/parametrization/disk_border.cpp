@@ -30,7 +30,7 @@ namespace internal {
 [[noreturn]] static void throw_no_disk(const std::string& what, const std::string& why) {
   throw Invalid_input(Element_kind::none, 0,
                       "only disks are mapped to the plane, but " + what + ' ' + why +
-                          "; cut_open() makes disks of surfaces");
+                          "; cut it open to disks first");
 }
 
 namespace {

@@ -62,10 +62,8 @@ private:
   FT evaluate(std::uint32_t e) {
     std::vector<FT> at;
     const FT lambda = lambda_on_input<FT>(view_, coordinates_, e, input_lambda_, unfolder_, at);
-    const auto factor = [this](std::uint32_t v) {
-      return FT(t_.metric().factor(t_.input_vertex(t_.numbers().vertex_at(v))));
-    };
-    return lambda * (factor(view_.source(2 * e)) * factor(view_.target(2 * e)));
+    const auto row = [this](std::uint32_t v) { return t_.input_vertex(t_.numbers().vertex_at(v)); };
+    return t_.metric().scaled(lambda, row(view_.source(2 * e)), row(view_.target(2 * e)));
   }
 
   Sign sign(const Diamond& d, const std::vector<Interval>& lambda,
