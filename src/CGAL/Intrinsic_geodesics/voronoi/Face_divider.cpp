@@ -30,26 +30,41 @@ double length(Plane_point p) { return std::hypot(p.x, p.y); }
 Plane_point left_of(Plane_point p) { return {-p.y, p.x}; }
 Plane_point lerp(Plane_point p, Plane_point q, double t) { return (1 - t) * p + t * q; }
 
-// The smallest box around a part, and what follows from it.
+// The smallest box around a part with sides along an axis, and what follows from it.
 struct Face_box {
+  Plane_point axis;
   Plane_point least{std::numeric_limits<double>::infinity(),
-                    std::numeric_limits<double>::infinity()};
+                    std::numeric_limits<double>::infinity()}; // along the axis, and left of it
   Plane_point greatest{-least.x, -least.y};
 
-  explicit Face_box(const Face_part& part) {
+  Face_box(const Face_part& part, Plane_point along) : axis(along) {
     for (const Part_corner& c : part) {
-      least = {std::min(least.x, c.point.x), std::min(least.y, c.point.y)};
-      greatest = {std::max(greatest.x, c.point.x), std::max(greatest.y, c.point.y)};
+      const Plane_point p{dot(c.point, axis), dot(c.point, left_of(axis))};
+      least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+      greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y)};
     }
   }
   double diameter() const { return length(greatest - least); }
-  Plane_point middle(double t = 0.5) const { return lerp(least, greatest, t); }
+  Plane_point middle(double t = 0.5) const {
+    const Plane_point p = lerp(least, greatest, t);
+    return p.x * axis + p.y * left_of(axis);
+  }
   // the direction in which it is longest
   Plane_point direction() const {
     const Plane_point d = greatest - least;
-    return d.x >= d.y ? Plane_point{1, 0} : Plane_point{0, 1};
+    return d.x >= d.y ? axis : left_of(axis);
   }
 };
+
+// The direction of the longest side, which does not depend on the side that is the first.
+Plane_point longest_side(const Window_face& shape) {
+  const Plane_point end{shape.base.length, 0};
+  Plane_point longest = end;
+  for (const Plane_point side : {shape.apex - end, -1 * shape.apex})
+    if (length(side) > length(longest)) longest = side;
+  const double size = length(longest);
+  return size > 0 ? (1 / size) * longest : Plane_point{1, 0};
+}
 
 std::vector<std::size_t> changes_of(const Face_part& part) {
   std::vector<std::size_t> result;
@@ -124,6 +139,7 @@ void Face_divider::divide(std::uint32_t face, const Face_part& whole) {
   tolerance_ = std::max(given_tolerance_, rounding * size);
   shortest_ = 1e-3 * tolerance_;
   parts_ = 0;
+  axis_ = longest_side(shape);
   is_flat_ = !(shape.apex.y > rounding * size);
   std::vector<Plane_point> sources;
   const Distance_field& field = labelled_.field;
@@ -137,7 +153,7 @@ void Face_divider::divide(std::uint32_t face, const Face_part& whole) {
 void Face_divider::divide(const Face_part& part, const Sites& all, std::vector<Plane_point> sources,
                           unsigned depth) {
   const std::vector<std::size_t> changes = changes_of(part);
-  const Face_box box(part);
+  const Face_box box(part, axis_);
   const double diameter = box.diameter();
   const bool is_cap = depth >= most_cuts || ++parts_ > most_parts;
   const bool is_last = is_flat_ || is_cap || diameter <= tolerance_;

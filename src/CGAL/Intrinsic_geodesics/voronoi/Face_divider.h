@@ -88,8 +88,9 @@ private:
   double given_tolerance_;
   Cell_partition& out_;
   std::uint32_t face_ = 0;
-  double tolerance_ = 0; // in this face
-  double shortest_ = 0;  // part of a cut that counts
+  Plane_point axis_{1, 0}; // of its boxes
+  double tolerance_ = 0;   // in this face
+  double shortest_ = 0;    // part of a cut that counts
   std::size_t parts_ = 0;
   bool is_flat_ = false; // it has an area of zero, within rounding
 };
