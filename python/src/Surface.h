@@ -63,6 +63,13 @@ struct Surface {
   /// and their parameters.
   std::map<std::string, std::shared_ptr<void>> cache;
 
+  /// \throws std::runtime_error if this thread works on the surface
+  void expect_free() const {
+    if (user.load() == std::this_thread::get_id())
+      throw std::runtime_error("a function that is called while a surface works must not use that "
+                               "surface; copy it before");
+  }
+
   /// returns what is in the cache; `make()` computes it if it is not yet. \pre the lock is held
   template <class Value, class Make>
   Value& cached(const std::string& key, const Make& make) {
@@ -84,9 +91,7 @@ class Surface_lock {
 public:
   /// waits for the lock. \throws std::runtime_error if this thread has it
   explicit Surface_lock(Surface& s) : surface_(s) {
-    if (s.user.load() == std::this_thread::get_id())
-      throw std::runtime_error("a function that is called while a surface works must not use that "
-                               "surface; copy it before");
+    s.expect_free();
     s.mutex.lock();
     s.user.store(std::this_thread::get_id());
   }

@@ -289,6 +289,7 @@ void bind_surface(py::module_& m) {
   py::class_<Surface, Surface_ptr>(m, "Surface")
       .def_readonly("is_flipped", &Surface::is_flipped)
       .def_readonly("name", &Surface::name)
+      .def("expect_free", &Surface::expect_free)
       .def_property_readonly("is_exact", [](const Surface& s) { return s.loaded.index() == 0; })
       .def_property_readonly("points", [](const Surface& s) -> py::object {
         if (s.points.empty()) return py::none();

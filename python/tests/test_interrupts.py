@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Long work tells how far it is, and ends when the user says so. Nothing is spoilt by that."""
 
+import threading
 import unittest
 
 import numpy as np
 
 import intrinsic as it
-from support import unit_grid
+from support import bumpy, failures_of_threads, unit_grid
 
 
 class Enough(Exception):
@@ -66,6 +67,59 @@ class Long_work(unittest.TestCase):
         self.expect_end(lambda p: cloud.parametrize("spectral", progress=p))
         self.expect_end(lambda p: cloud.direction_field(progress=p))
         self.assertEqual(cloud.parametrize("spectral").uv.shape, (50000, 2))
+
+
+class Callbacks(unittest.TestCase):
+    """What users are told while several threads work."""
+
+    def expect_refusals(self, call, use):
+        """A function that is called while a surface works is called in the thread of the caller,
+        and may not use the surface."""
+        def attempt(_):
+            def progress(stage, count):
+                callers.append(threading.get_ident())
+                use()
+
+            callers = []
+            with self.assertRaisesRegex(RuntimeError, "must not use that surface"):
+                call(progress)
+            self.assertEqual(callers, [threading.get_ident()])
+
+        self.assertEqual(failures_of_threads(attempt, 1, 60), [])
+
+    def test_they_come_in_the_thread_of_the_caller_and_cannot_use_the_surface(self):
+        V, F = bumpy(40)
+        s, every = it.Surface(V, F), range(1600)
+        s.distance(0, method="heat")
+        for threads in 1, 2, 5:
+            for method in "exact", "heat":
+                with self.subTest(threads=threads, method=method):
+                    how = {"method": method, "threads": threads}
+                    self.expect_refusals(
+                        lambda p: s.distances([[i] for i in every] * 9, progress=p, **how),
+                        lambda: s.distance(1))
+                    self.expect_refusals(
+                        lambda p: s.pair_distances(every, [i // 2 for i in every],
+                                                   progress=p, **how), s.laplacian)
+
+    def test_all_parts_are_told_and_results_do_not_depend_on_threads(self):
+        s = it.Surface(*bumpy(12))
+        found = [s.distances(range(144), threads=k, progress=lambda *a: None) for k in (1, 2, 7)]
+        np.testing.assert_array_equal(found[0], found[1])
+        np.testing.assert_array_equal(found[0], found[2])
+
+    def test_a_thread_that_waits_for_the_surface_does_not_keep_it_from_the_error(self):
+        s = it.Surface(*unit_grid(60))
+        other = threading.Thread(target=s.laplacian)
+
+        def use():
+            other.start()
+            other.join(0.2)  # until it waits
+            s.laplacian()
+
+        self.expect_refusals(lambda p: s.refine(size=0.004, progress=p), use)
+        other.join(60)
+        self.assertFalse(other.is_alive())
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 // Oracles: `Polyhedral_distance` for one set, and a flat torus, where distances are those of the plane.
@@ -104,6 +105,27 @@ TEST(Batches_of_distances, a_visitor_sees_progress_and_ends_the_batch) {
       IT::polyhedral_distances(t, sets, std::span(out), parameters::visitor(std::ref(patient))),
       IT::Status::done);
   EXPECT_EQ(patient.seen.size(), 20U);
+}
+
+TEST(Batches_of_distances, a_visitor_is_called_in_the_thread_of_the_caller_for_every_part) {
+  struct Visitor {
+    std::thread::id caller = std::this_thread::get_id();
+    std::size_t seen = 0;
+    bool progress(std::size_t done, std::size_t) {
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      EXPECT_EQ(done, ++seen);
+      return true;
+    }
+  };
+  const Triangulation t = flat_torus(9);
+  const auto sets = sets_of(t, 40);
+  std::vector<double> out(t.number_of_vertices() * sets.size());
+  for (const std::size_t threads : {1, 2, 3, 8}) {
+    Visitor visitor;
+    IT::polyhedral_distances(t, sets, std::span(out),
+                             parameters::number_of_threads(threads).visitor(std::ref(visitor)));
+    EXPECT_EQ(visitor.seen, sets.size());
+  }
 }
 
 TEST(Batches_of_distances, errors_of_the_caller_are_thrown) {

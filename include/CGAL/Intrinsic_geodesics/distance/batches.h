@@ -30,8 +30,8 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief observes a batch of distances; the default visitor does nothing. No two threads call it at
-  once.
+\brief observes a batch of distances; the default visitor does nothing. It is called in the thread
+  that has asked for the batch.
 */
 struct Batch_visitor {
   /*!
@@ -52,8 +52,8 @@ namespace internal {
 \param size number of calls
 \param threads number of threads, 0 for as many as there are processors
 \param make_worker called once in each thread; returns the function
-\param progress called after each call of the function, by one thread at a time; returns whether to
-  go on
+\param progress called for each call of the function, some time after it, in the thread that calls
+  `for_each_in_threads()`; returns whether to go on
 \return whether all calls were made
 \throws what a call throws, after the others have ended
 */

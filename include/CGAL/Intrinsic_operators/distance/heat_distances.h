@@ -44,7 +44,7 @@ struct Heat_batch {
 /*!
 \brief solves for the distances from many sets of sources, several of them together, in threads.
 \param take called with the number of a set and its distances by rows, by several threads at once
-\param progress called after each set, by one thread at a time, with the number of sets done;
+\param progress called after each set, in the thread of the caller, with the number of sets done;
   returns whether to go on
 \return whether all sets were done
 */
