@@ -32,6 +32,9 @@ class Curve:
         for name in self.__slots__:
             setattr(self, name, parts.get(name.lstrip("_")))
 
+    def __reduce__(self):
+        return type(self), ({name.lstrip("_"): getattr(self, name) for name in self.__slots__},)
+
     def places(self):
         """Returns the points as a list of `Point`s; they have no sense in faces with more than
         three corners."""

@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The class `Surface`."""
 
-import copyreg
 import json
 import os
 import threading
 
 import numpy as np
 
-from . import _arrays, _core, _options
+from . import _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
 from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
@@ -73,7 +72,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     def _set(self, core):
         self._core = core  # for functions of _core on the triangulation as it is
         self._delaunay = None
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # a handler of a signal may come here while it is held
 
     @classmethod
     def _of(cls, core):
@@ -85,6 +84,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """Returns the object of _core that is Delaunay: this one, or one that it keeps."""
         if self._core.is_flipped:
             return self._core
+        self._core.expect_free()  # else another thread may hold the lock, and wait for this one
         with self._lock:
             if self._delaunay is None:
                 self._delaunay = _core.delaunay(self._core, None, None, None)
@@ -307,14 +307,3 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     def __repr__(self):
         return f"<intrinsic.Surface: {self.number_of_vertices} vertices, " \
                f"{self.number_of_faces} faces>"
-
-
-def _restored(contents, exact, name, is_flipped, points):
-    return _core.restore(contents, exact, name, is_flipped, points)
-
-
-def _parts_of(core):
-    return _restored, (_core.dump(core), core.is_exact, core.name, core.is_flipped, core.points)
-
-
-copyreg.pickle(_core.Surface, _parts_of)  # of surfaces, and of fields that refer to them

@@ -76,7 +76,7 @@ py::dict point_arrays(const IT::Input& input, const Points& coordinates,
 namespace {
 
 // What a way is made of, for pickle.
-py::tuple state_of(const Way& way) {
+py::tuple parts_of(const Way& way) {
   std::vector<std::uint32_t> halfedges;
   Points weights;
   for (const IT::Surface_point& p : way.curve.points) {
@@ -109,7 +109,11 @@ Way way_of(const py::tuple& state) {
 
 } // namespace
 
-void bind_way(py::module_& m) { py::class_<Way>(m, "Way").def(py::pickle(&state_of, &way_of)); }
+void bind_way(py::module_& m) {
+  const py::class_<Way> way(m, "Way");
+  m.def("parts_of_way", &parts_of);
+  m.def("way_of_parts", &way_of);
+}
 
 // Keeps one of consecutive points that are in the same place: the last, with the face where the
 // curve goes on.

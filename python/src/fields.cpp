@@ -230,16 +230,16 @@ py::array_t<double> side_angles(Surface& s) {
 } // namespace
 
 void bind_fields(py::module_& m) {
-  py::class_<Field>(m, "Field")
-      .def_property_readonly("coordinates",
-                             [](const Field& f) { return array_of(f.coordinates()); })
-      .def(py::pickle([](const Field& f) { return std::make_pair(f.vectors, f.of_row); },
-                      [](std::pair<IT::Tangent_field, std::vector<std::uint32_t>> parts) {
-                        for (const std::uint32_t i : parts.second)
-                          if (i >= parts.first.size() && i != IT::Gluing::none)
-                            refuse("this is no field of vectors; pickle it again");
-                        return Field{std::move(parts.first), std::move(parts.second)};
-                      }));
+  py::class_<Field>(m, "Field").def_property_readonly("coordinates", [](const Field& f) {
+    return array_of(f.coordinates());
+  });
+  m.def("parts_of_field", [](const Field& f) { return std::make_pair(f.vectors, f.of_row); });
+  m.def("field_of_parts", [](IT::Tangent_field vectors, std::vector<std::uint32_t> of_row) {
+    for (const std::uint32_t i : of_row)
+      if (i >= vectors.size() && i != IT::Gluing::none)
+        refuse("this is no field of vectors; pickle it again");
+    return Field{std::move(vectors), std::move(of_row)};
+  });
   m.def("log_map", &log_map);
   m.def("transport", &transport);
   m.def("extend", &extend);
