@@ -1,0 +1,217 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results do not depend on how a surface is written down: see `invariance` and its table."""
+
+import functools
+import inspect
+import numbers
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import intrinsic as it
+import program
+from intrinsic.compat import potpourri3d, robust_laplacian
+from intrinsic.compat.pygeodesic import geodesic
+from invariance import Left_out
+from invariance_commands import COMMANDS, write
+from invariance_compat import COMPAT
+from invariance_table import TABLE
+from written import ALL, AROUND, DIVIDED, MESHES, RENUMBERED, RIGID, base, place, refined, written
+
+TOLERANCE = {"intrinsic": 1e-10, "vertices": 1e-10, "discrete": 1e-8, "combinatorial": 1e-8}
+COVERED = "Moebius", "soup", "book"
+
+
+@functools.cache
+def found(measure, name, change=None):
+    """What a measure finds on one of the ten surfaces, as the base has it or changed."""
+    return measure(written(name, change) if change else base(name))
+
+
+@functools.cache
+def found_refined(measure, name, times):
+    return measure(refined(name, times))
+
+
+def deviation(a, b):
+    """How far two lists of results are apart: relative to those above 1; infinite if they are
+    something else."""
+    if len(a) != len(b):
+        return np.inf
+    worst = 0.0
+    for x, y in zip(a, b):
+        if isinstance(x, (np.ndarray, numbers.Real)) and not isinstance(x, (bool, np.bool_)):
+            x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
+            if x.shape != y.shape or (np.isnan(x) != np.isnan(y)).any():
+                return np.inf
+            far = np.abs(x - y)[np.isfinite(x) | np.isfinite(y)]
+            size = np.abs(x[np.isfinite(x)]).max(initial=1)
+            worst = max(worst, far.max(initial=0) / size)
+        elif x != y:
+            return np.inf
+    return worst
+
+
+def mean_deviation(a, b):
+    """The largest mean deviation of two lists of arrays."""
+    return max(np.mean(np.abs(x - y)) for x, y in zip(a, b))
+
+
+def changes(check, name):
+    """The changes under which a check must hold on a surface."""
+    if check.changes:
+        return check.changes
+    found = list(RIGID) + list(RENUMBERED)
+    if name == "cloud":
+        return [c for c in found if "named" not in c]
+    if check.kind == "intrinsic":
+        found += DIVIDED
+    return found + (list(AROUND) if name in COVERED else [])
+
+
+class Invariance(unittest.TestCase):
+    def check(self, check, surfaces):
+        for name in surfaces:
+            for change in changes(check, name):
+                with self.subTest(surface=name, change=change):
+                    far = deviation(found(check.measure, name), found(check.measure, name, change))
+                    self.assertLess(far, TOLERANCE[check.kind])
+            if check.converges and name != "cloud":
+                with self.subTest(surface=name, change="refined"):
+                    some = [found_refined(check.measure, name, k) for k in range(3)]
+                    first, second = (mean_deviation(*some[k:k + 2]) for k in range(2))
+                    self.assertLess(second, 0.8 * first)
+
+
+def _add_tests(case, table):
+    """Adds a test for each entry of a table, and one for each reason why it does not hold yet."""
+    def test_of(checks_and_surfaces):
+        def test(self):
+            for check, surfaces in checks_and_surfaces:
+                self.check(check, surfaces)
+        return test
+
+    for name, checks in table.items():
+        if isinstance(checks, Left_out):
+            continue
+        name = "test_" + name.replace(".", "_")
+        setattr(case, name, test_of([(c, [s for s in c.on if s not in c.fails]) for c in checks]))
+        for k, check in enumerate(checks):
+            for reason in set(check.fails.values()):
+                here = [s for s in check.fails if check.fails[s] == reason]
+                test = unittest.expectedFailure(test_of([(check, here)]))
+                test.__doc__ = reason
+                setattr(case, f"{name}_{k}_fails_on_{'_'.join(here)}".replace(" ", "_"), test)
+
+
+_add_tests(Invariance, TABLE | COMPAT)
+
+
+@functools.cache
+def run_command(measure, name, change):
+    """What a command says of one of the ten surfaces."""
+    x = written(name, change) if change else base(name)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / ("x.xyz" if x.F is None else "x.off")
+        write(x, path)
+        return measure(x, path, Path(folder))
+
+
+@unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+class Invariance_of_commands(unittest.TestCase):
+    def check(self, check, surfaces):
+        for name in surfaces:
+            some = ["written anew"] + ["divided"] * (check.kind == "intrinsic" and name != "cloud")
+            for change in some:
+                with self.subTest(surface=name, change=change):
+                    far = deviation(*(run_command(check.measure, name, c) for c in ("", change)))
+                    self.assertLess(far, TOLERANCE[check.kind])
+
+
+_add_tests(Invariance_of_commands, COMMANDS)
+
+
+def public_names():
+    """All that users can call: what the module offers, and methods and properties of its classes
+    and of those of its results, named for the class that has them."""
+    found = set(it.__all__)
+    for module in (v for v in vars(it).values() if inspect.ismodule(v) and v is not it._core):
+        for kind in vars(module).values():
+            if not inspect.isclass(kind) or not kind.__module__.startswith("intrinsic."):
+                continue
+            owner = kind.__name__ if not kind.__name__.startswith("_") else "Surface"
+            found |= {f"{owner}.{k}" for k, v in vars(kind).items() if not k.startswith("_")
+                      and (inspect.isfunction(v) or isinstance(v, (property, classmethod)))}
+    return found
+
+
+def public_names_of_compat():
+    """The same of the modules with the names of other packages; inherited methods, too."""
+    found = set()
+    for prefix, module in (("potpourri3d", potpourri3d), ("pygeodesic", geodesic),
+                           ("robust_laplacian", robust_laplacian)):
+        for name, kind in vars(module).items():
+            if name.startswith("_") or not getattr(kind, "__module__", "").startswith("intrinsic."):
+                continue
+            if inspect.isfunction(kind):
+                found.add(f"{prefix}.{name}")
+            elif inspect.isclass(kind):
+                found |= {f"{prefix}.{kind.__name__}.{k}" for k in dir(kind)
+                          if not k.startswith("_")}
+    return found
+
+
+class Lipschitz(unittest.TestCase):
+    """Exact distances change no faster than the place of a source or a target."""
+
+    def places(self, x, random):
+        """Pairs of places in a face, near corners and sides, and how far apart they are."""
+        for _ in range(24):
+            f = int(random.integers(len(x.F)))
+            weights = []
+            for _ in range(2):
+                small = random.random(2) * 10.0 ** -random.choice([1, 3, 8, 13, 15, 16, 17], 2)
+                w = np.array([1 - small.sum(), *small])
+                weights.append(np.roll(w, random.integers(3)) if random.random() < 0.3 else w)
+            corner = int(x.F[f][0])
+            yield [it.Point(f, tuple(w)) for w in weights] + [corner], \
+                [w @ x.V[x.F[f]] for w in weights] + [x.V[corner]]
+
+    def test_distances(self):
+        for name in MESHES:
+            x, random = base(name), np.random.default_rng(ALL.index(name))
+            others = [int(v) for v in np.unique(x.F)] + [x.at(place(name, k)) for k in (4, 5, 6, 7)]
+            for places, points in self.places(x, random):
+                from_here = [x.d.distance(p, targets=others) for p in places]
+                to_here = [x.d.distance(others[-2], targets=[p])[0] for p in places]
+                pairs = [x.d.pair_distances(others[-4:], p) for p in places]
+                for i in range(3):
+                    apart = np.linalg.norm(points[i] - points[i - 1]) + 1e-10
+                    for found in from_here, to_here, pairs:
+                        with self.subTest(surface=name, places=places):
+                            self.assertLess(np.max(np.abs(found[i] - found[i - 1])), apart)
+
+
+class The_table(unittest.TestCase):
+    def test_it_names_every_public_function(self):
+        self.assertEqual(set(TABLE), public_names())
+        self.assertEqual(set(COMPAT), public_names_of_compat())
+
+    @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+    def test_it_names_every_command(self):
+        words = subprocess.run([program.PROGRAM, "--help"], capture_output=True, text=True).stdout
+        listed = words.split("Subcommands:")[1].splitlines()
+        self.assertEqual(set(COMMANDS), {line.split()[0] for line in listed if line.strip()})
+
+    def test_few_are_left_out(self):
+        left_out = [c for c in [*TABLE.values(), *COMMANDS.values()] if isinstance(c, Left_out)]
+        self.assertLessEqual(len(left_out), 5)
+        self.assertTrue(all(c.reason for c in left_out))
+
+
+if __name__ == "__main__":
+    unittest.main()
