@@ -17,7 +17,8 @@ from typing import Callable, NamedTuple
 import numpy as np
 
 import intrinsic as it
-from written import ALL, CLOSED, DISKS, MESHES, ORIENTED, place
+from ten_surfaces import ALL, MESHES, ORIENTED
+from written import place
 
 
 class Check(NamedTuple):

@@ -14,7 +14,8 @@ import intrinsic as it
 import invariance as m
 import program
 from invariance import combinatorial, discrete, intrinsic, vertices
-from written import ALL, CLOSED, DISKS, MESHES, ORIENTED, place
+from ten_surfaces import DISKS, MESHES, ORIENTED
+from written import place
 
 
 def write(x, path):

@@ -10,7 +10,8 @@ import numpy as np
 import intrinsic as it
 import invariance as m
 from invariance import Left_out, combinatorial, discrete, intrinsic, vertices
-from written import ALL, CLOSED, DISKS, MESHES, ORIENTED, RIGID
+from ten_surfaces import ALL, CLOSED, DISKS, MESHES, ORIENTED
+from written import RIGID
 
 IN_SPACE = ORIENTED + ("Moebius", "soup", "book")
 CURVED = tuple(name for name in ORIENTED if name != "plane")

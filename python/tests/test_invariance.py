@@ -20,7 +20,8 @@ from invariance import Left_out
 from invariance_commands import COMMANDS, write
 from invariance_compat import COMPAT
 from invariance_table import TABLE
-from written import ALL, AROUND, DIVIDED, MESHES, RENUMBERED, RIGID, base, place, refined, written
+from ten_surfaces import ALL, MESHES
+from written import AROUND, DIVIDED, RENUMBERED, RIGID, base, place, refined, written
 
 TOLERANCE = {"intrinsic": 1e-10, "vertices": 1e-10, "discrete": 1e-8, "combinatorial": 1e-8}
 COVERED = "Moebius", "soup", "book"
