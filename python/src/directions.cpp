@@ -239,7 +239,11 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
   for (const auto& curve : edges)
     for (const auto h : curve) {
       const auto k = t.numbers().halfedge(h);
-      pieces.push_back({{{k, {1, 0, 0}}, {k, {0, 1, 0}}}});
+      const bool is_border = face(h, t.mesh()).index == IT::Gluing::none;
+      if (is_border)
+        pieces.push_back({{{k ^ 1U, {0, 1, 0}}, {k ^ 1U, {1, 0, 0}}}});
+      else
+        pieces.push_back({{{k, {1, 0, 0}}, {k, {0, 1, 0}}}});
     }
   return method.distances(pieces);
 }

@@ -83,7 +83,8 @@ Curves may be loops or open, and there may be several. Curves with gaps or error
 but still have sides; the distance is smooth across the gaps. **Signs**: distances are negative left
 of a curve, as inside a counterclockwise loop, and positive right of it. At vertices of the curve
 they are exactly zero. In a face that a straight piece of a curve crosses, d is the distance from
-its line.
+its line; where two pieces are as near, from their joint. Pieces along edges belong to the faces on
+both sides alike.
 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, but not of a
 cover, which has no sides

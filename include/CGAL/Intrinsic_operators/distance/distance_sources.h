@@ -14,7 +14,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
@@ -32,7 +34,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a curve through faces of an intrinsic triangulation, as a source of distances.
 
 Two consecutive points are in one face, and the curve is straight between them: what
-`Polyhedral_distance::shortest_path()` returns.
+`Polyhedral_distance::shortest_path()` returns. Points within rounding of a vertex or an edge, up to
+2^-40 of the longest side of their face, are on it: a piece along an edge belongs to the faces on
+both sides alike.
 */
 struct Polyline_source {
   /// The points, on the intrinsic triangulation.
@@ -42,10 +46,17 @@ struct Polyline_source {
 namespace internal {
 
 // A straight piece of a source in a face of a table: barycentric coordinates of its ends there,
-// which are equal for a point.
+// which are equal for a point. On an edge there is one in each face, with half of the source.
 struct Source_segment {
   std::uint32_t face;
   std::array<double, 3> from, to;
+  double part = 1; // of the source
+
+  bool is_point() const { return from == to; }
+  // whether it is on a side
+  bool is_along(std::size_t side) const {
+    return from[(side + 2) % 3] == 0 && to[(side + 2) % 3] == 0;
+  }
 };
 
 // A side of a face of a table, in the direction of the curve. Its own face lies left of it if
@@ -123,36 +134,84 @@ private:
   void add_polyline(const std::vector<Surface_point>& points) {
     if (points.size() == 1) add(points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const auto in_common =
-          points_in_one_face(Intrinsic_view<Triangulation>(t_), points[i - 1], points[i]);
+      const auto in_common = points_in_one_face(Intrinsic_view<Triangulation>(t_),
+                                                rounded(points[i - 1]), rounded(points[i]));
       if (!in_common)
         throw std::invalid_argument("points " + std::to_string(i - 1) + " and " +
                                     std::to_string(i) + " of a polyline are not in one face");
-      // skip repeated points
       const auto& [from, to] = *in_common;
-      if (from.weights != to.weights || points.size() == 2) add_segment(from, to);
+      const bool is_point = points.size() == 2 && points[0].halfedge == points[1].halfedge &&
+                            points[0].weights == points[1].weights;
+      if (from.weights != to.weights || is_point) add_segment(from, to); // skip repeated points
     }
   }
 
+  // A point within rounding of a corner or a side, at it.
+  Surface_point rounded(const Surface_point& p) const {
+    if (is_border(t_.numbers().halfedge_at(p.halfedge))) return p;
+    const Intrinsic_view<Triangulation> view(t_);
+    const Geodesic_face face(view, p.halfedge);
+    const double area = view.quadruple_area(view.face(p.halfedge)),
+                 tolerance = 0x1p-40 * *std::ranges::max_element(face.length);
+    double nearest = tolerance;
+    Surface_point result = p;
+    for (unsigned k = 0; k < 3; ++k) {
+      const Plane_vector<double> to_corner = face.to_corner(p.weights, k);
+      if (std::hypot(to_corner[0], to_corner[1]) <= tolerance) {
+        result.weights = {0, 0, 0};
+        result.weights[k] = 1;
+        return result;
+      }
+      const unsigned last = (k + 1) % 3, apex = (k + 2) % 3;
+      const double length = face.length[k], away = p.weights[apex] * area / (2 * length);
+      if (!(away < nearest)) continue; // also if it is on another side
+      nearest = away;
+      const double x = std::clamp(-dot(to_corner, face.edge[k]) / (length * length), 0., 1.);
+      result.weights[k] = 1 - x;
+      result.weights[last] = x;
+      result.weights[apex] = 0;
+    }
+    return std::ranges::count(p.weights, 0.) > 0 ? p : result;
+  }
+
   void add_segment(const Surface_point& p, const Surface_point& q) {
-    const auto& mesh = t_.mesh();
     const Halfedge h = t_.numbers().halfedge_at(p.halfedge);
     if (is_border(h))
       throw std::invalid_argument("a source is not in a face, but beyond the border");
-    const std::uint32_t f = table_.slot[t_.index(face(h, mesh))];
-    std::size_t k = 0;
-    while (table_.faces[f].halfedges[k] != p.halfedge) ++k;
-    Source_segment s{f, {}, {}};
-    for (std::size_t i = 0; i < 3; ++i) {
-      s.from[(k + i) % 3] = p.weights[i];
-      s.to[(k + i) % 3] = q.weights[i];
-    }
-    for (std::size_t c = 0; c < 3; ++c) // a corner is a vertex
-      if (s.from == s.to && s.from[c] == 1) {
-        places_.rows.push_back(table_.faces[f].rows[c]);
+    const Source_segment s = segment(h, p.weights, q.weights);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (s.is_point() && s.from[k] == 1) { // a corner is a vertex
+        places_.rows.push_back(table_.faces[s.face].rows[k]);
         return;
       }
+      if (!s.is_along(k)) continue;
+      const Halfedge side = t_.numbers().halfedge_at(table_.faces[s.face].halfedges[k]),
+                     beyond = opposite(side, t_.mesh());
+      if (s.from[k] == 1 && s.to[(k + 1) % 3] == 1) return add_side(side);
+      if (s.to[k] == 1 && s.from[(k + 1) % 3] == 1) return add_side(beyond);
+      if (is_border(beyond)) break;
+      places_.segments.push_back(s);
+      places_.segments.push_back(
+          segment(beyond, {s.from[(k + 1) % 3], s.from[k], 0}, {s.to[(k + 1) % 3], s.to[k], 0}));
+      for (auto half = places_.segments.end() - 2; half != places_.segments.end(); ++half)
+        half->part = 0.5;
+      return;
+    }
     places_.segments.push_back(s);
+  }
+
+  // From weights in the frame of a halfedge.
+  Source_segment segment(Halfedge h, const std::array<double, 3>& from,
+                         const std::array<double, 3>& to) const {
+    const std::uint32_t number = t_.numbers().halfedge(h);
+    Source_segment s{table_.slot[t_.index(face(h, t_.mesh()))], {}, {}};
+    std::size_t k = 0;
+    while (table_.faces[s.face].halfedges[k] != number) ++k;
+    for (std::size_t i = 0; i < 3; ++i) {
+      s.from[(k + i) % 3] = from[i];
+      s.to[(k + i) % 3] = to[i];
+    }
+    return s;
   }
 
   const Triangulation& t_;

@@ -266,7 +266,7 @@ Eigen::VectorXd Heat_solver::initial_heat(const Source_places& sources) const {
     const auto corners = f.layout();
     const double length =
         std::abs(place_in_layout(corners, s.to) - place_in_layout(corners, s.from));
-    const double strength = s.from == s.to ? 1 : length / mean_edge_;
+    const double strength = s.part * (s.is_point() ? 1 : length / mean_edge_);
     for (std::size_t k = 0; k < 3; ++k) start[f.rows[k]] += strength * (s.from[k] + s.to[k]) / 2;
   }
   return start;

@@ -18,8 +18,10 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -97,8 +99,7 @@ Signed_heat_solver::Signed_heat_solver(Face_table table,
       progress_(std::move(progress)), is_cancelled_(!progress_(Heat_step::heat_factored)) {}
 
 Eigen::VectorXd Signed_heat_solver::distances(const Source_places& curves) {
-  const auto is_point = [](const Source_segment& s) { return s.from == s.to; };
-  if (!curves.rows.empty() || std::ranges::any_of(curves.segments, is_point))
+  if (!curves.rows.empty() || std::ranges::any_of(curves.segments, &Source_segment::is_point))
     throw std::invalid_argument(
         "a vertex or a point has no sides; signed distances are those from curves");
   const Pinned_laplacian::Pins pins = signed_distances_near(curves);
@@ -128,8 +129,8 @@ Heat<std::complex<double>> Signed_heat_solver::normals(const Source_places& curv
     const Complex along = place_in_layout(corners, s.to) - place_in_layout(corners, s.from);
     for (std::size_t k = 0; k < 3; ++k) { // the hat function of the side at the middle
       const std::size_t opposite = (k + 2) % 3;
-      start[f.halfedges[k] / 2] +=
-          (1 - s.from[opposite] - s.to[opposite]) * to_right * along * std::conj(frames[k]);
+      start[f.halfedges[k] / 2] += s.part * (1 - s.from[opposite] - s.to[opposite]) * to_right *
+                                   along * std::conj(frames[k]);
     }
   }
   std::vector<char> has_curve(table_.number_of_rows, 0), is_reached(table_.number_of_edges, 0);
@@ -157,25 +158,68 @@ Eigen::VectorXd Signed_heat_solver::divergence(const Heat<Complex>& field) const
   return result;
 }
 
+namespace {
+
+using Complex = std::complex<double>;
+
+// How far a point is from the nearest piece of a curve, and with a sign from the line of the piece.
+// Where two pieces are as near, at their joint, it is the distance from there, on the side of the
+// line that is farther away.
+struct Nearest_piece {
+  double distance = std::numeric_limits<double>::infinity();
+  double from_line = 0;
+
+  void add(Complex p, Complex a, Complex b) {
+    constexpr double joint = 1 + 0x1p-30; // the same distance but for rounding
+    const double here = distance_to_segment(p, a, b),
+                 line = -std::imag(std::conj(b - a) * (p - a)) / std::abs(b - a);
+    if (here <= joint * distance && distance <= joint * here)
+      from_line = std::copysign(here, std::abs(line) > std::abs(from_line) ? line : from_line);
+    else if (here < distance)
+      from_line = line;
+    distance = std::min(distance, here);
+  }
+};
+
+// Adds whole edges of a curve at opposite corners, where other pieces have been added.
+void add_sides(const Face_table& table, const std::vector<Source_side>& sides,
+               std::map<int, Nearest_piece>& near) {
+  std::set<std::uint32_t> along; // halfedges in the direction of the curve
+  for (const Source_side& s : sides)
+    along.insert(table.faces[s.face].halfedges[s.side] ^ (s.is_left ? 0U : 1U));
+  if (near.empty() || along.empty()) return;
+  for (const Table_face& f : table.faces)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto place = near.find(f.rows[(k + 2) % 3]);
+      if (place == near.end()) continue;
+      const auto corners = f.layout();
+      const Complex a = corners[k], b = corners[(k + 1) % 3], p = corners[(k + 2) % 3];
+      if (along.contains(f.halfedges[k])) place->second.add(p, a, b);
+      if (along.contains(f.halfedges[k] ^ 1U)) place->second.add(p, b, a);
+    }
+}
+
+} // namespace
+
 Pinned_laplacian::Pins
 Signed_heat_solver::signed_distances_near(const Source_places& curves) const {
-  std::map<int, std::pair<double, double>>
-      near; // distance from the curve and signed distance from the line
+  Pinned_laplacian::Pins pins;
+  std::map<int, Nearest_piece> near;
   for (const Source_segment& s : curves.segments) {
     const Table_face& f = table_.faces[s.face];
     const auto corners = f.layout();
     const Complex a = place_in_layout(corners, s.from), b = place_in_layout(corners, s.to);
-    const double length = std::abs(b - a);
-    if (!(length > 0)) continue;
+    if (!(std::abs(b - a) > 0)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double from_line = -std::imag(std::conj(b - a) * (corners[k] - a)) / length;
-      const std::pair<double, double> here{distance_to_segment(corners[k], a, b), from_line};
-      const auto [place, is_new] = near.insert({f.rows[k], here});
-      if (!is_new && here.first < place->second.first) place->second = here;
+      const bool is_on_line = s.is_along(k) || s.is_along((k + 2) % 3);
+      if (is_on_line)
+        pins[f.rows[k]] = 0;
+      else if (!s.is_along((k + 1) % 3))
+        near[f.rows[k]].add(corners[k], a, b);
     }
   }
-  Pinned_laplacian::Pins pins;
-  for (const auto& [row, distances] : near) pins[row] = distances.second;
+  add_sides(table_, curves.sides, near);
+  for (const auto& [row, nearest] : near) pins.insert({row, nearest.from_line});
   for (const Source_side& s : curves.sides)
     for (const std::size_t k : {std::size_t{s.side}, (std::size_t{s.side} + 1) % 3})
       pins[table_.faces[s.face].rows[k]] = 0;
