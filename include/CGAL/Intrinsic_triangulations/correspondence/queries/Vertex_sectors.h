@@ -87,7 +87,8 @@ public:
   /*!
   \brief takes a field to space.
   \param field the vectors
-  \return vectors, indexed as `field`; zero for numbers that no vertex with a face has
+  \return vectors, indexed as `field`; zero for numbers that no vertex with a face has. Vectors in
+    faces without area go straight on to the plane of the nearest face that has one
   \throws std::invalid_argument if the field does not have `size()` vectors
   \pre the constructor was given points
   \complexity that of `on_input()` for each vertex

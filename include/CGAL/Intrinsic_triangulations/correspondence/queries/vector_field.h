@@ -17,12 +17,15 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,26 +39,61 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A vector in a face of the input, in space. `source(h)` is where a halfedge starts.
+// Orthogonal vectors in space along a side of a face, and to the left of it; `source(h)` is where a
+// halfedge starts. Nothing if the face has no area there, beyond rounding.
 template <class Source>
-std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
-                                      const Source& source) {
-  const auto [ij, jk, ki] = sides_of_face(input, v.halfedge);
+std::optional<std::array<std::array<double, 3>, 2>>
+face_axes_in_space(const Input& input, std::uint32_t h, const Source& source) {
+  const auto [ij, jk, ki] = sides_of_face(input, h);
   const std::array<double, 3> i = source(ij), j = source(jk), k = source(ki);
   std::array<double, 3> e, f;
-  double ee = 0, ef = 0, ff = 0;
+  double ee = 0, ef = 0, ff = 0, left = 0;
   for (std::size_t n = 0; n < 3; ++n) {
     e[n] = j[n] - i[n];
     f[n] = k[n] - i[n];
     ee += e[n] * e[n];
     ef += e[n] * f[n];
+    ff += f[n] * f[n];
   }
   for (std::size_t n = 0; n < 3; ++n) {
     f[n] -= ef / ee * e[n];
-    ff += f[n] * f[n];
+    left += f[n] * f[n];
   }
-  const double x = v.vector[0] / std::sqrt(ee), y = v.vector[1] / std::sqrt(ff);
-  return {x * e[0] + y * f[0], x * e[1] + y * f[1], x * e[2] + y * f[2]};
+  if (!(left > 0x1p-96 * ff)) return std::nullopt;
+  for (std::size_t n = 0; n < 3; ++n) {
+    e[n] /= std::sqrt(ee);
+    f[n] /= std::sqrt(left);
+  }
+  return std::array{e, f};
+}
+
+// A vector in a face of the input, in space. If the face has no area there, the vector goes
+// straight on to the nearest face that has one; not numbers if none of the component has.
+template <class Source>
+std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
+                                      const Source& source) {
+  std::vector<Input_vector> faces{v}; // by the number of edges that are crossed
+  const auto is_new = [&](std::uint32_t h) {
+    return std::ranges::none_of(faces, [&](const Input_vector& known) {
+      return input.face(known.halfedge) == input.face(h);
+    });
+  };
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    const auto [h, x] = faces[n];
+    if (const auto axes = face_axes_in_space(input, h, source)) {
+      const auto& [e, f] = *axes;
+      return {x[0] * e[0] + x[1] * f[0], x[0] * e[1] + x[1] * f[1], x[0] * e[2] + x[1] * f[2]};
+    }
+    const Geodesic_face face(input, h);
+    for (unsigned s = 0; s < 3; ++s) {
+      const std::uint32_t beyond = face.side[s] ^ 1U;
+      if (input.is_border(beyond) || !is_new(beyond)) continue;
+      const Plane_vector<double> along = face.relative_to(s, x);
+      faces.push_back({beyond, {-along[0], -along[1]}});
+    }
+  }
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return {unknown, unknown, unknown};
 }
 
 // Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners
@@ -149,9 +187,9 @@ ones included.
 \param t the triangulation
 \param field the vectors
 \param mesh the mesh that `t` was built from
-\return vectors, indexed as `field`; zero for numbers that no vertex with a face has
+\return vectors, indexed as `field`; zero for numbers that no vertex with a face has. Vectors in
+  faces without area go straight on to the plane of the nearest face that has one
 \throws std::invalid_argument if the field does not have a vector per vertex
-\pre the faces of the mesh have an area
 \complexity that of `Vertex_sectors`, which serves many fields
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
