@@ -16,7 +16,9 @@ class VectorField:
 
     `coordinates`, of shape (n, 2), are in the polar coordinates of the vertex: the real axis runs
     along the first edge there, and angles from it are scaled so that a full turn around the vertex
-    is 2 pi, half a turn on the border. NaN where the vector is unknown.
+    is 2 pi, half a turn on the border. The other half of the circle has the vectors that point out
+    of the surface. NaN where the vector is unknown. On a soup, where a vertex may have several
+    tangent planes, they are in the first one in which the vector is known.
     """
 
     def __init__(self, core, field, neighbors):
@@ -36,13 +38,14 @@ class VectorField:
 
     @property
     def vectors(self):
-        """The vectors in space, of shape (n, 3), each in a face at its vertex."""
+        """The vectors in space, of shape (n, 3), each in a face at its vertex. A vector in a face
+        without area goes straight on to the plane of the nearest face that has one."""
         return _core.vectors_in_space(self._core, self._field, 0.0, self._neighbors)
 
     @property
     def axes(self):
         """The unit vectors in space along the real axes, of shape (n, 3)."""
-        return _core.axes_in_space(self._core, 0.0, self._neighbors)
+        return _core.field_axes_in_space(self._core, self._field, self._neighbors)
 
 
 class Frames:
@@ -60,8 +63,9 @@ class Frames:
     @property
     def vertices(self):
         """Unit vectors in space with the angles 0 and 90 degrees in the polar coordinates of each
-        vertex, see `VectorField`, of shape (n, 2, 3), each in a face there. They are orthogonal
-        where the surface is flat.
+        vertex, see `VectorField`, of shape (n, 2, 3), each in a face there, or, if that has no
+        area, in the plane of the nearest face that has one. They are orthogonal where the surface
+        is flat.
         """
         return np.stack([_core.axes_in_space(self._core, angle, self._neighbors)
                          for angle in (0.0, np.pi / 2)], axis=1)
@@ -193,7 +197,8 @@ class _Fields:
         shortest path to it, as long as the path; of shape (n, 2), in the units of the mesh.
 
         Vectors at a vertex are in its polar coordinates, see `VectorField`; those at a `Point` are
-        along the first side of its face, and to the left of it. NaN where no path leads, or beyond
+        along the first side of its face, and to the left of it; at a corner of the face, angles
+        from the middle of the corner are those on the surface. NaN where no path leads, or beyond
         `max_distance`. `method` is "exact" (by default), "affine" or "polar" (by heat: fast for
         many points; `time_factor` is its time in squares of the mean edge). Clouds of points have
         the method "affine".
@@ -211,7 +216,8 @@ class _Fields:
 
         `vectors`, of shape (k, 2), are in the polar coordinates of vertices, see `VectorField`, or,
         at a `Point`, along the first side of its face and to the left of it; or of shape (k, 3) in
-        space, and are projected to a face. One point takes one vector. `time_factor` is the time of
+        space, and are projected to a face. (At the border the planes of the first and the last face
+        go on beyond it, so that vectors may point out of the surface.) One point takes one vector. `time_factor` is the time of
         the heat flow in squares of the mean edge: more is smoother.
         """
         vectors = _arrays.numbers(vectors, "vectors")

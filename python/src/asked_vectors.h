@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 
@@ -89,25 +90,33 @@ public:
 
   /// prepares the search on a triangulation and the points of its surface.
   Vector_finder(const Triangulation& t, const std::vector<Point>& points)
-      : t_(t), points_(points), find_(t) {}
+      : t_(t), points_(points), find_(t), sheets_(t) {}
 
-  /// returns vertices, and vectors in their polar coordinates. \pre all points are vertices
+  /// returns vertices, and vectors in their polar coordinates; on a cover, also those on the other
+  /// sheet. \pre all points are vertices
   std::vector<std::pair<Vertex, std::complex<double>>> at_vertices(const Asked_vectors& asked) {
     std::vector<std::pair<Vertex, std::complex<double>>> result;
     for (std::size_t i = 0; i < asked.places.size(); ++i) {
       const Vertex v = find_.vertex(asked.places[i].vertex);
-      result.push_back(
-          {v, asked.are_in_planes() ? asked.in_plane(i) : polar(v, tangent(asked, i))});
+      const auto z = asked.are_in_planes() ? asked.in_plane(i) : polar(v, tangent(asked, i));
+      const auto copies = sheets_(v, z);
+      result.insert(result.end(), copies.begin(), copies.end());
     }
     return result;
   }
 
-  /// returns vectors in faces of the triangulation.
+  /// returns vectors in faces of the triangulation; on a cover, also those on the other sheet.
   std::vector<IT::Tangent_vector> tangents(const Asked_vectors& asked) {
     std::vector<IT::Tangent_vector> result;
-    for (std::size_t i = 0; i < asked.places.size(); ++i) result.push_back(tangent(asked, i));
+    for (std::size_t i = 0; i < asked.places.size(); ++i) {
+      const auto copies = sheets_(tangent(asked, i));
+      result.insert(result.end(), copies.begin(), copies.end());
+    }
     return result;
   }
+
+  /// returns what finds vectors on the other sheet.
+  IT::Vectors_on_sheets<Triangulation>& sheets() { return sheets_; }
 
 private:
   IT::Tangent_vector tangent(const Asked_vectors& asked, std::size_t i) {
@@ -148,6 +157,7 @@ private:
   const Triangulation& t_;
   const std::vector<Point>& points_;
   Place_finder<Triangulation> find_;
+  IT::Vectors_on_sheets<Triangulation> sheets_;
   std::optional<IT::internal::Point_frames<Triangulation>> frames_;
 };
 

@@ -102,9 +102,12 @@ Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, 
     }
     Vector_finder find(t, s.points);
     const auto& heat = vector_heat(s, t, diffusion, watch);
-    return Field{asked.are_at_vertices() ? heat.transport(find.at_vertices(asked))
-                                         : heat.transport(find.tangents(asked)),
-                 IT::first_copies_of_rows(t)};
+    Field field{find.sheets().averaged(asked.are_at_vertices()
+                                           ? heat.transport(find.at_vertices(asked))
+                                           : heat.transport(find.tangents(asked))),
+                {}};
+    field.of_row = IT::known_copies_of_rows(t, field.vectors);
+    return field;
   });
 }
 
@@ -131,7 +134,7 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
       for (const IT::Surface_point& p : find.points(at[i]))
         sources.push_back({p, given[static_cast<Eigen::Index>(i)]});
     const Eigen::VectorXd extended = vector_heat(s, t, diffusion, watch).extend_scalars(sources);
-    const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t);
+    const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t); // all have one value
     for (std::size_t r = 0; r < first.size(); ++r)
       if (first[r] != IT::Gluing::none) result[r] = extended[first[r]];
     return result;
@@ -212,6 +215,14 @@ py::array_t<double> axes_in_space(Surface& s, double angle, std::size_t neighbor
   }));
 }
 
+// The unit vectors along the real axes of the coordinates of a field.
+py::array_t<double> field_axes_in_space(Surface& s, const Field& field, std::size_t neighbors) {
+  return array_of(with_triangulation(s, [&](auto& t) {
+    const IT::Tangent_field ones(field.vectors.size(), 1);
+    return in_space(s, t, ones, field.of_row, neighbors);
+  }));
+}
+
 // The polar angle of each side of the triangles, at the vertex where it starts.
 py::array_t<double> side_angles(Surface& s) {
   return array_of(with_triangulation(s, [](auto& t) {
@@ -246,6 +257,7 @@ void bind_fields(py::module_& m) {
   m.def("vectors_in_space", &vectors_in_space);
   m.def("field_of_coordinates", &field_of_coordinates);
   m.def("axes_in_space", &axes_in_space);
+  m.def("field_axes_in_space", &field_axes_in_space);
   m.def("side_angles", &side_angles);
   bind_directions(m);
 }

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -78,6 +79,17 @@ IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p
   return {p, unit * (c.first * face.edge[0] - c.second * face.edge[2])};
 }
 
+// By how much a vector in the plane of the first or the last face about a border vertex points out
+// of the surface over the border: an angle, not positive for others.
+double angle_beyond(const IT::Input& input, std::uint32_t h, const In_corner& c, bool is_first,
+                    bool is_last) {
+  const IT::Tangent_vector v = tangent_of(input, {h, {1, 0, 0}}, c);
+  const double angle = std::atan2(v.vector[1], v.vector[0]), here = angle_at_source(input, h);
+  const double before = is_first ? -angle : 0,
+               turn = angle < 0 ? angle + 2 * std::numbers::pi : angle;
+  return is_last && (before <= 0 || turn - here < before) ? turn - here : before;
+}
+
 } // namespace
 
 IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
@@ -87,14 +99,25 @@ IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordi
     return tangent_of(input, q, in_corner(input, coordinates, q.halfedge, v, false));
   }
   In_corner best{0, 0, -2};
-  std::uint32_t side = input.outgoing_halfedge(vertex);
-  IT::measure_fan(input, side, [&](std::uint32_t h, double) {
+  const std::uint32_t first = input.outgoing_halfedge(vertex);
+  std::uint32_t side = first, last = first;
+  const IT::Fan_angle fan = IT::measure_fan(input, first, [&](std::uint32_t h, double) {
     if (input.is_border(h)) return;
+    last = h;
     const In_corner here = in_corner(input, coordinates, h, v, true);
     if (!(here.cosine > best.cosine)) return;
     best = here;
     side = h;
   });
+  if (fan.is_on_border)
+    for (const std::uint32_t h : {first, last}) {
+      const In_corner here = in_corner(input, coordinates, h, v, false);
+      const double beyond = angle_beyond(input, h, here, h == first, h == last);
+      const double gap = 2 * std::numbers::pi - fan.sum;
+      if (!(beyond > 0x1p-40 && beyond <= gap / 2 && here.cosine > best.cosine - 0x1p-50)) continue;
+      best = here;
+      side = h;
+    }
   return tangent_of(input, {side, {1, 0, 0}}, best);
 }
 

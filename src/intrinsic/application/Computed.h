@@ -37,8 +37,8 @@ struct Direction_field {
   std::string name; ///< of one of the vectors, in files
   IT::Tangent_field vectors;
   unsigned degree = 1; ///< vectors that differ by a turn by 2 pi / degree are alike
-      /// Number of the vector of each row, on a cover that of the first copy of the vertex;
-  /// `Gluing::none` if the row has no vector.
+  /// Number of the vector of each row, on a cover that of one copy of the vertex; `Gluing::none` if
+  /// the row has no vector.
   std::vector<std::uint32_t> of_row;
   std::vector<int> index{}; ///< of each face of the intrinsic triangulation, at its number; or none
   /// On a cloud of points, the axes of the tangent plane of each row; else none.

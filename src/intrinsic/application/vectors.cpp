@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
@@ -124,10 +125,14 @@ Direction_field transported(const Triangulation& t, const std::vector<Asked_vect
     return directions_of_points(t, "vector", cloud, cloud.transport(vectors_at_points(asked)), 1);
   }
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
-  for (const Asked_vector& v : asked) sources.push_back({IT::vertex_of_row(t, v.row), v.z});
+  IT::Vectors_on_sheets sheets(t);
+  for (const Asked_vector& v : asked)
+    for (const auto& copy : sheets(IT::vertex_of_row(t, v.row), v.z)) sources.push_back(copy);
   const IT::Vector_heat_method<Triangulation> heat(
       t, IT::parameters::time_factor(options.application.time_factor));
-  return {"vector", heat.transport(sources), 1, IT::first_copies_of_rows(t)};
+  Direction_field field{"vector", sheets.averaged(heat.transport(sources)), 1, {}};
+  field.of_row = IT::known_copies_of_rows(t, field.vectors);
+  return field;
 }
 
 template <class Triangulation>
@@ -298,9 +303,12 @@ template <class Triangulation>
 Computed direction_field(const Triangulation& t, const Options& options, const Points& points) {
   if (is_cloud(t)) return field_of_points(t, options, points);
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> fixed;
+  std::vector<Asked_vector> asked;
   if (!options.application.vectors.empty())
-    for (const Asked_vector& v : read_vectors(options, t.input().number_of_rows()))
-      fixed.push_back({IT::vertex_of_row(t, v.row), v.z});
+    asked = read_vectors(options, t.input().number_of_rows());
+  IT::Vectors_on_sheets sheets(t);
+  for (const Asked_vector& v : asked)
+    for (const auto& copy : sheets(IT::vertex_of_row(t, v.row), v.z)) fixed.push_back(copy);
   const int degree = static_cast<int>(options.application.degree);
   const IT::Direction_field field = field_of(t, options, points, fixed);
   const auto singular = IT::singularities(t, field);
@@ -312,7 +320,7 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   computed.marks = {"singularities", centres(t, singular.index, points)};
   computed.json = {
       {"degree", degree},
-      {"fixed", fixed.size()},
+      {"fixed", asked.size()},
       {"alignment",
        options.application.alignment ? Json(*options.application.alignment) : Json(nullptr)},
       {"singular_faces",

@@ -224,6 +224,8 @@ public:
   }
 
   /// \cond
+  // On a cover, paths from a vertex then leave this copy of it alone.
+  void part_copies(vertex_descriptor v) { field_.table.part_copies(t_->index(v)); }
   // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;

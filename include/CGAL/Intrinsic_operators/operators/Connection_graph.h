@@ -146,6 +146,19 @@ struct Connection_graph {
         if (e.weight > 0) join(e.source, e.target);
     });
   }
+
+  // The graph for functions with one value at all copies of a vertex. \param first the first copy
+  // of each, which stands for all
+  Connection_graph joined(const std::vector<std::uint32_t>& first) const {
+    Connection_graph graph = *this;
+    for (Connection_edge& e : graph.edges) {
+      e.source = static_cast<int>(first[static_cast<std::size_t>(e.source)]);
+      e.target = static_cast<int>(first[static_cast<std::size_t>(e.target)]);
+    }
+    std::fill(graph.areas.begin(), graph.areas.end(), 0);
+    for (std::size_t i = 0; i < size; ++i) graph.areas[first[i]] += areas[i];
+    return graph;
+  }
 };
 
 template <class Triangulation>

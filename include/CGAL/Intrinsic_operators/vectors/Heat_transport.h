@@ -49,19 +49,19 @@ struct Vector_sources {
   bool has_different = false;   // lengths
 };
 
-// A corner of the face of a source, or the vertex where it is.
-struct Source_corner {
-  int vertex;                  // the number of the copy
-  double weight;               // of the source; they sum to 1
-  std::complex<double> offset; // from the source to here, in the frame of the source
-  std::complex<double> frame;  // the factor from the frame of the source to the frame here
+// A vertex near the source of a logarithmic map.
+struct Vertex_near_source {
+  std::uint32_t vertex;
+  double weight;   // of the source; those of all sum to 1
+  double distance; // of the source
 };
 
-// Makes logarithms at least as long as chords in space from the source; a logarithm without
-// direction becomes unknown.
-// \param at positions of vertices, possibly unknown \param unit the unit of the logarithms
+// Makes logarithms at least as long as the mean of bounds from vertices near the source: chords in
+// space, less the distance of the source. A logarithm without direction becomes unknown.
+// \param at positions of vertices, possibly unknown
+// \param unit that of positions, in the unit of all other lengths
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
-                        const std::vector<Source_corner>& source, double unit,
+                        const std::vector<Vertex_near_source>& near, double unit,
                         std::vector<std::complex<double>>& log);
 
 // Diffuses functions and tangent vectors for a short time, by the numbers of a graph, in scaled
@@ -80,32 +80,29 @@ public:
   // for each vertex, the representative of its part, which heat connects
   const std::vector<std::uint32_t>& parts() const { return part_; }
 
-  // the natural logarithm of the heat that comes from a source
-  Eigen::VectorXd log_heat(const std::vector<Source_corner>& source) const;
+  // the natural logarithm of the heat that comes from vertices with weights
+  Eigen::VectorXd log_heat(const Eigen::VectorXd& weights) const;
   // the mean of the values at sources, by the heat that comes from each
   // \throws std::invalid_argument if sources are missing; `transported()` does the same
   Eigen::VectorXd extended(const Vector_sources& sources) const;
-  // the vectors from sources, with the mean of their lengths
-  Eigen::VectorXcd transported(const Vector_sources& sources) const;
-  // positions in the frame of the source, by heat of affine vectors
-  Eigen::VectorXcd affine_logarithm(const std::vector<Source_corner>& source) const;
+  // the vectors from sources, with given lengths
+  Eigen::VectorXcd transported(const Vector_sources& sources, const Eigen::VectorXd& lengths) const;
+  // positions in the frame of a vertex, by heat of affine vectors
+  Eigen::VectorXcd affine_logarithm(Eigen::Index source) const;
   // the angle between a radial and a parallel field, and the distance whose gradient is the radial
   // field
-  Eigen::VectorXcd polar_logarithm(const std::vector<Source_corner>& source) const;
+  Eigen::VectorXcd polar_logarithm(Eigen::Index source) const;
 
 private:
-  Heat<double> heat(const std::vector<Source_corner>& source) const;
+  Heat<double> heat(const Eigen::VectorXd& weights) const;
   const Function_flow& functions() const;
   const Vector_flow& vectors() const;
   std::vector<char> reached(const Eigen::VectorXd& weights) const;
-  Eigen::VectorXd weights(const std::vector<Source_corner>& source) const;
-  Eigen::VectorXcd parallel_frames(const std::vector<Source_corner>& source) const;
-  Eigen::VectorXcd outward_vectors(const std::vector<Source_corner>& source) const;
-  std::vector<Heat<double>> positions_at_neighbours(const std::vector<Source_corner>& source,
-                                                    const Heat<double>& heat,
+  Eigen::VectorXd unit_weight(Eigen::Index source) const;
+  Eigen::VectorXcd outward_vectors(Eigen::Index source) const;
+  std::vector<Heat<double>> positions_at_neighbours(const Heat<double>& heat,
                                                     const Eigen::VectorXcd& frames) const;
-  Eigen::VectorXd distances(const std::vector<Source_corner>& source,
-                            const Eigen::VectorXcd& radial) const;
+  Eigen::VectorXd distances(Eigen::Index source, const Eigen::VectorXcd& radial) const;
   Eigen::VectorXd pins() const;
 
   Connection_graph graph_;

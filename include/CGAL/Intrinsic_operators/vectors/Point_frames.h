@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_POINT_FRAMES_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -15,6 +14,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -65,35 +65,53 @@ public:
     return on_border_[i] == 0 ? z : turned(z, on_border_[i], std::numbers::pi);
   }
 
-  // The corners of the face of a point; only one if the point is at a vertex.
-  std::vector<Source_corner> corners(const Surface_point& p) const {
+  // A corner of the face of a point, and how directions at the point turn on the way to it.
+  struct Corner {
+    std::uint32_t vertex;        // its number
+    double weight;               // of the point; all sum to 1
+    std::complex<double> offset; // from the point to here, in its frame
+    double scale;                // of angles on the surface
+    double angle, polar_angle;   // of the direction from here to the point: in its frame, and here
+
+    // A vector at the point, in the frame here, and back: angles from the line between both are
+    // scaled.
+    std::complex<double> to_here(const std::complex<double>& z) const {
+      const double turn = std::remainder(std::arg(z) - angle, full_turn);
+      return std::polar(std::abs(z), polar_angle + scale * turn);
+    }
+    std::complex<double> from_here(const std::complex<double>& z) const {
+      const double turn = std::remainder(std::arg(z) - polar_angle, full_turn);
+      return std::polar(std::abs(z), angle + turn / scale);
+    }
+  };
+
+  // The corners of the face that have a weight, up to three; they are the same for all faces of a
+  // point. At a vertex the middle of the corner is the line.
+  std::vector<Corner> corners(const Surface_point& p) const {
     const Intrinsic_view<Triangulation> view(*t_);
     const Geodesic_face face(view, p.halfedge);
-    const unsigned at = corner_of(p);
-    std::vector<Source_corner> result;
+    std::vector<Corner> result;
     for (unsigned k = 0; k < 3; ++k) {
-      if (at < 3 && k != at) continue;
+      if (p.weights[k] == 0) continue;
       const Plane_vector<double> x = face.to_corner(p.weights, k);
-      const Corner c(*this, face, k);
-      result.push_back(
-          {static_cast<int>(number(t_->numbers().vertex_at(view.source(face.side[k])))),
-           p.weights[k], std::complex(x[0], x[1]), std::polar(1., c.polar_middle - c.middle)});
+      const Plane_vector<double> back = face.relative_to(k, {-x[0], -x[1]});
+      const double here = angle_at_source(view, face.side[k]), scale = angles_.scale(face.side[k]);
+      const double turn =
+          corner_of(p) == k ? here / 2 : std::clamp(std::atan2(back[1], back[0]), 0., here);
+      result.push_back({number(t_->numbers().vertex_at(view.source(face.side[k]))), p.weights[k],
+                        std::complex(x[0], x[1]), scale,
+                        std::atan2(face.edge[k][1], face.edge[k][0]) + turn,
+                        angles_[face.side[k]] + scale * turn});
     }
     return result;
   }
 
-  // A vector at the vertex where a point is, in the frame here: angles from the middle of the
-  // corner are scaled.
+  // A vector at the vertex where a point is, in the frame here, and back.
   std::complex<double> at_corner(const Surface_point& p, const Plane_vector<double>& v) const {
-    const Corner c(*this, p);
-    const double turn = std::remainder(std::atan2(v[1], v[0]) - c.middle, full_turn);
-    return std::polar(std::hypot(v[0], v[1]), c.polar_middle + c.scale * turn);
+    return corners(p)[0].to_here({v[0], v[1]});
   }
-  // The inverse of `at_corner()`.
   std::complex<double> from_corner(const Surface_point& p, const std::complex<double>& z) const {
-    const Corner c(*this, p);
-    const double turn = std::remainder(std::arg(z) - c.polar_middle, full_turn);
-    return std::polar(std::abs(z), c.middle + turn / c.scale);
+    return corners(p)[0].from_here(z);
   }
 
   // a map with values in the frame of a point, linear in the face of another one
@@ -114,21 +132,6 @@ public:
 
 private:
   static constexpr double full_turn = 2 * std::numbers::pi;
-
-  // The middle direction of a corner, in its face and about its vertex.
-  struct Corner {
-    Corner(const Point_frames& frames, const Surface_point& p)
-        : Corner(frames, Geodesic_face(Intrinsic_view<Triangulation>(*frames.t_), p.halfedge),
-                 corner_of(p)) {}
-    Corner(const Point_frames& frames, const Geodesic_face& face, unsigned k)
-        : scale(frames.angles_.scale(face.side[k])) {
-      const double half =
-          angle_at_source(Intrinsic_view<Triangulation>(*frames.t_), face.side[k]) / 2;
-      middle = std::atan2(face.edge[k][1], face.edge[k][0]) + half;
-      polar_middle = frames.angles_[face.side[k]] + scale * half;
-    }
-    double scale, middle, polar_middle;
-  };
 
   // the angle that the fan of a border vertex has here, zero inside
   double angle_on_border(Vertex v) const {

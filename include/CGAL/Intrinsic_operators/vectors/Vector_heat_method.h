@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
@@ -22,24 +23,13 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// The method for a logarithmic map.
-enum class Logarithm_method {
-  /// by exact distances and the shortest paths: `logarithmic_map()`, without heat
-  exact,
-  /// by heat of affine vectors: exact on flat surfaces, smooth, fast for many sources (Soliman and
-  /// Sharp 2025)
-  affine,
-  /// by the angle between a radial and a parallel field, and the distance whose gradient is the
-  /// radial field (Sharp et al. 2019)
-  polar
-};
 
 /*!
 \brief transports tangent vectors over a surface by short-time heat flow (the vector heat method; N.
@@ -52,7 +42,8 @@ with the connection Laplacian L_1, the Laplacian L_0 and the lumped mass matrix 
 the vector that arrives along the shortest path from the nearest source, with its length. On flat
 surfaces transport is exact. Each matrix is factored once, when it is first needed: further sources
 cost triangular solves. Weights are nonnegative in Delaunay triangulations: call
-`flip_to_delaunay()` before.
+`flip_to_delaunay()` before. On a cover, functions have one value for all copies of a vertex, and
+heat of functions passes from one sheet to another there.
 
 Vectors at vertices are those of a `Tangent_field`. At border vertices, computations do not scale
 angles; a vector that points out of the surface stays in the half of the circle beyond the border.
@@ -89,6 +80,10 @@ public:
       : frames_(t), heat_(internal::connection_graph(t, frames_.angles()),
                           internal::value_or<internal::tags::time_factor>(np, 1.)) {
     internal::expect_names<internal::tags::time_factor>(np);
+    if (t.input().names().sheets == 1) return;
+    first_ = internal::first_copies(t);
+    joined_.emplace(heat_.graph().joined(first_),
+                    internal::value_or<internal::tags::time_factor>(np, 1.));
   }
 
   /*!
@@ -109,10 +104,7 @@ public:
   const Triangulation& triangulation() const { return frames_.triangulation(); }
 
   /// returns the mean length of the edges of the triangulation, in the units of the input.
-  double mean_edge_length() const {
-    return std::ldexp(std::sqrt(heat_.graph().squared_mean_length),
-                      -triangulation().metric().scale_exponent());
-  }
+  double mean_edge_length() const { return unit() * std::sqrt(heat_.graph().squared_mean_length); }
 
   /*!
   \brief returns the logarithm of the heat at all vertices that comes from a point: most of it comes
@@ -124,7 +116,9 @@ public:
     the point
   */
   Eigen::VectorXd log_heat(const Surface_point& p) const {
-    return heat_.log_heat(frames_.corners(p));
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(frames_.size()));
+    for (const auto& c : frames_.corners(p)) weights[c.vertex] += c.weight;
+    return heat_.log_heat(weights);
   }
 
   /// returns whether two points are on one component of the surface. \complexity constant
@@ -152,7 +146,7 @@ public:
       const auto i = static_cast<Eigen::Index>(number(v));
       s.add(i, 1, value);
     }
-    return heat_.extended(s);
+    return extended(s);
   }
 
   /// extends values at points; see above.
@@ -160,8 +154,8 @@ public:
   extend_scalars(const std::vector<std::pair<Surface_point, double>>& sources) const {
     internal::Vector_sources s(heat_.graph().size);
     for (const auto& [p, value] : sources)
-      for (const internal::Source_corner& c : frames_.corners(p)) s.add(c.vertex, c.weight, value);
-    return heat_.extended(s);
+      for (const auto& c : frames_.corners(p)) s.add(c.vertex, c.weight, value);
+    return extended(s);
   }
 
   /*!
@@ -193,11 +187,9 @@ public:
     internal::Vector_sources s(heat_.graph().size);
     for (const Tangent_vector& v : sources) {
       const Complex z(v.vector[0], v.vector[1]);
-      const bool is_at_corner = internal::corner_of(v.point) < 3;
-      for (const internal::Source_corner& c : frames_.corners(v.point)) {
+      for (const auto& c : frames_.corners(v.point)) {
         s.add(c.vertex, c.weight, std::abs(z));
-        s.vectors[c.vertex] +=
-            is_at_corner ? frames_.at_corner(v.point, v.vector) : c.weight * c.frame * z;
+        s.vectors[c.vertex] += c.weight * c.to_here(z);
       }
     }
     return transported(s);
@@ -226,13 +218,15 @@ public:
     if (method == Logarithm_method::exact)
       return Intrinsic_triangulations::logarithmic_map(triangulation(), v);
     const std::uint32_t i = number(v);
-    std::vector<Complex> result = logarithm({{static_cast<int>(i), 1, 0, 1}}, method);
+    std::vector<Complex> result = logarithm(i, method);
+    lengthen_to_chords({{i, 1, 0}}, result);
     for (Complex& z : result) z = frames_.to_field(i, z);
     return result;
   }
 
   /*!
-  \brief finds the logarithmic map of a point; see above.
+  \brief finds the logarithmic map of a point; see above. By heat, it is interpolated in the face
+  between those of its corners: lengths, and directions.
   \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
     those on the surface
   */
@@ -240,11 +234,22 @@ public:
                                        Logarithm_method method = Logarithm_method::exact) const {
     if (method == Logarithm_method::exact)
       return Intrinsic_triangulations::logarithmic_map(triangulation(), p);
-    std::vector<internal::Source_corner> corners = frames_.corners(p);
-    if (corners.size() > 1) return logarithm(corners, method);
-    corners[0].frame = 1;
-    std::vector<Complex> result = logarithm(corners, method);
-    for (Complex& z : result) z = frames_.from_corner(p, z);
+    std::vector<Complex> result(heat_.graph().size, 0); // sums, of lengths and of vectors
+    std::vector<double> length(result.size(), 0);
+    std::vector<internal::Vertex_near_source> near;
+    for (const auto& c : frames_.corners(p)) {
+      const Complex offset = unit() * c.offset;
+      near.push_back({c.vertex, c.weight, std::abs(offset)});
+      const std::vector<Complex> log = logarithm(c.vertex, method);
+      for (std::size_t i = 0; i < result.size(); ++i) {
+        const Complex z = offset + c.from_here(log[i]);
+        result[i] += c.weight * z;
+        length[i] += c.weight * std::abs(z);
+      }
+    }
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] = length[i] * internal::unit_vector(result[i]);
+    lengthen_to_chords(near, result);
     return result;
   }
 
@@ -277,38 +282,56 @@ private:
     return frames_.number(v);
   }
 
+  Eigen::VectorXd extended(const internal::Vector_sources& s) const {
+    if (!joined_) return heat_.extended(s);
+    internal::Vector_sources at_first = s;
+    at_first.lengths.setZero();
+    at_first.weights.setZero();
+    for (Eigen::Index i = 0; i < s.weights.size(); ++i) {
+      const std::uint32_t first = first_[static_cast<std::size_t>(i)];
+      at_first.lengths[first] += s.lengths[i];
+      at_first.weights[first] += s.weights[i];
+    }
+    const Eigen::VectorXd values = joined_->extended(at_first);
+    return Eigen::VectorXd::NullaryExpr(
+        values.size(), [&](Eigen::Index i) { return values[first_[static_cast<std::size_t>(i)]]; });
+  }
+
   Tangent_field transported(const internal::Vector_sources& s) const {
-    const Eigen::VectorXcd z = heat_.transported(s);
+    const Eigen::VectorXcd z = heat_.transported(s, extended(s));
     Tangent_field result(heat_.graph().size);
     for (std::uint32_t i = 0; i < result.size(); ++i) result[i] = frames_.to_field(i, z[i]);
     return result;
   }
 
-  std::vector<Complex> logarithm(const std::vector<internal::Source_corner>& source,
-                                 Logarithm_method method) const {
+  // the unit of computations in that of the input
+  double unit() const { return std::ldexp(1., -triangulation().metric().scale_exponent()); }
+
+  std::vector<Complex> logarithm(std::uint32_t source, Logarithm_method method) const {
     const Eigen::VectorXcd z = method == Logarithm_method::affine ? heat_.affine_logarithm(source)
                                                                   : heat_.polar_logarithm(source);
-    const double unit = std::ldexp(1., -triangulation().metric().scale_exponent());
     std::vector<Complex> result(heat_.graph().size);
     for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = unit * z[static_cast<Eigen::Index>(i)];
-    lengthen_to_chords(source, unit, result);
+      result[i] = unit() * z[static_cast<Eigen::Index>(i)];
     return result;
   }
 
   // Where positions are known, no path is shorter than the way in space.
-  void lengthen_to_chords(const std::vector<internal::Source_corner>& source, double unit,
+  void lengthen_to_chords(const std::vector<internal::Vertex_near_source>& near,
                           std::vector<Complex>& log) const {
     const auto rows = internal::positions_of_rows(triangulation());
     if (rows.empty()) return;
     std::vector<std::array<double, 3>> at(log.size());
     for (const vertex_descriptor v : vertices(triangulation().mesh()))
       at[frames_.number(v)] = rows[triangulation().input_vertex(v)];
-    internal::lengthen_to_chords(at, source, unit, log);
+    internal::lengthen_to_chords(at, near, unit(), log);
   }
 
   internal::Point_frames<Triangulation> frames_;
   internal::Heat_transport heat_;
+  // On a cover, the first copy of the vertex of each copy, and heat of functions on these alone.
+  std::vector<std::uint32_t> first_;
+  std::optional<internal::Heat_transport> joined_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,10 +9,10 @@
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -20,17 +20,28 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// The method for a logarithmic map.
+enum class Logarithm_method {
+  /// by exact distances and the shortest paths: `logarithmic_map()`, without heat
+  exact,
+  /// by heat of affine vectors: exact on flat surfaces, smooth, fast for many sources (Soliman and
+  /// Sharp 2025)
+  affine,
+  /// by the angle between a radial and a parallel field, and the distance whose gradient is the
+  /// radial field (Sharp et al. 2019)
+  polar
+};
+
 /*!
 \brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the
-face that it points into. If it points out of the surface, the nearer side of the border replaces
-it.
+face that it points into. A vector that points out of the surface is in the frame of the first face,
+and points out of it.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, which is not isolated
@@ -42,19 +53,14 @@ Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::ve
                               const std::complex<double>& z) {
   const Intrinsic_view<Triangulation> view(t);
   const std::uint32_t first = view.outgoing_halfedge(t.index(v));
-  bool is_on_border = false;
-  const double all = cone_angle(view, first, is_on_border), full = 2 * std::numbers::pi;
-  double a = std::arg(z); // outward vectors turn to the nearer side of the border
-  if (a < (is_on_border ? -full / 4 : 0.)) a += full;
-  const double turn = a * all / (is_on_border ? full / 2 : full);
-  return internal::at_start(
-      Geodesic_walk<Intrinsic_view<Triangulation>>(view, Corner_direction{first, turn}),
-      std::abs(z));
+  const Fan_angle fan = measure_fan(view, first, [](std::uint32_t, double) {});
+  return internal::vector_at_source(view, first, internal::polar_scale(fan), z);
 }
 
 /*!
 \brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the
-course): the exponential map, the inverse of logarithmic maps.
+course): the exponential map, the inverse of logarithmic maps. A vector that points out of the
+surface leads nowhere: the geodesic ends where it starts, with the status `border`.
 \tparam Triangulation a model of `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, which is not isolated
@@ -85,7 +91,6 @@ template <class Triangulation, class NP, class To_frame>
 std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& frames,
                                              const Polyhedral_distance<Triangulation>& distance,
                                              const NP& np, const To_frame& to_frame) {
-  expect_tangent_planes(frames.triangulation());
   auto stored_visitor = object_or<tags::visitor>(np, Polyhedral_distance_visitor());
   auto& observed = unwrapped(stored_visitor);
   std::vector<std::complex<double>> result(frames.size(), unknown_vector);
@@ -100,6 +105,19 @@ std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& 
   return result;
 }
 
+// The logarithms along shortest paths that leave one copy of a vertex, in its coordinates.
+template <class Triangulation, class NP>
+std::vector<std::complex<double>> logarithms_at_copy(const Point_frames<Triangulation>& frames,
+                                                     typename Triangulation::vertex_descriptor v,
+                                                     const NP& np) {
+  Polyhedral_distance<Triangulation> distance(frames.triangulation());
+  distance.part_copies(v);
+  distance.search(v, np);
+  return logarithms(frames, distance, np, [&](const Tangent_vector& x) {
+    return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
+  });
+}
+
 } // namespace internal
 
 /*!
@@ -109,6 +127,10 @@ std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& 
 Lengths and directions are those of `Polyhedral_distance`, so the result does not depend on the
 triangulation of the surface. In the plane it is the displacement. Shortest paths bend only at
 vertices with more than a full turn of angle: all vertices behind such a vertex have its direction.
+
+On a cover, paths leave the copy `v`, as long as another copy does not have a shorter path: on the
+surface of a soup, faces at a vertex may be about other copies of it only. Vectors along such paths
+are as long as the paths, in the coordinates of the copy that they leave.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, which is not isolated
@@ -119,22 +141,30 @@ work, the others are NaN
 components and beyond the maximum distance
 \throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
   points, see `Point_cloud_vectors`
-\complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest
-  paths cross
+\complexity that of `Polyhedral_distance`, once for each copy of the vertex, and linear in the
+  number of edges that all shortest paths cross
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
                                                   typename Triangulation::vertex_descriptor v,
                                                   const NP& np = parameters::default_values()) {
+  internal::expect_tangent_planes(t);
   const internal::Point_frames<Triangulation> frames(t);
-  const std::uint32_t i = frames.number(v);
   if (frames.is_isolated(v))
-    throw std::invalid_argument("vertex " + std::to_string(i) +
+    throw std::invalid_argument("vertex " + std::to_string(frames.number(v)) +
                                 " has no face, so that there are no vectors at it");
-  return internal::logarithms(frames, Polyhedral_distance<Triangulation>(t, v, np), np,
-                              [&](const Tangent_vector& x) {
-                                return frames.to_field(i, frames.at_corner(x.point, x.vector));
-                              });
+  std::vector<std::complex<double>> result = internal::logarithms_at_copy(frames, v, np);
+  constexpr double shorter = 1 - 1e-10; // by more than rounding
+  if (t.input().names().sheets == 1) return result;
+  for (const auto other : vertices(t.mesh())) {
+    if (other == v || t.input_vertex(other) != t.input_vertex(v) || frames.is_isolated(other))
+      continue;
+    const std::vector<std::complex<double>> found = internal::logarithms_at_copy(frames, other, np);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      if (!internal::is_known(result[i]) || std::abs(found[i]) < shorter * std::abs(result[i]))
+        result[i] = found[i];
+  }
+  return result;
 }
 
 /*!
@@ -145,13 +175,19 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const Surface_point& p,
                                                   const NP& np = parameters::default_values()) {
+  internal::expect_tangent_planes(t);
   const internal::Point_frames<Triangulation> frames(t);
-  const bool is_at_vertex = internal::corner_of(p) < 3;
+  if (const unsigned k = internal::corner_of(p); k < 3) {
+    const Intrinsic_view<Triangulation> view(t);
+    const auto v = t.numbers().vertex_at(view.source(sides_of_face(view, p.halfedge)[k]));
+    std::vector<std::complex<double>> result = logarithmic_map(t, v, np);
+    for (std::complex<double>& z : result)
+      z = frames.from_corner(p, frames.from_field(frames.number(v), z));
+    return result;
+  }
   return internal::logarithms(
-      frames, Polyhedral_distance<Triangulation>(t, p, np), np, [&](const Tangent_vector& x) {
-        return is_at_vertex ? frames.from_corner(p, frames.at_corner(x.point, x.vector))
-                            : std::complex(x.vector[0], x.vector[1]);
-      });
+      frames, Polyhedral_distance<Triangulation>(t, p, np), np,
+      [](const Tangent_vector& x) { return std::complex(x.vector[0], x.vector[1]); });
 }
 
 /// \cond

@@ -56,10 +56,11 @@ public:
   // one of the copies of a point, the same for all of them
   std::pair<std::uint32_t, std::array<double, 3>> name(const Surface_point& p) const;
 
-private:
   // the same side of the back of a face as that of its front, and the other way round: it runs
   // against it
   std::uint32_t other_side(std::uint32_t h) const;
+
+private:
   std::uint32_t other_face(std::uint32_t f) const;
   std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
 
@@ -108,8 +109,9 @@ public:
     };
     const auto here = name(i);
     const auto [place, is_new] = by_place_.insert({here, i});
-    if (!is_new && name(place->second) != here) place->second = i; // removes one that was moved
-                                                                   // away
+    if (!is_new && name(place->second) != here)
+      place->second = i; // removes one that was moved
+                         // away
     return place->second;
   }
 

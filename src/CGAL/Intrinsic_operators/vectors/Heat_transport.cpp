@@ -75,19 +75,16 @@ std::vector<char> Heat_transport::reached(const Eigen::VectorXd& weights) const 
   return result;
 }
 
-Heat<double> Heat_transport::heat(const std::vector<Source_corner>& source) const {
-  const Eigen::VectorXd start = weights(source);
-  return functions()(start, reached(start));
+Heat<double> Heat_transport::heat(const Eigen::VectorXd& weights) const {
+  return functions()(weights, reached(weights));
 }
 
-Eigen::VectorXd Heat_transport::weights(const std::vector<Source_corner>& source) const {
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(graph_.size));
-  for (const Source_corner& c : source) w[c.vertex] += c.weight;
-  return w;
+Eigen::VectorXd Heat_transport::unit_weight(Eigen::Index source) const {
+  return Eigen::VectorXd::Unit(static_cast<Eigen::Index>(graph_.size), source);
 }
 
-Eigen::VectorXd Heat_transport::log_heat(const std::vector<Source_corner>& source) const {
-  const Heat<double> found = heat(source);
+Eigen::VectorXd Heat_transport::log_heat(const Eigen::VectorXd& weights) const {
+  const Heat<double> found = heat(weights);
   Eigen::VectorXd result(found.value.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) result[i] = internal::log_heat(found, i);
   return result;
@@ -111,8 +108,8 @@ Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
   return result;
 }
 
-Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) const {
-  const Eigen::VectorXd lengths = extended(sources);
+Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources,
+                                             const Eigen::VectorXd& lengths) const {
   const auto z = vectors()(sources.vectors, reached(sources.weights));
   Eigen::VectorXcd result = z.value.unaryExpr(&unit_vector);
   for (Eigen::Index i = 0; i < result.size(); ++i)
@@ -120,18 +117,10 @@ Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources) cons
   return result;
 }
 
-Eigen::VectorXcd Heat_transport::parallel_frames(const std::vector<Source_corner>& source) const {
-  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
-  for (const Source_corner& c : source) b[c.vertex] += c.weight * c.frame;
-  return b;
-}
-
-// The part that edges add to positions that cross them, and positions at the corners of the source,
-// times the heat from a neighbour, with its exponents. \param frames the frame of the source,
-// transported to all vertices
+// The part that edges add to positions that cross them, times the heat from a neighbour, with its
+// exponents. \param frames the frame of the source, transported to all vertices
 std::vector<Heat<double>>
-Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source,
-                                        const Heat<double>& heat,
+Heat_transport::positions_at_neighbours(const Heat<double>& heat,
                                         const Eigen::VectorXcd& frames) const {
   std::vector<Heat<double>> b(2, Heat<double>(Eigen::VectorXd::Zero(heat.value.size())));
   std::vector<int> level = heat.level;
@@ -146,8 +135,6 @@ Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source
     b[0].value[i] += z.real();
     b[1].value[i] += z.imag();
   };
-  const double unit = std::ldexp(1., -heat.exponent);
-  for (const Source_corner& c : source) add(c.vertex, unit * c.weight * c.offset);
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];
     if (e.weight == 0) continue;
@@ -168,34 +155,33 @@ Heat_transport::positions_at_neighbours(const std::vector<Source_corner>& source
 // crosses: exactly, on any triangulation. On curved surfaces edges have directions in the
 // transported frame of the source: heat that turns with each edge would lose the source after some
 // edges.
-Eigen::VectorXcd Heat_transport::affine_logarithm(const std::vector<Source_corner>& source) const {
-  const std::vector<char> is_reached = reached(weights(source));
-  const Heat<double> heat = this->heat(source);
-  const Eigen::VectorXcd frames =
-      vectors()(parallel_frames(source), is_reached).value.unaryExpr(&unit_vector);
+Eigen::VectorXcd Heat_transport::affine_logarithm(Eigen::Index source) const {
+  const Eigen::VectorXd start = unit_weight(source);
+  const std::vector<char> is_reached = reached(start);
+  const Heat<double> heat = this->heat(start);
+  const Eigen::VectorXcd frames = vectors()(start, is_reached).value.unaryExpr(&unit_vector);
   const std::vector<Heat<double>> z =
-      functions().all(positions_at_neighbours(source, heat, frames), {is_reached, is_reached});
+      functions().all(positions_at_neighbours(heat, frames), {is_reached, is_reached});
   Eigen::VectorXcd result(heat.value.size());
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = heat.value[i] > 0 && frames[i] != 0.
                     ? std::complex(heat_ratio(z[0], heat, i), heat_ratio(z[1], heat, i))
                     : unknown_vector;
-  for (const Source_corner& c : source) result[c.vertex] = c.offset;
+  result[source] = 0;
   return result;
 }
 
-// Vectors that point away from the source, at the neighbours of its vertices. Weighted by
-// cotangents and lengths of edges they sum to zero in the plane, since linear functions are
-// harmonic. A nonzero sum would dominate far away, where it is parallel, not radial.
-Eigen::VectorXcd Heat_transport::outward_vectors(const std::vector<Source_corner>& source) const {
-  const Eigen::VectorXd at = weights(source);
+// Vectors that point away from the source, at its neighbours. Weighted by cotangents and lengths of
+// edges they sum to zero in the plane, since linear functions are harmonic. A nonzero sum would
+// dominate far away, where it is parallel, not radial.
+Eigen::VectorXcd Heat_transport::outward_vectors(Eigen::Index source) const {
   Eigen::VectorXcd b = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(graph_.size));
   for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
     const Connection_edge& e = graph_.edges[i];
     if (e.source == e.target) continue;
     const double flow = e.weight * e.length;
-    if (at[e.source] > 0) b[e.target] -= at[e.source] * flow * at_target_[i];
-    if (at[e.target] > 0) b[e.source] -= at[e.target] * flow * at_source_[i];
+    if (e.source == source) b[e.target] -= flow * at_target_[i];
+    if (e.target == source) b[e.source] -= flow * at_source_[i];
   }
   return b;
 }
@@ -211,7 +197,7 @@ Eigen::VectorXd Heat_transport::pins() const {
 
 // The function whose differences along edges are nearest to those along unit vectors, zero at the
 // source.
-Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& source,
+Eigen::VectorXd Heat_transport::distances(Eigen::Index source,
                                           const Eigen::VectorXcd& radial) const {
   if (!poisson_) poisson_.emplace(scaled_laplacian<double>(graph_, 0, 1), pins(), analysis_);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(radial.size());
@@ -227,20 +213,18 @@ Eigen::VectorXd Heat_transport::distances(const std::vector<Source_corner>& sour
     b[e.target] += flow;
   }
   Eigen::VectorXd r = poisson_->solve(Eigen::MatrixXd(b));
-  double error = 0;
-  for (const Source_corner& c : source) error += c.weight * (r[c.vertex] - std::abs(c.offset));
-  r.array() -= error;
+  r.array() -= r[source];
   return r;
 }
 
-Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner>& source) const {
+Eigen::VectorXcd Heat_transport::polar_logarithm(Eigen::Index source) const {
   using Vectors = Heat<std::complex<double>>;
-  const std::vector<char> is_reached = reached(weights(source));
+  const Eigen::VectorXd start = unit_weight(source);
+  const std::vector<char> is_reached = reached(start);
   const std::vector<Vectors> z = // away from the source, and parallel to its real axis
-      vectors().all({Vectors(outward_vectors(source)), Vectors(parallel_frames(source))},
-                    {is_reached, is_reached});
+      vectors().all({Vectors(outward_vectors(source)), Vectors(start)}, {is_reached, is_reached});
   Eigen::VectorXcd radial = z[0].value.unaryExpr(&unit_vector);
-  for (const Source_corner& c : source) radial[c.vertex] = unit_vector(c.frame * c.offset);
+  radial[source] = 0;
   const Eigen::VectorXd r = distances(source, radial);
   Eigen::VectorXcd result(radial.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -249,21 +233,22 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(const std::vector<Source_corner
     constexpr double least = std::numeric_limits<double>::min();
     result[i] = direction == 0. ? unknown_vector : std::max(least, r[i]) * direction;
   }
-  for (const Source_corner& c : source) result[c.vertex] = c.offset;
+  result[source] = 0;
   return result;
 }
 
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
-                        const std::vector<Source_corner>& source, double unit,
+                        const std::vector<Vertex_near_source>& near, double unit,
                         std::vector<std::complex<double>>& log) {
-  for (std::size_t i = 0; i < log.size(); ++i)
-    for (const Source_corner& c : source) {
-      const auto &p = at[i], &q = at[static_cast<std::size_t>(c.vertex)];
-      const double chord =
-          unit * (std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - std::abs(c.offset));
-      if (std::abs(log[i]) < chord) log[i] = chord * unit_vector(log[i]);
-      if (log[i] == 0. && chord > 0) log[i] = unknown_vector;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    double bound = 0;
+    for (const Vertex_near_source& s : near) {
+      const auto &p = at[i], &q = at[s.vertex];
+      bound += s.weight * (unit * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - s.distance);
     }
+    if (std::abs(log[i]) < bound) log[i] = bound * unit_vector(log[i]);
+    if (log[i] == 0. && bound > 0) log[i] = unknown_vector;
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -72,18 +73,17 @@ Point_cloud_vectors::transport(const std::vector<std::pair<std::size_t, Complex>
     s.add(row, 1, std::abs(z));
     s.vectors[row] += z;
   }
-  const Eigen::VectorXcd z = heat_->transported(s);
+  const Eigen::VectorXcd z = heat_->transported(s, heat_->extended(s));
   return {z.begin(), z.end()};
 }
 
 std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size_t i) const {
   expect_plane(i);
-  const std::vector<internal::Source_corner> source{{static_cast<int>(i), 1, 0, 1}};
-  const Eigen::VectorXcd z = heat_->affine_logarithm(source);
+  const Eigen::VectorXcd z = heat_->affine_logarithm(static_cast<Eigen::Index>(i));
   std::vector<Complex> result(size());
   for (std::size_t j = 0; j < size(); ++j)
     result[j] = std::ldexp(1., exponent_) * z[static_cast<Eigen::Index>(j)];
-  internal::lengthen_to_chords(points_, source, 1, result);
+  internal::lengthen_to_chords(points_, {{static_cast<std::uint32_t>(i), 1, 0}}, 1, result);
   return result;
 }
 
