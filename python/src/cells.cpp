@@ -67,7 +67,8 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
     found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
   }
   for (const IT::Cell_junction& j : found.cells.junctions)
-    found.junctions.push_back(IT::locate_on_input(t, j.point).value());
+    found.junctions.push_back(search.is_on_faces() ? j.point
+                                                   : IT::locate_on_input(t, j.point).value());
   s.cache.erase(exact_tables);
   return found;
 }
@@ -102,7 +103,7 @@ py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std:
 template <class T>
 std::pair<std::vector<std::int64_t>, double> farthest(const T& t, const std::vector<Place>& sources,
                                                       std::size_t count, Watch& watch) {
-  IT::Polyhedral_distance<T> search(t);
+  auto search = IT::Polyhedral_distance<T>::on_faces(t);
   Search_visitor visitor{&watch};
   const auto observed = IT::parameters::visitor(std::ref(visitor));
   if (search.search(Place_finder<T>(t).points(sources), observed) == IT::Status::cancelled)

@@ -34,8 +34,9 @@ inline constexpr const char* exact_tables = "exact distances";
 /// returns the search on the triangulation of a surface, which keeps its tables.
 template <class T>
 IT::Polyhedral_distance<T>& search_of(Surface& s, const T& t) {
-  return s.cached<IT::Polyhedral_distance<T>>(
-      exact_tables, [&] { return std::make_unique<IT::Polyhedral_distance<T>>(t); });
+  return s.cached<IT::Polyhedral_distance<T>>(exact_tables, [&] {
+    return std::make_unique<IT::Polyhedral_distance<T>>(IT::Polyhedral_distance<T>::on_faces(t));
+  });
 }
 
 /// \throws ValueError if there is no source

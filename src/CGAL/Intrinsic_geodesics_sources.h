@@ -21,6 +21,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/cuts/write_cut_surface.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.cpp>
+#include <CGAL/Intrinsic_geodesics/distance/Face_complex.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/batches.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.cpp>

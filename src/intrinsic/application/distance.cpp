@@ -190,8 +190,9 @@ Computed exact_distances(const Triangulation& t, const Sources& sources,
   const Joined_points from = joined(t, Places(sources).first(o.sources.size())),
                       to = joined(t, Places(sources).subspan(o.sources.size()));
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const IT::Polyhedral_distance<Triangulation> search(
-      t, from.points,
+  auto search = IT::Polyhedral_distance<Triangulation>::on_faces(t);
+  search.search(
+      from.points,
       IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(to.points));
   Computed computed = found_distances(search, o);
   Json to_targets = Json::array();
@@ -211,7 +212,8 @@ template <class Triangulation>
 Computed cells_of_sets(const Triangulation& t, const Application_options& o) {
   const std::vector<Vertices> sets =
       vertices_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
-  const IT::Polyhedral_distance<Triangulation> search(t, sets);
+  auto search = IT::Polyhedral_distance<Triangulation>::on_faces(t);
+  search.search(sets);
   Computed computed = found_distances(search, o);
   computed.json["sets"] = sets.size();
   std::vector<std::uint32_t> set_of_source;

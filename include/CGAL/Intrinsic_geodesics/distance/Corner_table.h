@@ -43,14 +43,14 @@ struct Face_corner {
 /*!
 \brief is a side of a face where other than one face goes on that runs against it.
 */
-struct Branch {
+struct Branched_side {
   /// The same edge as a side of another face.
-  struct Side {
+  struct Other {
     std::uint32_t side; ///< a corner
     bool is_along;      ///< whether it runs along this one, instead of against it
   };
   std::uint32_t side = Gluing::none; ///< a corner
-  std::vector<Side> others;          ///< all others at the edge
+  std::vector<Other> others;         ///< all others at the edge
 };
 
 /*!
@@ -68,8 +68,8 @@ struct Corner_table {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> other_fans;
   /// On a cover, per vertex the next copy of the same vertex of the user, in a circle; else empty.
   std::vector<std::uint32_t> next_copy;
-  std::vector<Branch> branches; ///< sides where several faces go on
-  double unit = 1;              ///< what the length 1 is in the units of the input
+  std::vector<Branched_side> branches; ///< sides where several faces go on
+  double unit = 1;                     ///< what the length 1 is in the units of the input
 
   /// returns the next corner of the face.
   static std::uint32_t next(std::uint32_t c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -81,7 +81,7 @@ struct Corner_table {
     return corners[c].has_one_neighbor() ? corners[c].opposite : Gluing::none;
   }
   /// returns the branch of a side. \pre it has one
-  const Branch& branch(std::uint32_t c) const {
+  const Branched_side& branch(std::uint32_t c) const {
     return branches[corners[c].opposite - Face_corner::first_branch];
   }
   /// returns the corner of the same vertex in the next face counterclockwise, or `Gluing::none`.

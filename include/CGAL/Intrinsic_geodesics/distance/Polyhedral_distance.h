@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance_visitor.h>
+#include <CGAL/Intrinsic_geodesics/distance/Searched_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Shortest_path.h>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
@@ -92,12 +93,32 @@ public:
   /// reads the triangulation, and has no sources yet: all distances are infinite.
   /// \complexity linear
   explicit Polyhedral_distance(const Triangulation& t)
-      : Polyhedral_distance(t, internal::corner_table(t)) {}
+      : Polyhedral_distance(internal::Searched_surface<Triangulation>(t)) {}
 
+  /*!
+  \brief reads the user's faces under a cover, any number of which may meet at an edge; another
+    triangulation as the constructor does.
+
+  Distances, paths and cells are those on the faces, where paths cross an edge from each of its
+  faces to each of the others, not those on the cover, which can be longer. A vertex of the user is
+  one vertex. Faces are searched as they are, without flips. Paths, cells and vectors are on the
+  input, in the faces of the front.
+  \param t the triangulation; it must outlive the result unchanged
+  \complexity linear
+  */
+  static Polyhedral_distance on_faces(const Triangulation& t) {
+    return Polyhedral_distance(internal::Searched_surface<Triangulation>::on_faces(t));
+  }
+
+  /// tells whether the faces under a cover are searched, so that places that are found are those of
+  /// the input.
+  bool is_on_faces() const { return surface_.has_faces(); }
   /// returns the triangulation.
-  const Triangulation& triangulation() const { return *t_; }
+  const Triangulation& triangulation() const { return surface_.triangulation(); }
   /// returns an object for the same surface that has no sources, such as for another thread.
-  Polyhedral_distance without_sources() const { return Polyhedral_distance(*t_, field_.table); }
+  Polyhedral_distance without_sources() const {
+    return Polyhedral_distance(surface_, field_.table);
+  }
 
   /*!
   \brief finds the distances from other sources, with the tables that are there.
@@ -155,12 +176,11 @@ public:
   /// returns the number of bytes held, but for those of constant number.
   std::size_t bytes() const { return field_.bytes() + memory_.bytes(); }
 
-  /// returns the distance of a vertex, in the units of the input; infinity if the search did not
-  /// reach it.
-  double distance(vertex_descriptor v) const { return distance_of(t_->index(v)); }
-  /// returns the distance of a point. \complexity linear in the number of windows of its face, once
-  /// they are kept
-  double distance(const Surface_point& p) const {
+  /// returns the distance of a vertex or a `Surface_point`, in the units of the input; infinity if
+  /// the search did not reach it. \complexity for a point, linear in the number of windows of its
+  /// face, once they are kept
+  template <internal::Place_on<Triangulation> Place>
+  double distance(const Place& p) const {
     double result = 0;
     for_each_place(p, [&](const auto& place) { result = distance_of(place); });
     return result;
@@ -168,7 +188,7 @@ public:
   /// returns the distances of all vertices, by their rows, see
   /// `Intrinsic_triangulation::input_vertex()`.
   std::vector<double> distances() const {
-    std::vector<double> result(t_->number_of_vertices());
+    std::vector<double> result(triangulation().number_of_vertices());
     copy_distances(std::span(result));
     return result;
   }
@@ -176,48 +196,41 @@ public:
   /// \pre there is place for a number per vertex
   template <std::floating_point Number>
   void copy_distances(std::span<Number> out) const {
-    CGAL_precondition(out.size() == t_->number_of_vertices());
+    CGAL_precondition(out.size() == triangulation().number_of_vertices());
     std::ranges::fill(out, std::numeric_limits<Number>::infinity());
-    for (const vertex_descriptor v : vertices(t_->mesh())) {
-      Number& least = out[t_->input_vertex(v)];
+    for (const vertex_descriptor v : vertices(triangulation().mesh())) {
+      Number& least = out[triangulation().input_vertex(v)];
       least = std::min(least, static_cast<Number>(distance(v)));
     }
   }
 
   /// returns the number of sources.
   std::uint32_t number_of_sources() const { return sources_.size(); }
-  /// returns the index of the nearest source of a vertex, by the order in which sources were given;
-  /// one of them if several are as near, `Gluing::none` if the search did not reach it.
-  std::uint32_t nearest_source(vertex_descriptor v) const { return source_at(t_->index(v)); }
-  /// returns the index of the nearest source of a point. \complexity that of `distance()`
-  std::uint32_t nearest_source(const Surface_point& p) const {
+  /// returns the index of the nearest source of a vertex or a `Surface_point`, by the order in which
+  /// sources were given; one of them if several are as near, `Gluing::none` if the search did not
+  /// reach it. \complexity that of `distance()`
+  template <internal::Place_on<Triangulation> Place>
+  std::uint32_t nearest_source(const Place& p) const {
     std::uint32_t result = Gluing::none;
     for_each_place(p, [&](const auto& place) { result = source_at(place); });
     return result;
   }
 
-  /// returns a shortest path to a vertex from the nearest source. \complexity linear in the number
-  /// of its points
-  Shortest_path shortest_path(vertex_descriptor v) const {
-    return path_to(t_->index(v), distance(v));
-  }
-  /// returns a shortest path to a point from the nearest source. \complexity linear in the number
-  /// of its points and of the windows of its face
-  Shortest_path shortest_path(const Surface_point& p) const {
+  /// returns a shortest path to a vertex or a `Surface_point` from the nearest source. \complexity
+  /// linear in the number of its points; for a point, also of the windows of its face
+  template <internal::Place_on<Triangulation> Place>
+  Shortest_path shortest_path(const Place& p) const {
     Shortest_path result;
     for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
     return result;
   }
 
-  /// returns the vector at the nearest source along the shortest path to a vertex, as long as the
-  /// path: at a source that is a vertex, in a face into which it points. Its coordinates are not
-  /// numbers where the distance is infinite, or rounding has led the path astray. \complexity that
-  /// of `shortest_path()`
-  Tangent_vector logarithm(vertex_descriptor v) const {
-    return departure_to(t_->index(v), distance(v));
-  }
-  /// returns the vector at the nearest source along the shortest path to a point; see above.
-  Tangent_vector logarithm(const Surface_point& p) const {
+  /// returns the vector at the nearest source along the shortest path to a vertex or a
+  /// `Surface_point`, as long as the path: at a source that is a vertex, in a face into which it
+  /// points. Its coordinates are not numbers where the distance is infinite, or rounding has led
+  /// the path astray. \complexity that of `shortest_path()`
+  template <internal::Place_on<Triangulation> Place>
+  Tangent_vector logarithm(const Place& p) const {
     Tangent_vector result;
     for_each_place(p, [&](const auto& place) { result = departure_to(place, distance_of(place)); });
     return result;
@@ -237,13 +250,16 @@ public:
     spread_windows(field_, sources_, limits, memory_, go_on);
     return field_;
   }
+  // What is searched.
+  const internal::Searched_surface<Triangulation>& surface() const { return surface_; }
   /// \endcond
 
 private:
-  Polyhedral_distance(const Triangulation& t, internal::Corner_table table)
-      : t_(&t), field_(std::move(table)) {}
-
-  using Halfedge = typename Triangulation::halfedge_descriptor;
+  explicit Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface)
+      : Polyhedral_distance(surface, surface.table()) {}
+  Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface,
+                      internal::Corner_table table)
+      : surface_(surface), field_(std::move(table)) {}
 
   template <class NP>
   Status spread(const internal::Places& from, const internal::Propagation_limits& limits,
@@ -276,47 +292,19 @@ private:
                                             : std::numeric_limits<double>::infinity();
   }
 
-  std::uint32_t side_of(std::uint32_t halfedge_number) const {
-    const typename Triangulation::Mesh& mesh = t_->mesh();
-    const Halfedge h = t_->numbers().halfedge_at(halfedge_number);
-    CGAL_precondition(face(h, mesh) !=
-                      boost::graph_traits<typename Triangulation::Mesh>::null_face());
-    std::uint32_t k = 0;
-    for (Halfedge g = halfedge(face(h, mesh), mesh); g != h; g = next(g, mesh)) ++k;
-    return 3 * t_->index(face(h, mesh)) + k;
-  }
-
-  internal::Point_in_face point_in_face(const Surface_point& p) const {
-    return field_.point(side_of(p.halfedge), p.weights);
-  }
-
-  // Calls a function with vertices by number and with points in faces.
   template <class Places, class Function>
   void for_each_place(const Places& places, const Function& f) const {
-    if constexpr (std::convertible_to<Places, vertex_descriptor>) {
-      f(t_->index(vertex_descriptor(places)));
-    } else if constexpr (std::same_as<Places, Surface_point>) {
-      for (std::uint32_t k = 0; k < 3; ++k) // a corner is a vertex
-        if (places.weights[(k + 1) % 3] == 0 && places.weights[(k + 2) % 3] == 0) {
-          const std::uint32_t side = side_of(places.halfedge);
-          return f(field_.table.corners[side - side % 3 + (side + k) % 3].origin);
-        }
-      f(point_in_face(places));
-    } else {
-      static_assert(std::ranges::range<const Places>,
-                    "sources and targets are vertices, objects Surface_point, or ranges of them");
-      for (const auto& p : places) for_each_place(p, f);
-    }
+    surface_.for_each_place(field_, places, f);
   }
 
   // To a vertex by number, or to a point in a face.
   template <class Place>
   Shortest_path path_to(const Place& place, double length) const {
-    if (!std::isfinite(length)) return {Status::stalled, {}, length};
+    if (!std::isfinite(length)) return {Status::stalled, {}, false, length};
     const internal::Traced_back path = trace_back(field_, place);
-    Shortest_path result{path.status, {}, length};
-    for (const internal::Path_place& p : path.places)
-      result.points.push_back({internal::halfedge_of_corner(*t_, p.side), p.weights});
+    Shortest_path result{path.status, {}, false, length};
+    result.is_on_input = surface_.has_faces();
+    for (const internal::Path_place& p : path.places) result.points.push_back(surface_.point(p));
     std::reverse(result.points.begin(), result.points.end());
     return result;
   }
@@ -330,10 +318,10 @@ private:
     const internal::Path_place& place = path.places.back();
     const Plane_vector<double>& d = path.departure;
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
-    return {{internal::halfedge_of_corner(*t_, place.side), place.weights}, scale * d};
+    return {surface_.point(place), scale * d};
   }
 
-  const Triangulation* t_;
+  internal::Searched_surface<Triangulation> surface_;
   internal::Places sources_;
   mutable internal::Distance_field field_;
   mutable internal::Propagation_memory memory_;

@@ -22,6 +22,9 @@ struct Shortest_path {
   /// end. The piece that begins at a point lies in the face of its halfedge. Where a path on a
   /// cover passes from one copy of a vertex to another, there are both.
   std::vector<Surface_point> points;
+  /// Whether the points are those of the input, not of the triangulation: of a search on the faces
+  /// under a cover.
+  bool is_on_input = false;
   /// Its length, in the units of the input: the distance.
   double length = 0;
 };

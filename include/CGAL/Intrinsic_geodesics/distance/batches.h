@@ -81,11 +81,6 @@ bool search_in_threads(const Distance& surface, std::size_t size, const NP& np,
       [&](std::size_t done) { return observed.progress(done, size); });
 }
 
-// A vertex of a triangulation, or a point on it.
-template <class Place, class Triangulation>
-concept Place_on = std::same_as<Place, typename Triangulation::vertex_descriptor> ||
-    std::same_as<Place, Surface_point>;
-
 // What orders the places of pairs.
 template <class Triangulation>
 std::uint32_t key_of_place(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
@@ -133,7 +128,7 @@ Status polyhedral_distances(const Triangulation& t, const SourceSets& sets, std:
   internal::expect_names<number_of_threads, maximum_distance, targets, maximum_number, visitor>(np);
   const std::size_t columns = std::ranges::size(sets), rows = t.number_of_vertices();
   internal::expect_columns(rows, columns, out.size());
-  const Polyhedral_distance<Triangulation> surface(t);
+  const auto surface = Polyhedral_distance<Triangulation>::on_faces(t);
   const auto limits =
       parameters::maximum_distance(
           internal::value_or<maximum_distance>(np, std::numeric_limits<double>::infinity()))
@@ -187,7 +182,7 @@ std::vector<double> pair_distances(const Triangulation& t, const std::vector<Pla
   for (std::size_t k = 0; k < order.size(); ++k)
     if (k == 0 || key(order[k]) != key(order[k - 1])) begins.push_back(k);
   begins.push_back(order.size());
-  const Polyhedral_distance<Triangulation> surface(t);
+  const auto surface = Polyhedral_distance<Triangulation>::on_faces(t);
   std::vector<double> result(from.size(), std::numeric_limits<double>::quiet_NaN());
   internal::search_in_threads(surface, begins.size() - 1, np, [&](auto& own, std::size_t group) {
     const auto pairs = std::span(order).subspan(begins[group], begins[group + 1] - begins[group]);

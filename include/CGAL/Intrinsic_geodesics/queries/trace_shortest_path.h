@@ -64,12 +64,17 @@ class Path_over_input {
   using View = Accurate_view<Triangulation>;
 
 public:
-  explicit Path_over_input(const Triangulation& t) : view_(t), tracer_(t) {}
+  explicit Path_over_input(const Triangulation& t) : t_(t), view_(t), tracer_(t) {}
 
   Traced_curve operator()(const Shortest_path& path) {
     Traced_curve curve;
     curve.status = path.status;
-    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    if (path.is_on_input) { // on the faces under a cover
+      curve.points = path.points;
+      for (std::size_t i = 0; i + 1 < path.points.size(); ++i)
+        curve.faces.push_back(t_.correspondence().input().face(path.points[i].halfedge));
+    }
+    for (std::size_t i = 0; !path.is_on_input && i + 1 < path.points.size(); ++i) {
       const Surface_point& p = path.points[i];
       const std::optional<Surface_point> q = in_face(path.points[i + 1], p);
       if (!q) continue; // a copy of the same vertex on a cover
@@ -98,6 +103,7 @@ private:
     return std::nullopt;
   }
 
+  const Triangulation& t_;
   View view_;
   Piece_tracer<Triangulation> tracer_;
 };

@@ -41,6 +41,8 @@ struct Cell_boundary {
   std::uint32_t right = 0;
   /// Whether it ends where it begins. Other lines end at junctions or on the border.
   bool is_closed = false;
+  /// Whether the points are those of the input: of a search on the faces under a cover.
+  bool is_on_input = false;
   /// Straight pieces, in order: begin and end, as points of one face.
   std::vector<std::array<Surface_point, 2>> pieces;
 };
@@ -81,15 +83,6 @@ struct Voronoi_cells {
   std::vector<Cell_break> breaks;
 };
 
-namespace internal {
-
-template <class Triangulation>
-Surface_point surface_point(const Triangulation& t, const Path_place& p) {
-  return {halfedge_of_corner(t, p.side), p.weights};
-}
-
-} // namespace internal
-
 /*!
 \brief divides a surface into the cells of the sources of a search: the exact geodesic Voronoi
   diagram, up to a tolerance.
@@ -105,7 +98,10 @@ mean of where they come in, whatever the tolerance.
 Sources may share a cell: a set of them has the points that are nearest to one of the set. Results
 name the cell where they name a source.
 
-\tparam Triangulation a model of `NumberedTriangulation`; of a cover, cells are on the cover
+Cells of a search on the faces under a cover, see `Polyhedral_distance::on_faces()`, have their
+areas there. Boundaries end where more than two faces meet, and at edges of two faces that disagree.
+
+\tparam Triangulation a model of `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param distance the search
 \param cell_of_source index of the cell of each source, from 0
@@ -130,7 +126,7 @@ Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
     throw std::invalid_argument("each source needs the index of its cell; there are " +
                                 std::to_string(distance.number_of_sources()) + " sources, not " +
                                 std::to_string(cell_of_source.size()));
-  const Triangulation& t = distance.triangulation();
+  const auto point = [&](const internal::Path_place& p) { return distance.surface().point(p); };
   const internal::Distance_field& field = distance.field_with_windows();
   const double unit = field.table.unit;
   const double tolerance = internal::value_or<internal::tags::tolerance>(
@@ -141,16 +137,14 @@ Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
   if (!found.is_complete) cells.status = Status::inaccurate;
   for (const double area : found.areas) cells.areas.push_back(area * unit * unit);
   for (const internal::Side_break& b : found.breaks)
-    cells.breaks.push_back(
-        {{internal::halfedge_of_corner(t, b.side), b.parameter}, b.before, b.after});
+    cells.breaks.push_back({{point({b.side, {1, 0, 0}}).halfedge, b.parameter}, b.before, b.after});
   for (const internal::Boundary_junction& j : found.junctions)
-    cells.junctions.push_back({internal::surface_point(t, j.place), j.sources});
+    cells.junctions.push_back({point(j.place), j.sources});
   for (const internal::Boundary_line& line : internal::joined_lines(found)) {
     const internal::Boundary_segment& first = line.segments.front();
-    Cell_boundary boundary{first.left, first.right, line.is_closed, {}};
+    Cell_boundary boundary{first.left, first.right, line.is_closed, distance.is_on_faces(), {}};
     for (const internal::Boundary_segment& s : line.segments)
-      boundary.pieces.push_back(
-          {internal::surface_point(t, s.places[0]), internal::surface_point(t, s.places[1])});
+      boundary.pieces.push_back({point(s.places[0]), point(s.places[1])});
     cells.boundaries.push_back(std::move(boundary));
   }
   return cells;
@@ -181,10 +175,16 @@ Traced_curve trace_boundary(const Triangulation& t, const Cell_boundary& boundar
   internal::Piece_tracer<Triangulation> tracer(t);
   Traced_curve curve;
   double length = 0;
+  const Input& input = t.correspondence().input();
   for (const auto& [p, q] : boundary.pieces) {
-    const auto v = vector_between(view, p, q);
+    const auto v = boundary.is_on_input ? vector_between(input, p, q) : vector_between(view, p, q);
     if (v[0] == 0 && v[1] == 0) continue;
-    if (!tracer.append(p, q, v, curve)) return {Status::not_traceable, {}, {}, 0, {0}};
+    if (boundary.is_on_input) {
+      if (curve.points.empty()) curve.points.push_back(p);
+      curve.faces.push_back(input.face(p.halfedge));
+      curve.points.push_back(q);
+    } else if (!tracer.append(p, q, v, curve))
+      return {Status::not_traceable, {}, {}, 0, {0}};
     length += std::hypot(v[0], v[1]);
   }
   curve.length = std::ldexp(length, -t.metric().scale_exponent());

@@ -148,7 +148,7 @@ private:
   double hidden_angle(std::uint32_t v, std::uint32_t corner) const;
   void add_window(std::uint32_t side, Window w);
   void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
-  void add_behind(const Branch& branch, Window& w, double at_source, double at_target,
+  void add_behind(const Branched_side& branch, Window& w, double at_source, double at_target,
                   double length);
   std::uint32_t crossing(std::uint32_t source, std::uint32_t from, std::uint32_t to);
   void add_first_window(std::uint32_t back, Window w);
@@ -385,9 +385,9 @@ void Window_propagation::add_window(std::uint32_t side, Window w) {
 
 // Where several faces go on, a window goes on into each of them. Those that have crossed the same
 // branches prune each other; paths of others cross in the plane where they do not on the surface.
-void Window_propagation::add_behind(const Branch& branch, Window& w, double at_source,
+void Window_propagation::add_behind(const Branched_side& branch, Window& w, double at_source,
                                     double at_target, double length) {
-  for (const Branch::Side& other : branch.others) {
+  for (const Branched_side::Other& other : branch.others) {
     Window behind = w;
     behind.source = crossing(w.source, branch.side, other.side);
     if (other.is_along) { // seen from its own ends

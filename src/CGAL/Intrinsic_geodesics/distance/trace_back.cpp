@@ -150,7 +150,7 @@ private:
     if (!Crossing::is_one(ray.source)) return false;
     const Crossing& crossing = field_.crossings[ray.source - Crossing::first];
     if (crossing.to != ray.side) return false;
-    for (const Branch::Side& other : table_.branch(ray.side).others)
+    for (const Branched_side::Other& other : table_.branch(ray.side).others)
       if (other.side == crossing.from) is_along = other.is_along;
     back = crossing.from;
     ray.source = crossing.source;

@@ -42,7 +42,7 @@ private:
   // Whether the breaks of the edge are stored with this of its sides.
   bool is_first(std::uint32_t side) const {
     const Face_corner& c = table_.corners[side];
-    return c.origin != Gluing::none && (c.opposite == Gluing::none || side < c.opposite);
+    return c.origin != Gluing::none && (!c.has_one_neighbor() || side < c.opposite);
   }
 
   // Whether all that is seen on a side comes from the sources of one cell.
@@ -60,7 +60,7 @@ private:
   void add_breaks(std::uint32_t side) {
     const Face_corner& c = table_.corners[side];
     constexpr double rounding = 1e-12;
-    const bool is_border = c.opposite == Gluing::none;
+    const bool is_border = !c.has_one_neighbor(); // or several faces go on
     if (!is_border && has_one_label(side)) return;
     const Plane_point from{0, 0}, to{c.length, 0};
     std::vector<Labelled_piece> pieces;
