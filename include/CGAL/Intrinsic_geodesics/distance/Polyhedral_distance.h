@@ -206,9 +206,9 @@ public:
 
   /// returns the number of sources.
   std::uint32_t number_of_sources() const { return sources_.size(); }
-  /// returns the index of the nearest source of a vertex or a `Surface_point`, by the order in which
-  /// sources were given; one of them if several are as near, `Gluing::none` if the search did not
-  /// reach it. \complexity that of `distance()`
+  /// returns the index of the nearest source of a vertex or a `Surface_point`, by the order of
+  /// sources; one of them if several are as near, `Gluing::none` if the search did not reach it.
+  /// \complexity that of `distance()`
   template <internal::Place_on<Triangulation> Place>
   std::uint32_t nearest_source(const Place& p) const {
     std::uint32_t result = Gluing::none;

@@ -264,8 +264,8 @@ double Window_propagation::find_arrival(std::uint32_t v, std::size_t& index) con
   return std::clamp(angle, 0.0, found->angle);
 }
 
-// Windows that pass a vertex on its two sides have images that rounding has moved apart: by units in
-// the last place of the sides around, which this sums up for the fan of a corner.
+// Windows that pass a vertex on its two sides have images that rounding has moved apart: by units
+// in the last place of the sides around, which this sums up for the fan of a corner.
 double Window_propagation::rounding_around(std::uint32_t corner) const {
   double longest = 0, faces = 0;
   const auto add = [&](std::uint32_t c) {

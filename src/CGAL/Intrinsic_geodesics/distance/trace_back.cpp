@@ -145,7 +145,7 @@ private:
     return Step::crossed;
   }
 
-  // Where several faces meet: finds the side that the path has crossed before, and its source there.
+  // Where several faces meet: finds the side that the path crossed before, and its source there.
   bool cross_branch(Ray& ray, std::uint32_t& back, bool& is_along) const {
     if (!Crossing::is_one(ray.source)) return false;
     const Crossing& crossing = field_.crossings[ray.source - Crossing::first];
