@@ -17,13 +17,14 @@ struct thresholds {
   \brief Maximal cost of a proof by images in finite fields that a value is zero: the number of
   triangles that are computed, four images at a time.
 
-  One takes a quarter of a microsecond. A value over n triangles with k independent square roots
-  takes about 10 n 2^k, for coordinates of 53 bits: the limit is at k = 14.
+  One takes half a microsecond. A value over n triangles with k independent square roots takes about
+  12 n 2^k, for coordinates of 53 bits: the limit is at k = 13, 0.9 seconds. Coefficients took as
+  long for k = 4 and 27 seconds for k = 7, where these take 8 milliseconds.
   */
-  static constexpr double image_steps = 0x1p22;
-  /// The same for all proofs of a surface together that cost more than `few_image_steps`, and for
-  /// each of its faces: a few seconds, and as many microseconds as flips take.
-  static constexpr double all_image_steps = 0x1p24, image_steps_of_face = 0x1p6;
+  static constexpr double image_steps = 0x1p21;
+  /// The same for all proofs of a surface together that cost more than `few_image_steps`: two
+  /// seconds, and more for each of its faces, about what flips take.
+  static constexpr double all_image_steps = 0x1p22, image_steps_of_face = 0x1p5;
   /// Cost of a proof that is not counted.
   static constexpr double few_image_steps = 0x1p12;
 
