@@ -17,8 +17,7 @@ triangles exchanges the ends of two opposite sides: then it is an isosceles trap
 
 Ties on curved surfaces that are symmetric by a plane are of this kind, and those on covers, which
 exchange their sheets. Their values may have as many square roots as triangles, too many for other
-proofs. Quadratic in the number of triangles at a corner, times the number of triangles that are
-mapped.
+proofs. Linear in the number of triangles, times that at a corner.
 */
 struct Mirrored_proof {
   /// Its rung.

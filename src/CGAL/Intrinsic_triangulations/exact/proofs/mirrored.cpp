@@ -32,7 +32,7 @@ be symmetric, such as those of sheets of a cover that are glued in another way.
 class Strip_reflection {
 public:
   Strip_reflection(const Input_metric& input, const Unfolded_diamond& diamond)
-      : input_(input), diamond_(diamond) {}
+      : input_(input), diamond_(diamond), steps_left_(64 * diamond.size() + 1024) {}
 
   // whether there is a reflection that exchanges corners i and a, and j and b
   bool exchanges(std::size_t a, std::size_t b) {
@@ -74,6 +74,8 @@ private:
     while (!stack.empty()) {
       const Step s = stack.back();
       stack.pop_back();
+      if (steps_left_ == 0) return false;
+      --steps_left_;
       is_done[s.from] = true;
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t p = diamond_.triangles[s.from].point[k],
@@ -132,6 +134,7 @@ private:
   const Unfolded_diamond& diamond_;
   std::vector<std::uint32_t> image_; // of each point that is mapped
   bool is_reflection_ = false;       // whether the map has a fixed point
+  std::size_t steps_left_; // of all maps: there are many about a corner of equal triangles
 };
 
 } // namespace
