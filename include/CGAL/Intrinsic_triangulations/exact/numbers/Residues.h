@@ -39,7 +39,9 @@ public:
   explicit Residues(const Gmpz& n);
   /// converts a rational number; see `inverse()`.
   explicit Residues(const Gmpq& x)
-      : Residues(Residues(x.numerator()) / Residues(x.denominator())) {}
+      : Residues(x.denominator() == Gmpz(1) ? Residues(x.numerator())
+                                            : Residues(x.numerator()) / Residues(x.denominator())) {
+  }
   /// returns a square root of an integer.
   static Residues sqrt_of(const Gmpz& n);
 

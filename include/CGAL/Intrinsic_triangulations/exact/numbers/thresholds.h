@@ -21,7 +21,7 @@ struct thresholds {
   12 n 2^k, for coordinates of 53 bits: the limit is at k = 13, 0.9 seconds. Coefficients took as
   long for k = 4 and 27 seconds for k = 7, where these take 8 milliseconds.
   */
-  static constexpr double image_steps = 0x1p21;
+  static constexpr double image_steps = 0x1.8p21;
   /// The same for all proofs of a surface together that cost more than `few_image_steps`: two
   /// seconds, and more for each of its faces, about what flips take.
   static constexpr double all_image_steps = 0x1p22, image_steps_of_face = 0x1p5;

@@ -49,8 +49,9 @@ Residues::Residues(double x) {
   exponent -= 53;
   for (std::size_t n = 0; n < count; ++n) {
     const Prime& p = fields().primes[n];
-    const std::uint64_t two = p.reduced(p.one + p.one),
-                        base = exponent < 0 ? p.power(two, p.value - 2) : two;
+    const std::uint64_t base = exponent >= 0       ? p.reduced(p.one + p.one)
+                               : (p.one & 1U) == 0 ? p.one / 2
+                                                   : (p.one + p.value) / 2;
     const std::uint64_t value =
         p.product(p.product(integer, p.square),
                   p.power(base, static_cast<std::uint64_t>(std::abs(exponent))));

@@ -88,6 +88,11 @@ double log2_of(const Gmpz& n) {
   return std::log2(part) + static_cast<double>(exponent);
 }
 double log2_of(const Gmpq& x) { return log2_of(x.numerator()) - log2_of(x.denominator()); }
+Gmpz times_power_of_two(const Gmpz& x, int exponent) {
+  Gmpz result;
+  mpz_mul_2exp(result.mpz(), x.mpz(), static_cast<mp_bitcnt_t>(exponent));
+  return result;
+}
 // of the sum of two numbers
 double log2_of_sum(double x, double y) {
   return x == y ? x + 1 : std::max(x, y) + std::log2(1 + std::exp2(-std::abs(x - y)));
@@ -109,7 +114,7 @@ public:
     for (const Unfolded_diamond::Triangle& t : diamond.triangles) {
       const auto& [l, area] = faces(t.side.face);
       if (l[t.side.slot] == Gmpq(0)) throw std::length_error("a side without length");
-      steps_.push_back({&l, &area, {}, {}});
+      steps_.push_back({&l, &area, {}, {}, {}, {}});
       for (const Gmpq& x : l)
         scale_ = std::max(scale_, static_cast<int>(mpz_scan1(x.denominator().mpz(), 0)));
     }
@@ -150,11 +155,22 @@ public:
   }
   // in new fields
   void prepare(const std::vector<Residues>& roots) {
+    const Residues unit(times_power_of_two(Gmpz(1), scale_));
+    std::vector<Residues> product{Residues(1)}; // of the denominators of w up to each triangle
     for (std::uint32_t n = 0; n < steps_.size(); ++n) {
       Step& s = steps_[n];
-      const Residues first(length(n, 0)), half = (first + first).inverse();
-      s.across = half * (first + Residues(length(n, 2)) - Residues(length(n, 1)));
-      s.up = half * image_of(*s.area, roots);
+      s.first = integer(n, 0);
+      s.denominator = (s.first + s.first) * Residues(s.area->factor.denominator());
+      product.push_back(product.back() * s.denominator);
+    }
+    Residues inverse = product.back().inverse(); // of all of them in one
+    for (std::uint32_t n = static_cast<std::uint32_t>(steps_.size()); n-- > 0;) {
+      Step& s = steps_[n];
+      const Residues reciprocal = inverse * product[n];
+      inverse *= s.denominator;
+      s.up = reciprocal * unit * image_of({s.area->factor.numerator(), s.area->radical}, roots);
+      s.across = reciprocal * Residues(s.area->factor.denominator()) *
+                 (s.first + integer(n, 2) - integer(n, 1));
     }
     unit_ = Residues(length(0, 0));
     z_ = {{Residues(0), Residues(0)}, {Residues(1), Residues(0)}};
@@ -182,12 +198,19 @@ private:
   struct Step {
     const std::array<Gmpq, 3>* squared_lengths;
     const Square_root* area;
-    Residues across, up; // to the apex, where the first side is 1
+    Residues first, denominator; // while fields are new
+    Residues across, up;         // to the apex, where the first side is 1
   };
 
   // of a side of a triangle, from its first one on
   const Gmpq& length(std::uint32_t n, std::uint32_t side) const {
     return (*steps_[n].squared_lengths)[(diamond_.triangles[n].side.slot + side) % 3];
+  }
+  // times 2^s
+  Residues integer(std::uint32_t n, std::uint32_t side) const {
+    const Gmpq& x = length(n, side);
+    const auto twos = static_cast<int>(mpz_scan1(x.denominator().mpz(), 0));
+    return Residues(times_power_of_two(x.numerator(), scale_ - twos));
   }
   template <class FT>
   Diamond_values<FT> values(const Unfolded_diamond::Positions<FT>& z, const FT& unit) const {
