@@ -170,8 +170,8 @@ auto with_triangulation(Surface& s, const Function& function) {
 }
 
 /// returns a surface of glued triangles. \param name what messages call it
-std::shared_ptr<Surface> surface_of(IT::Intrinsic_input input, const std::string& name,
-                                    bool is_exact);
+std::shared_ptr<Surface> surface_of_triangles(IT::Intrinsic_input input, const std::string& name,
+                                              bool is_exact);
 
 /// adds the functions that make surfaces of arrays and files.
 void bind_surface(py::module_& m);

@@ -162,7 +162,7 @@ py::tuple cut_open(Surface& s, const std::optional<Integers>& edges, const py::o
     return IT::cut_to_disks(sheet, edges ? marks_of(sheet.mesh, *edges) : std::vector<char>());
   });
   std::shared_ptr<Surface> result = without_interpreter(
-      watch, [&] { return surface_of(std::move(opened.input), s.name, is_exact); });
+      watch, [&] { return surface_of_triangles(std::move(opened.input), s.name, is_exact); });
   return py::make_tuple(std::move(result), array_of(std::move(opened.original_vertex)));
 }
 

@@ -272,8 +272,8 @@ Surface_ptr restore(const std::string& contents, bool exact, const std::string& 
 
 } // namespace
 
-std::shared_ptr<Surface> surface_of(IT::Intrinsic_input input, const std::string& name,
-                                    bool is_exact) {
+std::shared_ptr<Surface> surface_of_triangles(IT::Intrinsic_input input, const std::string& name,
+                                              bool is_exact) {
   Options options;
   options.input = name;
   program::Mesh_file file;
