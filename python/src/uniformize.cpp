@@ -120,6 +120,7 @@ py::dict dict_of_map(IT::Uniformization found, const std::vector<Point>& points)
   if (found.sphere) result["sphere"] = dict_of_sphere(*found.sphere);
   if (!found.layout) return result;
   result["certificate"] = dict_of(found.layout->certificate);
+  result["certificate"]["without_area"] = found.layout->without_area;
   result["distortion"] = dict_of(found.layout->distortion);
   result["layout"] = dict_of_layout(std::move(*found.layout), points);
   return result;

@@ -41,6 +41,7 @@ Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>&
   json["border_is_simple"] = c.border_is_simple;
   json["flipped_faces"] = c.flipped;
   json["degenerate_faces"] = c.degenerate;
+  json["without_area"] = layout.without_area;
   if (layout.layout.is_hyperbolic) report_disk(layout, json);
   const IT::Common_subdivision& s = layout.layout.subdivision;
   Laid_out result{{s, IT::positions(s, points), IT::fields_of_layout(layout.layout)},

@@ -86,18 +86,31 @@ static std::vector<Angle_interval> deviations(const Conformal_metric& m) {
   return result;
 }
 
-// Changes sides and surpluses as factors of corners are changed by `deviation`.
-static void stretch(const std::array<Angle_interval, 3>& deviation, // at the ends of side k: k, k+1
+// Changes sides and surpluses as factors of corners are changed by `deviation`, of each row. Corners
+// at one row change together: in the tip of a thin cone, where an edge is a loop, hardly anything
+// does.
+static void stretch(const std::array<std::uint32_t, 3>& rows,
+                    const std::vector<Angle_interval>& deviation,
                     std::array<Angle_interval, 3>& sides, std::array<Angle_interval, 3>& surplus) {
-  std::array<Angle_interval, 3> change;
+  std::array<Angle_interval, 3> first, second; // of side k, from corner k to the next one
   for (std::size_t k = 0; k < 3; ++k) {
-    const Angle_interval &a = deviation[k], &b = deviation[(k + 1) % 3];
-    change[k] = sides[k] * (a + b + a * b);
+    const Angle_interval &a = deviation[rows[k]], &b = deviation[rows[(k + 1) % 3]];
+    first[k] = sides[k] * (a + b);
+    second[k] = sides[k] * (a * b);
   }
-  surplus = {surplus[0] + (change[1] + change[2] - change[0]),
-             surplus[1] + (change[2] + change[0] - change[1]),
-             surplus[2] + (change[0] + change[1] - change[2])};
-  for (std::size_t k = 0; k < 3; ++k) sides[k] += change[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<std::size_t, 3> corner{k, (k + 1) % 3, (k + 2) % 3};
+    const Angle_interval &side = sides[k], &next = sides[corner[1]], &last = sides[corner[2]];
+    std::array<Angle_interval, 3> by{last - side, next - side, next + last};
+    for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}})
+      if (rows[corner[i]] == rows[corner[j]]) {
+        by[j] += by[i];
+        by[i] = 0;
+      }
+    for (std::size_t i = 0; i < 3; ++i) surplus[k] += by[i] * deviation[rows[corner[i]]];
+    surplus[k] += second[corner[1]] + second[corner[2]] - second[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) sides[k] += first[k] + second[k];
 }
 
 std::optional<double> proven_residual(const Ideal_surface& surface, const Conformal_metric& metric,
@@ -111,9 +124,8 @@ std::optional<double> proven_residual(const Ideal_surface& surface, const Confor
   std::vector<char> has_faces(angles.size(), 0);
   const double unit = std::ldexp(1., -surface.scale_exponent());
   for (Enclosed_ideal_face f : *faces) {
-    stretch({deviation[rows[f.vertices[0]]], deviation[rows[f.vertices[1]]],
-             deviation[rows[f.vertices[2]]]},
-            f.lambda, f.surplus);
+    stretch({rows[f.vertices[0]], rows[f.vertices[1]], rows[f.vertices[2]]}, deviation, f.lambda,
+            f.surplus);
     std::array<Angle_interval, 3> sides, surplus; // opposite the corners
     for (std::size_t k = 0; k < 3; ++k) {
       sides[k] = f.lambda[(k + 1) % 3] * unit;
