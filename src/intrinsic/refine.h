@@ -21,8 +21,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -60,15 +62,40 @@ struct Odt_progress {
   }
 };
 
+/// refuses edges so short that the default cap on insertions would only end hours of work.
+template <class Triangulation>
+void expect_few_vertices(const Triangulation& t, const Options& options) {
+  long double area = 0;
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    area += t.metric().approximate_quadruple_area(t.index(f)) / 4;
+  // of equilateral faces, two per vertex
+  const double length = std::ldexp(options.odt_length, t.metric().scale_exponent()),
+               vertices = static_cast<double>(area) / length / length / (std::sqrt(3.) / 2),
+               cap = 1e6 + 10 * static_cast<double>(num_faces(t.mesh()));
+  if (vertices > cap)
+    throw IT::Invalid_input(IT::Element_kind::none, 0,
+                            options.input + ": edges of the length " +
+                                Json(options.odt_length).dump() + " need more than " +
+                                std::to_string(static_cast<std::uint64_t>(cap)) +
+                                " vertices; give a longer one, or a cap on insertions");
+}
+
 /// moves inserted vertices, and reports it.
+/// \param inserted how many vertices refinement has inserted before
 template <class Triangulation, class Constrained>
-void optimize(Triangulation& t, const Constrained& constrained, const Options& options, Json& json,
-              Progress& progress) {
+void optimize(Triangulation& t, const Constrained& constrained, const Options& options,
+              std::uint64_t inserted, Json& json, Progress& progress) {
+  std::optional<std::uint64_t> most = options.refinement.maximum_insertions;
+  if (most)
+    *most -= std::min(*most, inserted);
+  else
+    expect_few_vertices(t, options);
   Stopwatch watch;
   Odt_progress visitor{&progress};
   progress.show("moving vertices");
   const auto result = IT::odt_optimize(t, IT::parameters::maximum_edge_length(options.odt_length)
                                               .minimum_angle(options.refinement.minimum_angle)
+                                              .maximum_insertions(most)
                                               .edge_is_constrained_map(constrained)
                                               .visitor(std::ref(visitor)));
   expect_accurate(result.inaccuracy, options);
@@ -86,7 +113,7 @@ void optimize(Triangulation& t, const Constrained& constrained, const Options& o
                  {"unsatisfied_faces", result.unsatisfied_faces}};
 }
 
-/// returns the least angle of the faces that are not in a list, in degrees.
+/// returns the least angle of the faces that are not in a list, in degrees; 180 if all are.
 template <class Triangulation>
 double minimum_angle_without(
     const Triangulation& t,
@@ -150,7 +177,8 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
                     {"removals", counts.removals},
                     {"flips", counts.flips},
                     {"refused", counts.refused},
-                    {"min_angle_deg", minimum_angle_without(t, result.unsatisfied)},
+                    {"min_angle_deg", minimum_angle_without(t, {})},
+                    {"satisfied_min_angle_deg", minimum_angle_without(t, result.unsatisfied)},
                     {"unsatisfied_faces", result.unsatisfied.size()},
                     {"unsatisfied",
                      {{"needle", reasons[0]},
@@ -164,7 +192,8 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
         longest = std::max(longest, visitor.sizes.longest_side(t, f));
       json["refine"]["max_relative_edge_length"] = longest;
     }
-  if (options.odt_length > 0) optimize(t, constrained, options, json, progress);
+  if (options.odt_length > 0)
+    optimize(t, constrained, options, counts.inserted_vertices(), json, progress);
 }
 
 } // namespace program

@@ -260,7 +260,7 @@ void print_summary(std::ostream& stream, const Json& json) {
   if (json.contains("refine")) {
     const Json& refine = json["refine"];
     row("refinement") << refine["insertions"] << " vertices more, angles from "
-                      << refine["min_angle_deg"] << " degrees except in "
+                      << refine["satisfied_min_angle_deg"] << " degrees except in "
                       << refine["unsatisfied_faces"] << " faces; "
                       << refine["status"].get<std::string>() << '\n';
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refusals.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 
@@ -24,9 +25,9 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -65,7 +66,8 @@ seams, see `Sheets`, and maps vertices to vertices: unless seams are crossed, a 
 other vertices as the circumcenter. Seams that make wide angles with each other are segments: splits
 do not lead from one to the next without end (Ruppert). Seams with small angles between them are
 crossed like other edges, since neither belongs to the user's surface. There the distances of copies
-are measured, and a vertex is inserted only where all copies keep theirs.
+are measured, and a vertex is inserted only where all copies keep theirs, or, where no such place is
+found, a fraction of it: see `Refusals`.
 */
 template <class Triangulation, class Visitor>
 class Delaunay_refiner {
@@ -94,7 +96,9 @@ public:
     state_.touched.clear();
     for (const Face f : faces(mesh_)) state_.touched.push_back(f);
     if (split_encroached()) check_touched();
-    while (state_.is_going_on && !state_.queue.empty()) refine(state_.queue.pop());
+    do
+      while (state_.is_going_on && !state_.queue.empty()) refine(state_.queue.pop());
+    while (queue_refused());
     if (!state_.is_going_on) flip_over_seams();
     list_unsatisfied();
     return std::move(state_.result);
@@ -140,7 +144,7 @@ private:
       const std::uint32_t i = t_.index(f);
       if (!state_.queue.begin_check(i)) continue; // seen
       if (!state_.is_going_on || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
-      if (state(f) == Face_state::bad && refused_.count(corners(f)) == 0)
+      if (state(f) == Face_state::bad && refusals_.count(corners(f)) == 0)
         state_.queue.push(i, priority(f));
       else
         state_.queue.remove(i);
@@ -157,9 +161,18 @@ private:
         refine(f, view_) || (state_.touched.empty() && refine(f, Accurate_view<Triangulation>(t_)));
     if (!is_done) {
       ++state_.result.counts.refused;
-      refused_.insert(face);
+      refusals_.add(face);
     }
     if (split_encroached()) check_touched();
+  }
+
+  // On a cover, queues faces again whose vertices were refused. Whether there are any.
+  bool queue_refused() {
+    if (!state_.is_going_on || !moves_.has_copies()) return false;
+    for (const Face f : faces(mesh_))
+      if (refusals_.is_worth_trying(corners(f)) && state(f) == Face_state::bad)
+        state_.queue.push(t_.index(f), priority(f));
+    return !state_.queue.empty();
   }
 
   // whether there was a circumcenter, by the values of a view, and a vertex was inserted; if not,
@@ -182,20 +195,24 @@ private:
   bool insert_near(const Face_values<double>& v, std::uint32_t h, const Surface_point& center,
                    const Complex& view) {
     const auto is_kept = [this](std::uint32_t g) { return moves_.segments().is_segment(g / 2); };
-    const double least = least_distance(v, test_.is_thin(v)),
+    const std::array<std::uint32_t, 3> bad = corners(face(descriptor(h), mesh_));
+    const int halvings = refusals_.halvings(bad);
+    const double least = std::ldexp(least_distance(v, test_.is_thin(v)), -2 * refusals_.count(bad)),
                  radius = std::sqrt(squared_circumradius(v)),
                  offset = std::min(radius / 2, radius - std::sqrt(least));
     Insertion found = Insertion::not_here;
+    std::vector<std::uint32_t> all; // the vertex and its copies
     for (const double wanted : {std::max(least, radius * radius / 4), least}) {
-      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted);
+      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted, all);
       for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
         const double angle = k * 2 * std::numbers::pi / number_of_tries;
         const Located_circumcenter c = locate_circumcenter(
             view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
         if (c.kind == Located_circumcenter::Kind::point)
-          found = moves_.insert(c.point, least, wanted);
+          found = moves_.insert(c.point, least, wanted, all);
       }
     }
+    if (found == Insertion::done) refusals_.inherit(all, halvings);
     return found == Insertion::done;
   }
 
@@ -212,7 +229,7 @@ private:
       ++state_.result.counts.refused;
       return;
     }
-    refused_.clear(); // vertices near it are removed
+    refusals_.forget(); // vertices near it are removed
     const std::uint32_t i = t_.index(f);
     // before the split: changed edges are checked again, removed ones dropped
     state_.queue.push(i, priority(f));
@@ -283,9 +300,7 @@ private:
   Refinement_state<Triangulation> state_;
   Moves moves_;
   Refinement_test test_;
-  // Faces by their corners, in order: an insertion at the circumcenter was refused, and would be
-  // again.
-  std::set<std::array<std::uint32_t, 3>> refused_;
+  Refusals refusals_;
   Visitor& visitor_;
   Proof_watch watch_{[this] { return visitor_.progress(state_.result.counts); }};
   Refinement_order order_;

@@ -78,6 +78,8 @@ public:
         flipper_(t, session_), is_conforming_(is_conforming) {}
 
   Session& session() { return session_; }
+  // whether vertices have copies on a cover
+  bool has_copies() const { return copies_.exist(); }
   Constrained_segments& segments() { return segments_; }
 
   // \param is_kept which edges, by number, are constrained; empty: none
@@ -110,7 +112,9 @@ public:
 
   // Inserts a vertex and its copies if they keep the least distance, squared, from others.
   // \param wanted the distance of copies, if known before their insertion
-  Insertion insert(const Surface_point& p, double least, double wanted) {
+  // \param all becomes the vertex and its copies
+  Insertion insert(const Surface_point& p, double least, double wanted,
+                   std::vector<std::uint32_t>& all) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
@@ -119,7 +123,7 @@ public:
         session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
     start_from(n.vertex);
-    std::vector<std::uint32_t> all{t_.index(n.vertex)};
+    all = {t_.index(n.vertex)};
     if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
           return keeps_distance(t_, t_.numbers().vertex_at(v), least);
         })))
