@@ -347,10 +347,53 @@ def logarithm(method, *ks):
     def measure(x):
         found = []
         for k in ks:
-            z = complexes(x.rows(x.s.log_map(spot(x, k), method=method))) / x.scale
-            found += [abs(z), *up_to_turns(z, place(x.name, 3), x.name in ORIENTED)]
+            p = spot(x, k)
+            z = complexes(x.rows(x.s.log_map(p, method=method))) / x.scale
+            found.append(abs(z))
+            if has_plane(x, place(x.name, k)):
+                if isinstance(p, it.Point) and max(p.barycentric) == 1:
+                    z = as_at_vertex(x, p, z)
+                found += up_to_turns(z, place(x.name, 3), x.name in ORIENTED)
         return found
     return measure
+
+
+def has_plane(x, p):
+    """Whether directions at a place fit into one plane: not at the vertices of soups, nor if angles
+    sum to more than a full turn, where those at corners do not tell all directions apart."""
+    if x.name in ("soup", "book"):
+        return False
+    return isinstance(p, dict) or x.F is None or angle_and_border(x, x.vertex[p])[0] < 2 * np.pi
+
+
+def angle_and_border(x, v):
+    """The sum of the angles at a vertex, and whether it is on the border."""
+    total, ends = 0.0, []
+    for f in x.F[(x.F == v).any(axis=1)]:
+        _, a, b = np.roll(f, -np.argmax(f == v))
+        total += np.angle(between(x.V[a] - x.V[v], x.V[b] - x.V[v]))
+        ends += [a, b]
+    return total, len(set(ends)) > len(ends) // 2
+
+
+def as_at_vertex(x, p, z):
+    """Vectors at a corner of a face in polar coordinates of the vertex, but for a turn: angles from
+    the middle of the corner are those on the surface, and here they are scaled."""
+    k = int(np.argmax(p.barycentric))
+    corners = x.V[np.roll(x.F[p.face], -k)]
+    first = x.V[x.F[p.face][1]] - x.V[x.F[p.face][0]]
+    a, b = corners[1] - corners[0], corners[2] - corners[0]
+    middle = a / np.linalg.norm(a) + b / np.linalg.norm(b)
+    turn = between(first, middle)
+    if np.cross(first, middle) @ np.cross(a, b) < 0:
+        turn = turn.conjugate()
+    total, is_on_border = angle_and_border(x, x.F[p.face][k])
+    return abs(z) * np.exp(1j * np.angle(z / turn) * (np.pi if is_on_border else 2 * np.pi) / total)
+
+
+def between(a, b):
+    """A complex number at the angle between two vectors."""
+    return complex(a @ b, np.linalg.norm(np.cross(a, b)))
 
 
 def transport(x):
