@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 
 #include <pybind11/stl.h>
 
@@ -167,9 +168,11 @@ void add_pieces(const T& t, const IT::Traced_curve& curve,
                 std::vector<IT::Polyline_source>& pieces) {
   const IT::Input& input = t.input();
   for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    const auto p = IT::internal::seen_in_face(input, curve.points[i], curve.faces[i]);
-    const auto q = IT::seen_from(
-        input, IT::internal::seen_in_face(input, curve.points[i + 1], curve.faces[i]), p.halfedge);
+    const auto in_face = [&](std::size_t k) {
+      return IT::internal::within_rounding(
+          input, IT::internal::seen_in_face(input, curve.points[k], curve.faces[i]));
+    };
+    const auto p = in_face(i), q = IT::seen_from(input, in_face(i + 1), p.halfedge);
     const IT::Geodesic_face face(input, p.halfedge);
     const auto along = face.position(q.weights) - face.position(p.weights);
     const double length = std::ldexp(std::hypot(along[0], along[1]), -input.scale_exponent());

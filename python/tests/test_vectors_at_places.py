@@ -188,18 +188,15 @@ class Places(unittest.TestCase):
                     f = int(random.integers(len(F)))
                     on_edge = np.array([random.uniform(0.2, 0.8), 0, 0])
                     on_edge[1] = 1 - on_edge[0]
-                    for w, near in ((on_edge, slice(None)), (np.array([1.0, 0, 0]), None)):
+                    for w in on_edge, np.array([1.0, 0, 0]):
                         there = s.log_map(it.Point(f, tuple(w)), method=method)
                         d = w + 1e-13 * (np.ones(3) / 3 - w)
                         beside = s.log_map(it.Point(f, tuple(d)), method=method)
+                        # squares of lengths are continuous; directions are torn behind a vertex
                         np.testing.assert_allclose(np.hypot(*beside.T), np.hypot(*there.T),
-                                                   atol=1e-9)
-                        if near is None:  # directions are torn behind a vertex
-                            angle = np.angle(there @ [1, 1j] / (
-                                s.log_map(it.Point(f, (1 / 3, 1 / 3, 1 / 3))) @ [1, 1j]))
-                            near = np.abs(angle) < 1
-                            near = [k for k in range(len(V)) if k in F[f]]
-                        np.testing.assert_allclose(beside[near], there[near], atol=1e-9)
+                                                   atol=1e-6)
+                        near = slice(None) if w is on_edge else F[f][1:]
+                        np.testing.assert_allclose(beside[near], there[near], atol=1e-6)
 
     def test_logarithms_of_points_in_the_plane_are_as_accurate_as_those_of_vertices(self):
         random = np.random.default_rng(SEED + 7)
@@ -208,19 +205,18 @@ class Places(unittest.TestCase):
         V = V + inside[:, None] * random.uniform(-0.25, 0.25, V.shape) * [1, 1, 0]
         s = it.Surface(V, F)
 
-        def error(p, place):
-            found = np.hypot(*s.log_map(p, method="polar").T)
-            return np.abs(found - np.linalg.norm(V - place, axis=1)).mean() / 8
+        def error(p, place, method):
+            found = np.hypot(*s.log_map(p, method=method).T)
+            return np.abs(found - np.linalg.norm(V - place, axis=1))
 
-        of_vertices = np.mean([error(v, V[v]) for v in (30, 31, 39, 40, 41, 49)])
-        of_points = []
-        for f in random.choice(len(F), 6, replace=False):
+        of_corners, of_points = [], []
+        for f in random.choice(len(F), 12, replace=False):
             w = random.dirichlet([1, 1, 1])
-            of_points.append(error(it.Point(int(f), tuple(w)), w @ V[F[f]]))
-            exact = s.log_map(it.Point(int(f), tuple(w)), method="affine")
-            lengths = np.linalg.norm(V - w @ V[F[f]], axis=1)
-            np.testing.assert_allclose(np.hypot(*exact.T), lengths, atol=1e-9)
-        self.assertLess(np.mean(of_points), 2 * of_vertices)
+            p, place = it.Point(int(f), tuple(w)), w @ V[F[f]]
+            of_points.append(error(p, place, "polar").mean())
+            of_corners.append(w @ [error(v, V[v], "polar").mean() for v in F[f]])
+            self.assertLess(error(p, place, "affine").max(), 1e-7)
+        self.assertLess(np.mean(of_points), 1.3 * np.mean(of_corners))
 
     def test_sides_of_a_face_have_their_directions_at_its_corners(self):
         random = np.random.default_rng(SEED + 8)
@@ -330,8 +326,8 @@ class Borders(unittest.TestCase):
             curve = s.trace(v, vector, 1.0)
             self.assertEqual((curve.status, curve.length), ("border", 0))
             np.testing.assert_allclose(curve.points[-1], s.points[v], atol=1e-12)
-            inside = s.trace(v, -vector, 0.01)
-            self.assertEqual(inside.status, "done")
+            middle = s.points[12] - s.points[v]  # of the square
+            self.assertEqual(s.trace(v, middle, 0.01).status, "done")
 
 
 class Faces_without_area(unittest.TestCase):

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
@@ -146,32 +146,9 @@ private:
     }
   }
 
-  // A point within rounding of a corner or a side, at it.
   Surface_point rounded(const Surface_point& p) const {
     if (is_border(t_.numbers().halfedge_at(p.halfedge))) return p;
-    const Intrinsic_view<Triangulation> view(t_);
-    const Geodesic_face face(view, p.halfedge);
-    const double area = view.quadruple_area(view.face(p.halfedge)),
-                 tolerance = 0x1p-40 * *std::ranges::max_element(face.length);
-    double nearest = tolerance;
-    Surface_point result = p;
-    for (unsigned k = 0; k < 3; ++k) {
-      const Plane_vector<double> to_corner = face.to_corner(p.weights, k);
-      if (std::hypot(to_corner[0], to_corner[1]) <= tolerance) {
-        result.weights = {0, 0, 0};
-        result.weights[k] = 1;
-        return result;
-      }
-      const unsigned last = (k + 1) % 3, apex = (k + 2) % 3;
-      const double length = face.length[k], away = p.weights[apex] * area / (2 * length);
-      if (!(away < nearest)) continue; // also if it is on another side
-      nearest = away;
-      const double x = std::clamp(-dot(to_corner, face.edge[k]) / (length * length), 0., 1.);
-      result.weights[k] = 1 - x;
-      result.weights[last] = x;
-      result.weights[apex] = 0;
-    }
-    return std::ranges::count(p.weights, 0.) > 0 ? p : result;
+    return within_rounding(Intrinsic_view<Triangulation>(t_), p);
   }
 
   void add_segment(const Surface_point& p, const Surface_point& q) {

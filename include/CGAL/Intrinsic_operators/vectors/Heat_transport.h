@@ -49,20 +49,12 @@ struct Vector_sources {
   bool has_different = false;   // lengths
 };
 
-// A vertex near the source of a logarithmic map.
-struct Vertex_near_source {
-  std::uint32_t vertex;
-  double weight;   // of the source; those of all sum to 1
-  double distance; // of the source
-};
-
-// Makes logarithms at least as long as the mean of bounds from vertices near the source: chords in
-// space, less the distance of the source. A logarithm without direction becomes unknown.
-// \param at positions of vertices, possibly unknown
-// \param unit that of positions, in the unit of all other lengths
-void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
-                        const std::vector<Vertex_near_source>& near, double unit,
-                        std::vector<std::complex<double>>& log);
+// Makes the logarithms of a vertex at least as long as chords in space; a logarithm without
+// direction becomes unknown.
+// \param at positions of vertices, possibly unknown \param unit that of positions, in the unit of
+// the logarithms
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at, std::size_t source,
+                        double unit, std::vector<std::complex<double>>& log);
 
 // Diffuses functions and tangent vectors for a short time, by the numbers of a graph, in scaled
 // units. Each matrix is factored once, when it is first needed.

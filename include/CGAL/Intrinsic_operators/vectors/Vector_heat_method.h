@@ -18,6 +18,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -219,14 +220,14 @@ public:
       return Intrinsic_triangulations::logarithmic_map(triangulation(), v);
     const std::uint32_t i = number(v);
     std::vector<Complex> result = logarithm(i, method);
-    lengthen_to_chords({{i, 1, 0}}, result);
     for (Complex& z : result) z = frames_.to_field(i, z);
     return result;
   }
 
   /*!
   \brief finds the logarithmic map of a point; see above. By heat, it is interpolated in the face
-  between those of its corners: lengths, and directions.
+  between those of its corners: in the plane, the mean of squared distances from corners is greater
+  than the squared distance by that of their own.
   \return vectors in the frame of `p.halfedge`; at a vertex, angles from the sides of its face are
     those on the surface
   */
@@ -234,22 +235,22 @@ public:
                                        Logarithm_method method = Logarithm_method::exact) const {
     if (method == Logarithm_method::exact)
       return Intrinsic_triangulations::logarithmic_map(triangulation(), p);
-    std::vector<Complex> result(heat_.graph().size, 0); // sums, of lengths and of vectors
-    std::vector<double> length(result.size(), 0);
-    std::vector<internal::Vertex_near_source> near;
+    std::vector<Complex> result(heat_.graph().size, 0);   // the mean vectors
+    std::vector<double> squared_length(result.size(), 0); // in scaled units
     for (const auto& c : frames_.corners(p)) {
-      const Complex offset = unit() * c.offset;
-      near.push_back({c.vertex, c.weight, std::abs(offset)});
       const std::vector<Complex> log = logarithm(c.vertex, method);
       for (std::size_t i = 0; i < result.size(); ++i) {
-        const Complex z = offset + c.from_here(log[i]);
-        result[i] += c.weight * z;
-        length[i] += c.weight * std::abs(z);
+        const Complex z = log[i] / unit();
+        result[i] += c.weight * (c.offset + c.from_here(z));
+        squared_length[i] += c.weight * (std::norm(z) - std::norm(c.offset));
       }
     }
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i] = length[i] * internal::unit_vector(result[i]);
-    lengthen_to_chords(near, result);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const Complex direction = internal::unit_vector(result[i]);
+      const bool is_known = direction != 0. || squared_length[i] <= 0;
+      result[i] = is_known ? unit() * std::sqrt(std::max(0., squared_length[i])) * direction
+                           : internal::unknown_vector;
+    }
     return result;
   }
 
@@ -313,18 +314,18 @@ private:
     std::vector<Complex> result(heat_.graph().size);
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] = unit() * z[static_cast<Eigen::Index>(i)];
+    lengthen_to_chords(source, result);
     return result;
   }
 
   // Where positions are known, no path is shorter than the way in space.
-  void lengthen_to_chords(const std::vector<internal::Vertex_near_source>& near,
-                          std::vector<Complex>& log) const {
+  void lengthen_to_chords(std::uint32_t source, std::vector<Complex>& log) const {
     const auto rows = internal::positions_of_rows(triangulation());
     if (rows.empty()) return;
     std::vector<std::array<double, 3>> at(log.size());
     for (const vertex_descriptor v : vertices(triangulation().mesh()))
       at[frames_.number(v)] = rows[triangulation().input_vertex(v)];
-    internal::lengthen_to_chords(at, near, unit(), log);
+    internal::lengthen_to_chords(at, source, unit(), log);
   }
 
   internal::Point_frames<Triangulation> frames_;

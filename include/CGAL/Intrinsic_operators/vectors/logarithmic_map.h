@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
@@ -37,25 +39,6 @@ enum class Logarithm_method {
   /// radial field (Sharp et al. 2019)
   polar
 };
-
-/*!
-\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the
-face that it points into. A vector that points out of the surface is in the frame of the first face,
-and points out of it.
-\tparam Triangulation a model of `NumberedTriangulation`
-\param t the triangulation
-\param v the vertex, which is not isolated
-\param z the vector
-\complexity linear in the degree
-*/
-template <NumberedTriangulation Triangulation>
-Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::vertex_descriptor v,
-                              const std::complex<double>& z) {
-  const Intrinsic_view<Triangulation> view(t);
-  const std::uint32_t first = view.outgoing_halfedge(t.index(v));
-  const Fan_angle fan = measure_fan(view, first, [](std::uint32_t, double) {});
-  return internal::vector_at_source(view, first, internal::polar_scale(fan), z);
-}
 
 /*!
 \brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the
@@ -118,6 +101,22 @@ std::vector<std::complex<double>> logarithms_at_copy(const Point_frames<Triangul
   });
 }
 
+// Takes vectors at other copies of a vertex to its coordinates, if it has the other side of the
+// face of the vector; others stay as they are.
+template <class Triangulation>
+auto vectors_at_copy(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  using Vertex = typename Triangulation::vertex_descriptor;
+  if constexpr (QueriedTriangulation<Triangulation>)
+    return [v, sheets = Vectors_on_sheets<Triangulation>(t)](Vertex other,
+                                                             std::complex<double> z) mutable {
+      for (const auto& [w, x] : sheets(other, z))
+        if (w == v) return x;
+      return z;
+    };
+  else
+    return [](Vertex, std::complex<double> z) { return z; };
+}
+
 } // namespace internal
 
 /*!
@@ -128,9 +127,10 @@ Lengths and directions are those of `Polyhedral_distance`, so the result does no
 triangulation of the surface. In the plane it is the displacement. Shortest paths bend only at
 vertices with more than a full turn of angle: all vertices behind such a vertex have its direction.
 
-On a cover, paths leave the copy `v`, as long as another copy does not have a shorter path: on the
-surface of a soup, faces at a vertex may be about other copies of it only. Vectors along such paths
-are as long as the paths, in the coordinates of the copy that they leave.
+On a cover, paths leave the copy `v`, as long as another copy does not have a shorter path. A vector
+along such a path is that on the other side of its face, if this is about `v`; else it is in the
+coordinates of the copy that the path leaves. (On the surface of a soup, some faces at a vertex may
+be about other copies of it on both sides.)
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, which is not isolated
@@ -156,13 +156,15 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
   std::vector<std::complex<double>> result = internal::logarithms_at_copy(frames, v, np);
   constexpr double shorter = 1 - 1e-10; // by more than rounding
   if (t.input().names().sheets == 1) return result;
+  auto at_copy = internal::vectors_at_copy(t, v);
   for (const auto other : vertices(t.mesh())) {
     if (other == v || t.input_vertex(other) != t.input_vertex(v) || frames.is_isolated(other))
       continue;
     const std::vector<std::complex<double>> found = internal::logarithms_at_copy(frames, other, np);
     for (std::size_t i = 0; i < result.size(); ++i)
-      if (!internal::is_known(result[i]) || std::abs(found[i]) < shorter * std::abs(result[i]))
-        result[i] = found[i];
+      if (std::abs(found[i]) < shorter * std::abs(result[i]) ||
+          (internal::is_known(found[i]) && !internal::is_known(result[i])))
+        result[i] = at_copy(other, found[i]);
   }
   return result;
 }

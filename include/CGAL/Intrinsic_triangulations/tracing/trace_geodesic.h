@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ straightest, with equal angles on both sides. It stops at the border, also at bo
 
 **Vertices.** A line hits a vertex if it leaves a face so close to it that rounding may have decided
 the side (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the side).
-On a flat vertex this changes nothing beyond rounding.
+On a flat vertex this changes nothing beyond rounding. A line that starts within rounding of a
+vertex starts there: it would seem to hit it sideways.
 */
 
 namespace CGAL::Intrinsic_triangulations {
@@ -107,7 +109,8 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Plane_vector<double>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
                             const Trace_options& options = {}) {
-  return finish_walk(complex, Geodesic_walk<Complex>(complex, start, direction), length, options,
+  const Surface_point from = options.snaps_to_vertices ? within_rounding(complex, start) : start;
+  return finish_walk(complex, Geodesic_walk<Complex>(complex, from, direction), length, options,
                      crossings);
 }
 

@@ -237,17 +237,14 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(Eigen::Index source) const {
   return result;
 }
 
-void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
-                        const std::vector<Vertex_near_source>& near, double unit,
-                        std::vector<std::complex<double>>& log) {
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at, std::size_t source,
+                        double unit, std::vector<std::complex<double>>& log) {
+  const auto& q = at[source];
   for (std::size_t i = 0; i < log.size(); ++i) {
-    double bound = 0;
-    for (const Vertex_near_source& s : near) {
-      const auto &p = at[i], &q = at[s.vertex];
-      bound += s.weight * (unit * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) - s.distance);
-    }
-    if (std::abs(log[i]) < bound) log[i] = bound * unit_vector(log[i]);
-    if (log[i] == 0. && bound > 0) log[i] = unknown_vector;
+    const auto& p = at[i];
+    const double chord = unit * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    if (std::abs(log[i]) < chord) log[i] = chord * unit_vector(log[i]);
+    if (log[i] == 0. && chord > 0) log[i] = unknown_vector;
   }
 }
 

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -83,7 +82,7 @@ std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size
   std::vector<Complex> result(size());
   for (std::size_t j = 0; j < size(); ++j)
     result[j] = std::ldexp(1., exponent_) * z[static_cast<Eigen::Index>(j)];
-  internal::lengthen_to_chords(points_, {{static_cast<std::uint32_t>(i), 1, 0}}, 1, result);
+  internal::lengthen_to_chords(points_, i, 1, result);
   return result;
 }
 

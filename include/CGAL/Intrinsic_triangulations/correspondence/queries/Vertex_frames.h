@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -134,6 +135,25 @@ intrinsic_frames(const Triangulation& t, const Intrinsic_view<Triangulation>& vi
 }
 
 } // namespace internal
+
+/*!
+\brief takes a vector from the polar coordinates of a vertex, those of a `Tangent_field`, to the
+face that it points into. A vector that points out of the surface is in the frame of the first face,
+and points out of it.
+\tparam Triangulation a model of `NumberedTriangulation`
+\param t the triangulation
+\param v the vertex, which is not isolated
+\param z the vector
+\complexity linear in the degree
+*/
+template <NumberedTriangulation Triangulation>
+Tangent_vector tangent_vector(const Triangulation& t, typename Triangulation::vertex_descriptor v,
+                              const std::complex<double>& z) {
+  const Intrinsic_view<Triangulation> view(t);
+  const std::uint32_t first = view.outgoing_halfedge(t.index(v));
+  const Fan_angle fan = measure_fan(view, first, [](std::uint32_t, double) {});
+  return internal::vector_at_source(view, first, internal::polar_scale(fan), z);
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACING_WITHIN_ROUNDING_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_WITHIN_ROUNDING_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A point within rounding of a corner or a side of its face, at it: up to 2^-40 of the longest side.
+// \pre the halfedge of the point has a face
+template <NumberedComplex Complex>
+Surface_point within_rounding(const Complex& complex, const Surface_point& p) {
+  const Geodesic_face face(complex, p.halfedge);
+  const double area = complex.quadruple_area(complex.face(p.halfedge)),
+               tolerance = 0x1p-40 * *std::ranges::max_element(face.length);
+  double nearest = tolerance;
+  Surface_point result = p;
+  for (unsigned k = 0; k < 3; ++k) {
+    const Plane_vector<double> to_corner = face.to_corner(p.weights, k);
+    if (std::hypot(to_corner[0], to_corner[1]) <= tolerance) {
+      result.weights = {0, 0, 0};
+      result.weights[k] = 1;
+      return result;
+    }
+    const unsigned last = (k + 1) % 3, apex = (k + 2) % 3;
+    const double length = face.length[k], away = p.weights[apex] * area / (2 * length);
+    if (!(away < nearest)) continue;
+    nearest = away;
+    const double x = std::clamp(-dot(to_corner, face.edge[k]) / (length * length), 0., 1.);
+    result.weights[k] = 1 - x;
+    result.weights[last] = x;
+    result.weights[apex] = 0;
+  }
+  return std::ranges::count(p.weights, 0.) > 0 ? p : result; // it may be on a side exactly
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRACING_WITHIN_ROUNDING_H
