@@ -79,7 +79,8 @@ private:
   std::uint32_t size_ = 0;
 };
 
-/// A source behind a branch: windows that cross the same branches belong together.
+/// A source behind an edge of more than two faces: windows that cross the same ones belong
+/// together.
 struct Crossing {
   std::uint32_t source; ///< number of the source before
   std::uint32_t root;   ///< the vertex, or the source in a face

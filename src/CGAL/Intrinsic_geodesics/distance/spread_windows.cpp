@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_geodesics/distance/Changing_values.h>
+#include <CGAL/Intrinsic_geodesics/distance/Crossed_windows.h>
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window_queue.h>
@@ -10,13 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -63,15 +62,6 @@ comparisons.
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The nearest window of a side that shows the far corner. Not in an anonymous namespace: g++ warns
-// of classes with such members.
-struct Split {
-  double distance = std::numeric_limits<double>::infinity();
-  double crossing =
-      std::numeric_limits<double>::infinity(); // of its line to the corner and the side
-  bool operator==(const Split&) const = default;
-};
-
 struct Propagation_memory::Arrays {
   explicit Arrays(const Distance_field& field)
       : queue(field.table.corners.size()), split(field.table.corners.size()),
@@ -79,10 +69,7 @@ struct Propagation_memory::Arrays {
 
   Window_queue queue;
   Changing_values<Split> split; // per side
-  // behind branches: per side and crossing
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Split> split_behind;
-  // the numbers of crossings
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> crossings;
+  Crossed_windows crossed;
   Changing_values<char> is_final; // per vertex
 };
 
@@ -95,8 +82,7 @@ Propagation_memory::Arrays& Propagation_memory::cleared(const Distance_field& fi
   if (!arrays_) arrays_ = std::make_unique<Arrays>(field);
   arrays_->queue.clear();
   arrays_->split.reset();
-  arrays_->split_behind.clear();
-  arrays_->crossings.clear();
+  arrays_->crossed.clear();
   arrays_->is_final.reset();
   return *arrays_;
 }
@@ -150,7 +136,6 @@ private:
   void add_window(std::uint32_t side, Window& w, double at_source, double at_target, double length);
   void add_behind(const Branched_side& branch, Window& w, double at_source, double at_target,
                   double length);
-  std::uint32_t crossing(std::uint32_t source, std::uint32_t from, std::uint32_t to);
   void add_first_window(std::uint32_t back, Window w);
   void part_at_sources(std::uint32_t side, Window& w);
   void look_through(std::uint32_t side);
@@ -166,9 +151,9 @@ private:
   Distance_field& field_;
   const Corner_table& table_;
   Window_queue& queue_;
-  Propagation_memory::Arrays& memory_;
   Changing_values<Split>& split_;
   Changing_values<char>& is_final_;
+  Crossed_windows& crossed_;
   std::vector<Wedge> fan_;  // of the vertex that is dealt with
   std::vector<View> views_; // of the side that is dealt with
   double radius_ = std::numeric_limits<double>::infinity();
@@ -177,8 +162,8 @@ private:
 };
 
 Window_propagation::Window_propagation(Distance_field& field, Propagation_memory::Arrays& memory)
-    : field_(field), table_(field.table), queue_(memory.queue), memory_(memory),
-      split_(memory.split), is_final_(memory.is_final) {}
+    : field_(field), table_(field.table), queue_(memory.queue), split_(memory.split),
+      is_final_(memory.is_final), crossed_(memory.crossed) {}
 
 void Window_propagation::add_source(const Places::Numbered<std::uint32_t>& v) {
   reach(v.place, 0, {{0, 0}, Gluing::none, v.place, Arrival::Kind::at_source, v.index});
@@ -383,13 +368,13 @@ void Window_propagation::add_window(std::uint32_t side, Window w) {
                c.length);
 }
 
-// Where several faces go on, a window goes on into each of them. Those that have crossed the same
-// branches prune each other; paths of others cross in the plane where they do not on the surface.
+// Where several faces go on, a window goes on into each of them.
 void Window_propagation::add_behind(const Branched_side& branch, Window& w, double at_source,
                                     double at_target, double length) {
   for (const Branched_side::Other& other : branch.others) {
     Window behind = w;
-    behind.source = crossing(w.source, branch.side, other.side);
+    if (branch.others.size() > 1)
+      behind.source = crossed_.crossing(field_, w.source, branch.side, other.side);
     if (other.is_along) { // seen from its own ends
       behind.begin = length - w.end;
       behind.end = length - w.begin;
@@ -399,15 +384,6 @@ void Window_propagation::add_behind(const Branched_side& branch, Window& w, doub
       add_window(other.side, behind, at_source, at_target, length);
     }
   }
-}
-
-// The number of a crossing, which comes into being if it is not there yet.
-std::uint32_t Window_propagation::crossing(std::uint32_t source, std::uint32_t from,
-                                           std::uint32_t to) {
-  const auto next = static_cast<std::uint32_t>(Crossing::first + field_.crossings.size());
-  const auto [place, is_new] = memory_.crossings.try_emplace({source, from, to}, next);
-  if (is_new) field_.crossings.push_back({source, field_.root(source), from, to});
-  return place->second;
 }
 
 // The ends of the side, which has a length, have distances. It may be the number of a branch.
@@ -485,10 +461,10 @@ void Window_propagation::look_through(std::uint32_t side, const Window_face& fac
                                       std::span<const View> views) {
   if (views.empty()) return;
   const std::uint32_t crossed = table_.branches.empty() ? 0 : crossing_of(views.front());
-  Split split = crossed == 0 ? split_[side] : memory_.split_behind[{side, crossed}];
+  Split split = crossed == 0 ? split_[side] : crossed_.split(side, crossed);
   const View* nearest = show_apex(side, face, views, split);
   if (nearest != nullptr && crossed == 0) split_.set(side, split);
-  if (nearest != nullptr && crossed != 0) memory_.split_behind[{side, crossed}] = split;
+  if (nearest != nullptr && crossed != 0) crossed_.split(side, crossed) = split;
   const Corner_distances distances{field_.vertices[face.base.origin].distance,
                                    field_.vertices[face.right.origin].distance,
                                    field_.vertices[face.left.origin].distance};
@@ -509,6 +485,10 @@ void Window_propagation::collect_views(std::uint32_t side, const Window_face& fa
     const Window& w = queue_.window(i);
     const Squared_rays rays(w);
     if (rays.are_useless(w, at_source, at_target, face.base.length)) {
+      queue_.free(i);
+      continue;
+    }
+    if (Crossing::is_one(w.source) && crossed_.is_covered(field_, side, w, face.base.length)) {
       queue_.free(i);
       continue;
     }

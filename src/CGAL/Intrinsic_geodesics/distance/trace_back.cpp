@@ -147,13 +147,17 @@ private:
 
   // Where several faces meet: finds the side that the path crossed before, and its source there.
   bool cross_branch(Ray& ray, std::uint32_t& back, bool& is_along) const {
-    if (!Crossing::is_one(ray.source)) return false;
-    const Crossing& crossing = field_.crossings[ray.source - Crossing::first];
-    if (crossing.to != ray.side) return false;
-    for (const Branched_side::Other& other : table_.branch(ray.side).others)
-      if (other.side == crossing.from) is_along = other.is_along;
-    back = crossing.from;
-    ray.source = crossing.source;
+    const std::vector<Branched_side::Other>& others = table_.branch(ray.side).others;
+    auto other = others.begin();
+    if (others.size() > 1) {
+      if (!Crossing::is_one(ray.source)) return false;
+      const Crossing& crossing = field_.crossings[ray.source - Crossing::first];
+      if (crossing.to != ray.side) return false;
+      other = std::ranges::find(others, crossing.from, &Branched_side::Other::side);
+      ray.source = crossing.source;
+    }
+    back = other->side;
+    is_along = other->is_along;
     return true;
   }
 
