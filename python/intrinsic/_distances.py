@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Distances on surfaces. All of them are computed on the Delaunay triangulation."""
+"""Distances on surfaces: on the Delaunay triangulation, exact ones on covers on the faces below."""
 
 import warnings
 from typing import NamedTuple

@@ -162,6 +162,24 @@ class Curved(Random_places):
             r = np.hypot(*s.log_map(7).T) / scale
             np.testing.assert_allclose(r, exact, atol=1e-9)
 
+    def test_distances_move_no_farther_than_their_source(self):
+        random = np.random.default_rng(51)
+        for _ in range(60):
+            V, F = sphere(random, random.integers(5, 12))
+            V = V * 10.0 ** random.uniform(-1, 0, 3)
+            s, f, k = it.Surface(V, F), int(random.integers(len(F))), random.integers(3)
+            w = np.zeros(3)
+            w[[k - 1, k - 2]] = random.uniform(0, 0.5, 2) * 10.0 ** random.integers(-18, 0, 2)
+            w[k] = 1 - w.sum()
+            moved = np.linalg.norm(w @ V[F[f]] - V[F[f][k]])
+            change = np.abs(s.distance(it.Point(f, tuple(w))) - s.distance(int(F[f][k])))
+            self.assertLessEqual(change.max(), moved + 1e-12)
+
+    def test_an_exact_corner_is_a_vertex(self):
+        V = np.array([[-.6, 1.1, .2], [-.4, 0, -.3], [1, 2, -3.3], [-.4, 1, 5.6], [.5, -.6, -1.6]])
+        s = it.Surface(V, [[3, 1, 4], [3, 0, 1], [2, 4, 1], [2, 1, 0], [2, 3, 4], [2, 0, 3]])
+        np.testing.assert_allclose(s.distance(it.Point(5, (0, 1, 0))), s.distance(0), rtol=1e-13)
+
     def test_cones_turn_vectors_by_their_angle(self):
         for height in 0.3, 1, 4:
             V, F = cone(6, 24, height)

@@ -185,6 +185,30 @@ class Arguments(unittest.TestCase):
             self.assertEqual(len(seen), 1)
         np.testing.assert_array_equal(s.distance(0), t.distance(0))  # nothing is spoilt
 
+    def test_pages_of_a_book_unfold(self):
+        random = np.random.default_rng(50)
+        for pages in (3, 4, 5, 6) * 3:
+            r, z = random.uniform(0.3, 2, pages), random.uniform(0.1, 0.9, pages)
+            angle = np.sort(random.uniform(0, 2 * np.pi, pages))
+            V = np.vstack([[[0, 0, 0], [0, 0, 1]], np.column_stack([r * np.cos(angle),
+                                                                    r * np.sin(angle), z])])
+            F = np.array([[i % 2, 1 - i % 2, 2 + i] for i in range(pages)])
+            s = it.Surface(V, F)
+            page, w = random.integers(pages, size=12), random.dirichlet([0.3] * 3, 12)
+            points = [it.Point(int(f), tuple(x)) for f, x in zip(page, w)]
+            x = w[:, 2] * r[page]
+            y = w[:, 2] * z[page] + np.where(page % 2 == 0, w[:, 1], w[:, 0])
+            beyond = np.where(page[:, None] == page, x[:, None] - x, x[:, None] + x)
+            expected = np.hypot(beyond, y[:, None] - y)
+            for p, d in zip(points, expected):
+                np.testing.assert_allclose(s.distance(p, targets=points), d, atol=1e-12)
+                np.testing.assert_allclose(s.pair_distances(p, points), d, atol=1e-12)
+            tips = np.hypot(r[:, None] + r, z[:, None] - z) * (1 - np.eye(pages))
+            found = s.distances(np.arange(2, 2 + pages))[:, 2:]
+            np.testing.assert_allclose(found, tips, atol=1e-12)
+            cells = s.voronoi([2, 3])
+            self.assertAlmostEqual(cells.areas.sum(), r.sum() / 2, delta=1e-12)
+
     def test_points_in_faces_of_covers_are_on_all_sheets(self):
         s = it.Surface(*BOOK)
         points = [it.Point(f, (0.2, 0.3, 0.5)) for f in range(3)] + [2]

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_triangulation.h>
+
+#include "meshes.h"
+#include "numbered_as_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+// Distances change by no more than a source or target moves, as near to a corner as doubles go.
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Surface_point;
+using Triangulation = IT::Intrinsic_triangulation<>;
+using Distance = IT::Polyhedral_distance<Triangulation>;
+
+/// A point at 10^-1 to 10^-18 of a side from a corner, or also from a side.
+Surface_point near_corner(const Triangulation& t, std::mt19937& random) {
+  const auto uniform = [&random] { return static_cast<double>(random()) / 0x1p32; };
+  const double a = uniform() * std::pow(10, -1 - double(random() % 18)) / 2;
+  const double b = random() % 4 == 0 ? 0 : uniform() * std::pow(10, -1 - double(random() % 18)) / 2;
+  const auto h = static_cast<std::uint32_t>(random() % (2 * num_edges(t.mesh())));
+  return {h, {1 - a - b, a, b}};
+}
+
+double length_of_move(const Triangulation& t, const meshes::Mesh& m, const Surface_point& p,
+                      const Surface_point& q) {
+  std::array<double, 3> v{};
+  auto h = t.numbers().halfedge_at(p.halfedge);
+  for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
+    for (std::size_t j = 0; j < 3; ++j)
+      v[j] += (p.weights[k] - q.weights[k]) * m.points[t.index(source(h, t.mesh()))][j];
+  return std::hypot(v[0], v[1], v[2]);
+}
+
+TEST(PlacesNearCorners, distances_are_continuous) {
+  std::mt19937 random(52);
+  double most = 0;
+  for (unsigned i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const meshes::Mesh m = meshes::potato(1, i);
+    const Triangulation t = numbered_as<Triangulation>(m);
+    for (int k = 0; k < 8; ++k) {
+      const Surface_point p = near_corner(t, random), r = near_corner(t, random);
+      const Surface_point corner{p.halfedge, {1, 0, 0}};
+      const Distance from_point(t, p), from_corner(t, corner), back(t, r);
+      const double moved = length_of_move(t, m, p, corner);
+      for (const auto v : vertices(t.mesh()))
+        most = std::max(most, std::abs(from_point.distance(v) - from_corner.distance(v)) - moved);
+      most = std::max(most, std::abs(from_point.distance(r) - from_corner.distance(r)) - moved);
+      most = std::max(most, std::abs(from_point.distance(r) - back.distance(p)));
+    }
+  }
+  EXPECT_LE(most, 1e-12); // diameters are about 4
+}
+
+} // namespace
