@@ -39,6 +39,8 @@ struct thresholds {
   A pair of words takes about ten nanoseconds, for the greatest common divisor.
   */
   static constexpr std::size_t words_of_coefficients = std::size_t(1) << 26;
+  /// The same over cylinders and prisms, where coefficients are few: sums of roots have no others.
+  static constexpr std::size_t words_over_prisms = std::size_t(1) << 22;
 
   /*!
   \brief Precision up to which a value is computed if all proofs fail; then it is assumed to be

@@ -1,19 +1,18 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Conjugate_bound.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Residues.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Multiquadratic_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Word_integer.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
-#include <CGAL/Intrinsic_triangulations/exact/proofs/images.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/prism.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
+#include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 
 #include <boost/container/small_vector.hpp>
@@ -23,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -245,65 +245,31 @@ Gmpz to_gmpz(const Word_integer<words>& x) {
   return x.sign() < 0 ? -result : result;
 }
 
-// The images of an expression over a prism, see `decide_by_images()`.
+// whether the expression is zero, see `Prism_in_field_proof`
 template <class Asked, class Prism_of_words>
-class Images_of_prism {
-public:
-  Images_of_prism(const Asked& question, const Prism_of_words& prism)
-      : question_(question), prism_(prism) {}
-
-  // finds the roots; false if there are too many
-  bool find_roots() {
-    for (const auto& s : prism_.squares()) {
-      const auto root = basis_.sqrt_of(to_gmpz(s));
-      if (!root) return false;
-      heights_.push_back(*root);
-    }
-    return true;
+Answer decide_in_field(const Asked& q, const Prism_of_words& prism) {
+  using Number = Multiquadratic_number;
+  Square_class_basis basis;
+  basis.limit_products(thresholds::words_over_prisms);
+  std::vector<Number> roots;
+  for (const auto& s : prism.squares()) {
+    const auto root = basis.sqrt_of(Gmpq(to_gmpz(s)));
+    if (!root) return Answer::open;
+    roots.emplace_back(basis, *root);
   }
-  Answer decide() {
-    std::vector<Conjugate_bound> roots;
-    for (const auto& s : prism_.squares())
-      roots.emplace_back(0, 0, static_cast<double>(mpz_sizeinbase(to_gmpz(s).mpz(), 2)) / 2);
-    const double bits =
-        value<Conjugate_bound>(roots, [](const Gmpz& x) {
-          return Conjugate_bound(0, 0, static_cast<double>(mpz_sizeinbase(x.mpz(), 2)));
-        }).bits_of_integer(0);
-    double enough = thresholds::image_steps; // they take few
-    return decide_by_images(basis_, bits, *this, enough);
+  std::array<Unfolded_diamond::Position<Number>, 4> corners;
+  for (std::size_t c = 0; c < 4; ++c) {
+    corners[c] = {Number(Gmpq(to_gmpz(prism.x(c)))), Number(0)};
+    for (std::size_t n = 0; n < prism.y(c).size(); ++n)
+      corners[c].y += Number(prism.y(c)[n]) * roots[n];
   }
-
-  double steps() const { return 2 * static_cast<double>(heights_.size()); }
-  void prepare(const std::vector<Residues>& roots) {
-    images_.clear();
-    for (const Square_root& h : heights_) images_.push_back(image_of(h, roots));
+  try {
+    const auto values = Unfolded_diamond::values_of<Number>(corners, Number(1));
+    return q.expression(values).is_zero() ? Answer::zero : Answer::not_zero;
+  } catch (const std::length_error&) {
+    return Answer::open;
   }
-  void negate(std::size_t root) {
-    for (std::size_t n = 0; n < images_.size(); ++n)
-      if ((heights_[n].radical >> root & 1U) != 0) images_[n] = -images_[n];
-  }
-  Residues at_roots() {
-    return value<Residues>(images_, [](const Gmpz& x) { return Residues(x); });
-  }
-
-private:
-  template <class FT, class From_integer>
-  FT value(const std::vector<FT>& roots, const From_integer& number) const {
-    std::array<Unfolded_diamond::Position<FT>, 4> corners;
-    for (std::size_t c = 0; c < 4; ++c) {
-      corners[c] = {number(to_gmpz(prism_.x(c))), FT(0)};
-      for (std::size_t n = 0; n < prism_.y(c).size(); ++n)
-        corners[c].y = corners[c].y + FT(prism_.y(c)[n]) * roots[n];
-    }
-    return question_.expression(Unfolded_diamond::values_of<FT>(corners, FT(1)));
-  }
-
-  const Asked& question_;
-  const Prism_of_words& prism_;
-  Square_class_basis basis_;
-  std::vector<Square_root> heights_;
-  std::vector<Residues> images_; // of these
-};
+}
 
 } // namespace
 
@@ -329,12 +295,7 @@ Answer Prism_in_field_proof::operator()(
     const Question<Unfolded_diamond, Recorded_diamond_expression>& q) const {
   if (!q.expression.degree() || !q.expression.degree()->is_uniform) return Answer::open;
   return internal::with_prism(
-      q,
-      [&](const auto& prism) {
-        internal::Images_of_prism images(q, prism);
-        return images.find_roots() ? images.decide() : Answer::open;
-      },
-      Answer::open);
+      q, [&](const auto& prism) { return internal::decide_in_field(q, prism); }, Answer::open);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
