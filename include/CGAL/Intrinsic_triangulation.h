@@ -240,15 +240,10 @@ public:
   */
   Move_status flip_edge(halfedge_descriptor h) { return Session(*this).flip_edge(h); }
 
-  /*!
-  \brief sets the factors by which vertices scale the metric, at first one: moves horocycles.
-  \param factors one positive number per row, see `input_vertex()`: they define the metric exactly,
-    with their rests
-  \param rests what rounding took from each factor, for more digits than those of doubles; none:
-    nothing
-  \throws Invalid_input if their number is another one, or naming a vertex with a wrong factor
-  \complexity linear
-  */
+  /// sets the factors by which vertices scale the metric, at first one: moves horocycles.
+  /// \param factors, rests per row, see `input_vertex()`, a positive number, and what rounding took
+  /// from it or nothing; their sums define the metric exactly \complexity linear
+  /// \throws Invalid_input if their number is another one, or naming a vertex with a wrong factor
   void
   scale_vertices(std::span<const double> factors,
                  std::span<const double> rests = {}) requires internal::Scales_vertices<Metric> {

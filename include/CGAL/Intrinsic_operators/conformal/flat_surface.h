@@ -51,8 +51,8 @@ Double_double precise_lambda(const Triangulation& t, std::uint32_t e) {
   return t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values())[0];
 }
 
-// The sides of triangles as vectors, each with nearly all digits, in a frame in which the first side
-// is on the axis.
+// The sides of triangles as vectors, each with nearly all digits, in a frame in which the first
+// side is on the axis.
 // \param lengths of the sides
 // \param scale_exponent vectors become shorter by two to this power
 std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double_double>& lengths,

@@ -128,8 +128,8 @@ struct Scaled_layout {
   Map_distortion distortion; ///< from the faces of the mesh to the plane
 
   /// returns `inaccurate` if the metric was found, but triangles of pieces have turned over or have
-  /// no area though the face of the mesh has, with geodesic sides if the surface is hyperbolic; else
-  /// the status of the metric.
+  /// no area though the face of the mesh has, with geodesic sides if the surface is hyperbolic;
+  /// else the status of the metric.
   Status status(Status of_metric) const {
     const std::size_t turned =
         (layout.is_hyperbolic ? flipped_geodesic_triangles

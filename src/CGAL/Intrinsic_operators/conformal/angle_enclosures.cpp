@@ -70,8 +70,8 @@ enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda,
   return result;
 }
 
-// By how much the rounded factor and exp(u/2) differ from each factor, relatively, and 0. Functions
-// of the C library err by few units in the last place of a long double.
+// By how much the rounded factor and exp(u/2) differ from each factor, relatively, and 0.
+// Functions of the C library err by few units in the last place of a long double.
 static std::vector<Angle_interval> deviations(const Conformal_metric& m) {
   constexpr double error = 0x1p-60;
   std::vector<Angle_interval> result;
@@ -86,9 +86,9 @@ static std::vector<Angle_interval> deviations(const Conformal_metric& m) {
   return result;
 }
 
-// Changes sides and surpluses as factors of corners are changed by `deviation`, of each row. Corners
-// at one row change together: in the tip of a thin cone, where an edge is a loop, hardly anything
-// does.
+// Changes sides and surpluses as factors of corners are changed by `deviation`, of each row.
+// Corners at one row change together: in the tip of a thin cone, where an edge is a loop, hardly
+// anything does.
 static void stretch(const std::array<std::uint32_t, 3>& rows,
                     const std::vector<Angle_interval>& deviation,
                     std::array<Angle_interval, 3>& sides, std::array<Angle_interval, 3>& surplus) {

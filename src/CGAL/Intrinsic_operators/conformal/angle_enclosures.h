@@ -27,10 +27,10 @@ std::array<Interval_nt<false>, 3>
 enclosed_hyperbolic_angles(const std::array<Interval_nt<false>, 3>& lambda,
                            const std::array<Interval_nt<false>, 3>& surplus);
 
-// A bound of the differences between the angles at vertices and prescribed ones, in radians; nothing
-// if the surface does not enclose values. It holds with the factors of the surface, and with those
-// and u as they are rounded. An edge that is Delaunay with the former is nearly so with these: its
-// flip would change angles by the square of the difference only.
+// A bound of the differences between the angles at vertices and prescribed ones, in radians;
+// nothing if the surface does not enclose values. It holds with the factors of the surface, and
+// with those and u as they are rounded. An edge that is Delaunay with the former is nearly so with
+// these: its flip would change angles by the square of the difference only.
 // \param metric by which the surface is scaled
 std::optional<double> proven_residual(const Ideal_surface& surface, const Conformal_metric& metric,
                                       const Prescribed_angles& angles, Geometry geometry);
