@@ -41,8 +41,8 @@ Gluing gluing_in_order(const Input& surface, const std::vector<std::uint32_t>& s
   return g;
 }
 
-std::vector<double> squared_lengths(const Input& surface, const Gluing_map& mesh,
-                                    const std::vector<std::uint32_t>& sides) {
+std::vector<double> squares_in_order(const Input& surface, const Gluing_map& mesh,
+                                     const std::vector<std::uint32_t>& sides) {
   const Input_metric& metric = surface.metric();
   const bool is_stored = !metric.is_embedded(); // without what mollification adds
   std::vector<double> result(mesh.number_of_edges());
@@ -57,7 +57,7 @@ std::vector<double> squared_lengths(const Input& surface, const Gluing_map& mesh
   return result;
 }
 
-std::vector<std::array<double, 3>> points(const Input& surface) {
+std::vector<std::array<double, 3>> points_in_order(const Input& surface) {
   std::vector<std::array<double, 3>> result(surface.number_of_vertices());
   for (std::uint32_t v = 0; v < result.size(); ++v)
     for (std::size_t c = 0; c < 3; ++c)
@@ -82,9 +82,9 @@ Intrinsic_input definition_of(const Input& surface) {
   const bool is_of_points =
       metric.is_in_space() || metric.delta() > 0 || !in.planar_polygons.empty();
   if (metric.is_embedded() && is_of_points)
-    in.points = internal::points(surface);
+    in.points = internal::points_in_order(surface);
   else
-    in.squared_lengths = internal::squared_lengths(surface, in.mesh, sides);
+    in.squared_lengths = internal::squares_in_order(surface, in.mesh, sides);
   if (metric.delta() > 0) { // its square root is a part of the mean edge
     const std::vector<double> lengths = internal::edge_lengths(surface.mesh(), metric);
     in.mollification = Mollification::squared_lengths;
