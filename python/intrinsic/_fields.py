@@ -280,5 +280,5 @@ class _Fields:
     def connection_laplacian(self, degree=1):
         """Returns the Laplacian of tangent vectors, a complex, Hermitian csr_matrix of shape
         (n, n): in the polar coordinates of vertices, see `VectorField`, for the powers of vectors
-        that stand for `degree` directions."""
+        that stand for `degree` directions. On a cover it has a row for each copy of a vertex."""
         return _arrays.sparse(_core.connection_laplacian(self._flipped(), _degree(degree)))

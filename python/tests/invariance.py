@@ -475,7 +475,7 @@ def turns(x):
 def connection(x):
     L = x.s.connection_laplacian(2)
     e = np.linalg.eigvalsh(L.todense())
-    return [e, abs(submatrix(x, L))]
+    return [e, abs(submatrix(x, L))] if x.name in ORIENTED else [e]  # on covers rows are of copies
 
 
 # ---- Maps ----------------------------------------------------------------------------------------
