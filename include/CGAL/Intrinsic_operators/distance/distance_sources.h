@@ -156,11 +156,12 @@ private:
     if (is_border(h))
       throw std::invalid_argument("a source is not in a face, but beyond the border");
     const Source_segment s = segment(h, p.weights, q.weights);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (s.is_point() && s.from[k] == 1) { // a corner is a vertex
+    for (std::size_t k = 0; k < 3; ++k)
+      if (s.is_point() && s.from[k] == 1) { // a corner is a vertex, and on two sides as well
         places_.rows.push_back(table_.faces[s.face].rows[k]);
         return;
       }
+    for (std::size_t k = 0; k < 3; ++k) {
       if (!s.is_along(k)) continue;
       const Halfedge side = t_.numbers().halfedge_at(table_.faces[s.face].halfedges[k]),
                      beyond = opposite(side, t_.mesh());
