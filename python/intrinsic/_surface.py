@@ -231,9 +231,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """Returns the mass matrix, a scipy.sparse.csr_matrix of shape (n, n).
 
         `kind` is "lumped": diagonal, a third of the area of the faces at each vertex; "galerkin":
-        the integrals of products of hat functions; or "voronoi": diagonal, the part of these faces
-        that is nearest to the vertex. The sum of the entries is the area. The triangulation is that
-        of `laplacian()`.
+        the integrals of products of hat functions; or "voronoi": diagonal, the signed area of the
+        cell between the vertex, the midpoints of its edges and the circumcenters of its faces,
+        which is negative where these lie beyond their faces. The sum of the entries is the area.
+        The triangulation is that of `laplacian()`.
         """
         _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))
         return _arrays.sparse(_core.mass(self._flipped(), kind), symmetric=True)

@@ -54,7 +54,9 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
   Search_visitor visitor{&watch};
   search.search(points, IT::parameters::visitor(std::ref(visitor)));
   watch.begin("cells");
+  const IT::Twin_points twins(t);
   Found_cells found{t.shared_input(), search.distances(), {}, {}, {}, {}};
+  twins.copy(found.distances);
   found.cells =
       tolerance ? IT::voronoi_cells(search, cell_of_source, IT::parameters::tolerance(*tolerance))
                 : IT::voronoi_cells(search, cell_of_source);
@@ -62,6 +64,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
   for (const auto v : vertices(t.mesh()))
     if (const std::uint32_t i = search.nearest_source(v); i != IT::Gluing::none)
       found.labels[t.input_vertex(v)] = cell_of_source[i];
+  twins.copy(found.labels);
   for (const IT::Cell_boundary& b : found.cells.boundaries) {
     watch.begin("boundary");
     found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});

@@ -97,11 +97,13 @@ void add_singularities(const T& t, const std::vector<Point>& points, Directions&
   }
 }
 
-Directions cloud_directions(Surface& s, int degree, const std::optional<double>& strength,
-                            const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
+template <class T>
+Directions cloud_directions(Surface& s, const T& t, int degree,
+                            const std::optional<double>& strength, const Asked_vectors& asked,
+                            std::size_t neighbors, Watch& watch) {
   if (strength)
     refuse("align needs curvature, which a cloud of points does not have; leave it out");
-  const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
+  const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, {1, neighbors});
   watch.begin(solving);
   Watching visitor{&watch, solving};
   const auto np = IT::parameters::visitor(std::ref(visitor));
@@ -115,7 +117,7 @@ Directions directions(Surface& s, int degree, const std::optional<double>& stren
                       const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
   return with_triangulation(s, watch, [&](auto& t) {
     if (is_cloud(t)) {
-      Directions result = cloud_directions(s, degree, strength, asked, neighbors, watch);
+      Directions result = cloud_directions(s, t, degree, strength, asked, neighbors, watch);
       result.field = cloud_field(t, std::move(result.field.vectors));
       return result;
     }

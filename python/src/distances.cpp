@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -58,6 +59,7 @@ Found_distances exact_distances(Surface& s, const T& t, const std::vector<Place>
   found.reached = search.reached_distance();
   if (targets == nullptr) {
     found.values = search.distances();
+    IT::Twin_points(t).copy(found.values);
     return found;
   }
   for (const Place& p : *targets) {
@@ -95,7 +97,9 @@ Found_distances heat_distances(Surface& s, const T& t, const std::vector<Place>&
       s, t, time_factor, watch, [&](auto& heat) { return heat.distances(points); });
   if (rows.size() == 0) return {}; // the watch has ended it
   if (targets != nullptr) return {values_at(t, rows, *targets)};
-  return {std::vector<double>(rows.begin(), rows.end())};
+  Found_distances found{std::vector<double>(rows.begin(), rows.end())};
+  IT::Twin_points(t).copy(found.values);
+  return found;
 }
 
 // How distances are computed.
@@ -123,16 +127,27 @@ py::tuple distance(Surface& s, const Place_arrays& sources,
 template <class T, class Number>
 IT::Status fill(Surface& s, const T& t, const std::vector<std::vector<Place>>& sets,
                 const Method& method, std::size_t threads, std::span<Number> out, Watch& watch) {
+  const auto finish = [&](IT::Status status) {
+    const IT::Twin_points twins(t);
+    const std::size_t rows = t.number_of_vertices();
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const std::span<Number> column = out.subspan(i * rows, rows);
+      twins.copy(column);
+    }
+    return status;
+  };
   std::vector<std::vector<IT::Surface_point>> points;
   Place_finder<T> find(t);
   for (const std::vector<Place>& set : sets) points.push_back(find.points(set));
   Batch_visitor visitor{&watch};
   const auto options = IT::parameters::number_of_threads(threads).visitor(std::ref(visitor));
   if (method.is_exact)
-    return IT::polyhedral_distances(t, points, out, options.maximum_distance(method.maximum));
-  return with_heat<IT::Heat_distance<T>>(s, t, method.time_factor, watch, [&](const auto& heat) {
-    return IT::heat_distances(heat, points, out, options);
-  });
+    return finish(
+        IT::polyhedral_distances(t, points, out, options.maximum_distance(method.maximum)));
+  return finish(
+      with_heat<IT::Heat_distance<T>>(s, t, method.time_factor, watch, [&](const auto& heat) {
+        return IT::heat_distances(heat, points, out, options);
+      }));
 }
 
 template <class Number>

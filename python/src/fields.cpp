@@ -78,7 +78,7 @@ py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::st
       if (!method.empty() && method != "affine")
         refuse("logarithmic maps of points are found by affine heat; leave out method=\"" + method +
                "\"");
-      return cloud_field(t, cloud_vectors(s, diffusion).logarithmic_map(point_of_cloud(p)))
+      return cloud_field(t, cloud_vectors(s, t, diffusion).logarithmic_map(point_of_cloud(p)))
           .coordinates();
     }
     const Asked_logarithm asked{logarithm_method(method), diffusion, maximum_distance};
@@ -97,7 +97,7 @@ Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, 
   Watch watch(progress);
   return with_triangulation(s, watch, [&](auto& t) {
     if (is_cloud(t)) {
-      const IT::Point_cloud_vectors& cloud = cloud_vectors(s, diffusion);
+      const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, diffusion);
       return cloud_field(t, cloud.transport(vectors_of_cloud(cloud, asked)));
     }
     Vector_finder find(t, s.points);
@@ -125,7 +125,7 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
       std::vector<std::pair<std::size_t, double>> sources;
       for (std::size_t i = 0; i < at.size(); ++i)
         sources.push_back({point_of_cloud(at[i]), given[static_cast<Eigen::Index>(i)]});
-      std::ranges::copy(cloud_vectors(s, diffusion).extend_scalars(sources), result.begin());
+      std::ranges::copy(cloud_vectors(s, t, diffusion).extend_scalars(sources), result.begin());
       return result;
     }
     Place_finder<T> find(t);
@@ -150,7 +150,7 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
   std::vector<Point> result(of_row.size(), {unknown, unknown, unknown});
   if (s.points.empty()) refuse("this surface has lengths alone, so that it is not in space");
   if (is_cloud(t)) {
-    const IT::Point_cloud_vectors& cloud = cloud_vectors(s, {1, neighbors});
+    const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, {1, neighbors});
     for (std::size_t i = 0; i < cloud.size(); ++i) result[i] = cloud.in_space(i, vectors[i]);
     return result;
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
 
 #include <array>
 #include <bit>
@@ -90,11 +91,13 @@ const IT::Vector_heat_method<T>& vector_heat(Surface& s, const T& t, const Diffu
   return method;
 }
 
-/// returns the method on the points of a surface, which keeps its factorizations.
-inline const IT::Point_cloud_vectors& cloud_vectors(Surface& s, const Diffusion& d) {
+/// returns the method on the points of a surface, inserted ones, too; it keeps its factorizations.
+template <class T>
+const IT::Point_cloud_vectors& cloud_vectors(Surface& s, const T& t, const Diffusion& d) {
   using Method = IT::Point_cloud_vectors;
-  return s.cached<Method>(d.key("cloud vectors"),
-                          [&] { return new Method(s.points, d.neighbors, d.time_factor); });
+  return s.cached<Method>(d.key("cloud vectors"), [&] {
+    return new Method(IT::points_of_rows(t, s.points), d.neighbors, d.time_factor);
+  });
 }
 
 /// returns the number of a point of a cloud. \throws Invalid_input if it is in a face
@@ -103,7 +106,7 @@ inline std::size_t point_of_cloud(const Place& p) {
   return p.vertex;
 }
 
-/// returns the field of the vectors of a cloud: none at points that were inserted.
+/// returns the field of the vectors of a cloud.
 template <class T>
 Field cloud_field(const T& t, IT::Tangent_field vectors) {
   Field field{std::move(vectors), {}};

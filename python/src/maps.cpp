@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
 
 #include <pybind11/stl.h>
@@ -89,8 +91,8 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
 py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, const py::object& progress) {
   Watch watch(progress);
   Counting visitor{&watch, "solutions"};
-  return array_of(without_interpreter(watch, [&] {
-    return IT::conformal_map_of_points(s.points, neighbors,
+  return array_of(with_triangulation(s, watch, [&](auto& t) {
+    return IT::conformal_map_of_points(IT::points_of_rows(t, s.points), neighbors,
                                        IT::parameters::visitor(std::ref(visitor)));
   }));
 }
@@ -177,7 +179,9 @@ py::tuple eigen(Surface& s, std::size_t count, const py::object& progress) {
   Watch watch(progress);
   Counting visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
-    return IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
+    IT::Eigenpairs found = IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
+    if (found.values.size() > 0) IT::Twin_points(t).copy(found.vectors);
+    return found;
   });
   return py::make_tuple(array_of(std::move(pairs.values)), array_of(std::move(pairs.vectors)));
 }

@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
 
 #include <algorithm>
 #include <array>
@@ -62,8 +63,11 @@ Curve along_edges(const Triangulation& t, const Vertices& points, const std::str
   return curve;
 }
 
-Computed computed_distances(Eigen::VectorXd distances, const Application_options& o) {
+template <class Triangulation>
+Computed computed_distances(const Triangulation& t, Eigen::VectorXd distances,
+                            const Application_options& o) {
   Computed computed{"distance", {}, {}};
+  IT::Twin_points(t).copy(distances);
   const Range range = range_of(distances);
   computed.json = {{"method", o.distance},
                    {"sources", o.sources.size()},
@@ -120,7 +124,7 @@ Computed heat_distances(Triangulation& t, const Sources& sources, const Applicat
     curves.push_back(
         along_edges(t, IT::insert_places(t, sources[o.sources.size() + i]), o.curves[i]));
   const auto with_time = [&](Eigen::VectorXd distances, double time) {
-    Computed computed = computed_distances(std::move(distances), o);
+    Computed computed = computed_distances(t, std::move(distances), o);
     computed.json["time"] = time;
     return computed;
   };
@@ -161,6 +165,7 @@ void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
     nearest.values[t.input_vertex(v)] = is_reached ? double(cell_of_source[source]) : -1;
     if (is_reached) ++sizes[cell_of_source[source]];
   }
+  IT::Twin_points(t).copy(nearest.values);
   computed.functions.push_back(std::move(nearest));
   computed.json["cells"] = {{"vertices", sizes},
                             {"areas", cells.areas},
@@ -179,7 +184,8 @@ Computed found_distances(const IT::Polyhedral_distance<Triangulation>& search,
                          const Application_options& o) {
   const std::vector<double> by_row = search.distances();
   const auto rows = static_cast<Eigen::Index>(by_row.size());
-  Computed computed = computed_distances(Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
+  Computed computed = computed_distances(search.triangulation(),
+                                         Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
   computed.json["status"] = program::name(search.status());
   return computed;
 }
@@ -240,7 +246,7 @@ template <class Triangulation>
 class Distance_columns {
 public:
   Distance_columns(const Triangulation& t, const Application_options& o, Progress& progress)
-      : t_(t), options_(o), progress_(progress) {
+      : t_(t), options_(o), progress_(progress), twins_(t) {
     if (o.distance == "heat") heat_.emplace(t, IT::parameters::time_factor(o.time_factor));
   }
 
@@ -259,8 +265,11 @@ public:
       block.resize(part.size() * rows);
       const Batch_progress progress{progress_, i, sets.size() - i - part.size()};
       if (const IT::Status s = find(part, block, progress); s != IT::Status::done) status = s;
-      for (std::size_t k = 0; k < part.size(); ++k)
-        take(i + k, std::span<const double>(block).subspan(k * rows, rows));
+      for (std::size_t k = 0; k < part.size(); ++k) {
+        const auto column = std::span(block).subspan(k * rows, rows);
+        twins_.copy(column);
+        take(i + k, std::span<const double>(column));
+      }
     }
     return status;
   }
@@ -284,6 +293,7 @@ private:
   const Triangulation& t_;
   const Application_options& options_;
   Progress& progress_;
+  IT::Twin_points twins_;
   std::optional<IT::Heat_distance<Triangulation>> heat_;
 };
 

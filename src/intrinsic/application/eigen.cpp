@@ -5,6 +5,7 @@
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
 
 #include <string>
 #include <vector>
@@ -13,7 +14,9 @@ namespace program {
 
 namespace {
 
-Computed eigenfunctions(const IT::Eigenpairs& pairs) {
+template <class Triangulation>
+Computed eigenfunctions(const Triangulation& t, IT::Eigenpairs pairs) {
+  IT::Twin_points(t).copy(pairs.vectors);
   const Eigen::Index n = pairs.values.size();
   Computed computed{"eigen", {}, {}};
   computed.json = {{"count", n},
@@ -29,7 +32,7 @@ Computed eigenfunctions(const IT::Eigenpairs& pairs) {
 
 void run_eigen(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
-    return eigenfunctions(IT::surface_modes(t, options.application.count));
+    return eigenfunctions(t, IT::surface_modes(t, options.application.count));
   });
 }
 

@@ -10,13 +10,13 @@
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -65,15 +65,11 @@ template <class Triangulation>
 Computed map_of_points(const Triangulation& t, const Options& options, const Points& points) {
   if (options.application.map != "spectral")
     throw std::runtime_error("for a cloud of points only --method spectral works");
-  const Eigen::MatrixX2d uv = IT::conformal_map_of_points(points, options.neighbors.value_or(30));
+  const Eigen::MatrixX2d uv =
+      IT::conformal_map_of_points(IT::points_of_rows(t, points), options.neighbors.value_or(30));
   Computed computed{"parametrize", {}, {}};
-  for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)}) {
-    Eigen::VectorXd values =
-        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(t.number_of_vertices()),
-                                  std::numeric_limits<double>::quiet_NaN());
-    values.head(uv.rows()) = uv.col(c);
-    computed.functions.push_back({name, values});
-  }
+  for (const auto& [name, c] : {std::pair("u", 0), std::pair("v", 1)})
+    computed.functions.push_back({name, Eigen::VectorXd(uv.col(c))});
   computed.is_map = true;
   computed.json = {{"method", "spectral"}};
   return computed;

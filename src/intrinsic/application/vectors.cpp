@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +81,11 @@ std::vector<std::uint32_t> all_rows(const Triangulation& t) {
   return rows;
 }
 
-IT::Point_cloud_vectors cloud_vectors(const Options& options, const Points& points) {
-  return IT::Point_cloud_vectors(points, options.neighbors.value_or(30),
+// Inserted vertices are points of the cloud, too.
+template <class Triangulation>
+IT::Point_cloud_vectors cloud_vectors(const Triangulation& t, const Options& options,
+                                      const Points& points) {
+  return IT::Point_cloud_vectors(IT::points_of_rows(t, points), options.neighbors.value_or(30),
                                  options.application.time_factor);
 }
 
@@ -95,17 +99,13 @@ std::pair<double, std::size_t> greatest_known(const Eigen::VectorXd& values) {
   return result;
 }
 
-// Vectors at the points of a cloud, in their planes; none at points that were inserted.
+// Vectors at the points of a cloud, in their planes.
 template <class Triangulation>
 Direction_field directions_of_points(const Triangulation& t, const std::string& name,
                                      const IT::Point_cloud_vectors& cloud,
                                      IT::Tangent_field vectors, unsigned degree) {
-  const std::size_t rows = t.number_of_vertices();
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  vectors.resize(rows, {unknown, unknown});
   Direction_field field{name, std::move(vectors), degree, all_rows(t)};
   for (std::size_t i = 0; i < cloud.size(); ++i) field.axes.push_back(cloud.axes(i));
-  field.axes.resize(rows, {});
   return field;
 }
 
@@ -121,7 +121,7 @@ template <class Triangulation>
 Direction_field transported(const Triangulation& t, const std::vector<Asked_vector>& asked,
                             const Options& options, const Points& points) {
   if (is_cloud(t)) {
-    const IT::Point_cloud_vectors cloud = cloud_vectors(options, points);
+    const IT::Point_cloud_vectors cloud = cloud_vectors(t, options, points);
     return directions_of_points(t, "vector", cloud, cloud.transport(vectors_at_points(asked)), 1);
   }
   std::vector<std::pair<typename Triangulation::vertex_descriptor, std::complex<double>>> sources;
@@ -193,17 +193,14 @@ std::string logarithm_method(const Triangulation& t, const std::string& asked) {
   return "affine";
 }
 
-// A vector for each row of a cloud; none at points that were inserted.
+// A vector for each row of a cloud.
 template <class Triangulation>
 std::vector<Complex> cloud_logarithms(const Triangulation& t, std::uint32_t row,
                                       const Options& options, const Points& points) {
-  if (row >= points.size())
+  if (row >= t.input().number_of_rows())
     throw std::runtime_error("logarithmic maps of points start at one of them; give its number "
                              "with --source");
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Complex> log = cloud_vectors(options, points).logarithmic_map(row);
-  log.resize(t.number_of_vertices(), Complex(unknown, unknown));
-  return log;
+  return cloud_vectors(t, options, points).logarithmic_map(row);
 }
 
 template <class Triangulation>
@@ -286,8 +283,8 @@ Computed field_of_points(const Triangulation& t, const Options& options, const P
                              ": singularities lie in faces, and a cloud of points has no faces; "
                              "leave --singularities out");
   std::vector<Asked_vector> fixed;
-  if (!o.vectors.empty()) fixed = read_vectors(options, points.size());
-  const IT::Point_cloud_vectors cloud = cloud_vectors(options, points);
+  if (!o.vectors.empty()) fixed = read_vectors(options, t.input().number_of_rows());
+  const IT::Point_cloud_vectors cloud = cloud_vectors(t, options, points);
   const IT::Direction_field field =
       cloud.smoothest_direction_field(static_cast<int>(o.degree), vectors_at_points(fixed));
   Computed computed{"field", {}, {}};

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -21,12 +22,13 @@ namespace CGAL::Intrinsic_triangulations {
 \brief computes the smallest eigenvalues of the Laplacian of a surface, and their functions: squared
 frequencies and modes.
 
-They solve `L x = lambda M x`, with the cotangent Laplacian L and the lumped mass M. The mass of an
-isolated vertex is zero; it gets the mean of all, and so one function that is zero elsewhere.
+They solve `L x = lambda M x`, with the cotangent Laplacian L and the lumped mass M, in the rows
+that have a mass: an isolated vertex is no part of the surface, has no mode, and the value zero in
+all functions.
 \tparam Triangulation a model of `MeasuredTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
-\param count how many; all of them if there are fewer
+\param count how many; all of them, one per row with a mass, if there are fewer
 \param np see `smallest_eigenpairs()`
 \return the pairs, by rows of `t.input_vertex()`, in 1 / area of the input
 \throws Invalid_input if a face has no area, and as `smallest_eigenpairs()` does
@@ -35,14 +37,22 @@ isolated vertex is zero; it gets the mean of all, and so one function that is ze
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
                          const NP& np = parameters::default_values()) {
-  const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(t);
-  Eigen::SparseMatrix<double> mass = lumped_mass_matrix(t);
-  const double mean =
-      mass.diagonal().sum() / static_cast<double>(std::max<Eigen::Index>(mass.rows(), 1));
+  const Eigen::SparseMatrix<double> mass = lumped_mass_matrix(t), all = cotangent_laplacian(t);
+  std::vector<Eigen::Triplet<double>> chosen; // the columns of the rows with a mass
   for (Eigen::Index i = 0; i < mass.rows(); ++i)
-    if (!(mass.coeff(i, i) > 0)) mass.coeffRef(i, i) = mean;
-  return smallest_eigenpairs(laplacian, mass,
-                             std::min(static_cast<Eigen::Index>(count), laplacian.rows()), np);
+    if (mass.coeff(i, i) > 0)
+      chosen.emplace_back(static_cast<int>(i), static_cast<int>(chosen.size()), 1.);
+  const auto size = static_cast<Eigen::Index>(chosen.size());
+  const Eigen::Index most = std::min(static_cast<Eigen::Index>(count), size);
+  if (size == mass.rows()) return smallest_eigenpairs(all, mass, most, np);
+  Eigen::SparseMatrix<double> rows(mass.rows(), size);
+  rows.setFromTriplets(chosen.begin(), chosen.end());
+  const Eigen::SparseMatrix<double> back = rows.transpose();
+  Eigen::SparseMatrix<double> laplacian = back * all * rows;
+  laplacian.makeCompressed();
+  Eigenpairs pairs = smallest_eigenpairs(laplacian, back * mass * rows, most, np);
+  pairs.vectors = rows * pairs.vectors;
+  return pairs;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -12,6 +12,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -32,7 +33,8 @@ that of its projection. This gives a connection, as in a triangulation (`Vector_
 the plane logarithms are exact. Surfaces with one side have a seam, which no heat crosses.
 
 Vectors are complex numbers in the axes of their point. Unknown ones are NaN: on components without
-a source, and at points without triangles.
+a source, and at points without triangles. A point at the place of an earlier one has its axes and
+vectors.
 */
 class Point_cloud_vectors {
 public:
@@ -111,13 +113,22 @@ public:
   std::size_t seam_edges() const { return seam_edges_; }
 
 private:
-  void expect_plane(std::size_t i) const;
+  // the first point at the place of a point, which has a plane
+  std::size_t with_plane(std::size_t i) const;
+  // the values of the first point at each place
+  template <class Value, class Values>
+  std::vector<Value> at_all_points(const Values& values) const {
+    std::vector<Value> result;
+    for (const std::uint32_t i : first_at_place_) result.push_back(values[i]);
+    return result;
+  }
   Direction_field direction_field(int degree,
                                   const std::vector<std::pair<std::size_t, Complex>>& fixed,
                                   const std::function<bool(Direction_step)>& progress) const;
 
   std::vector<std::array<double, 3>> points_;
-  int exponent_ = 0; // computations use the points times 2^-exponent
+  std::vector<std::uint32_t> first_at_place_; // of each point
+  int exponent_ = 0;                          // computations use the points times 2^-exponent
   std::vector<Axes> axes_;
   std::size_t seam_edges_ = 0;
   std::optional<internal::Heat_transport> heat_;

@@ -11,9 +11,9 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Finds the triangles at the origin in the Delaunay triangulation of the origin and points in the
-// plane: they are the facets of the hull of the inverted points that face it. All predicates are
-// exact. If four points are on a circle, the diagonal ends at the one of least number, in all stars
-// alike.
+// plane: they are the facets of the hull of the inverted points that face it. If four points are on
+// a circle up to rounding, the diagonal ends at the one of least number, in all stars alike; three
+// are on a line up to rounding, too. So the result stays the same if points are turned.
 class Delaunay_star {
 public:
   struct Neighbour {

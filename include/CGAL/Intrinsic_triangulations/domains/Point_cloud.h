@@ -24,7 +24,7 @@ struct Point_cloud_report {
   /// Number of triangles before covering; most of them occur three times, once per corner.
   std::size_t triangles = 0;
   /// Number of points that coincide with an earlier one: they are left out, and their rows are
-  /// zero.
+  /// zero; their values are those of the earlier one, see `Twin_points`.
   std::size_t duplicated_points = 0;
   /// Number of points without triangles, because their neighbours lie on a line or are missing.
   /// Their rows may be zero.
@@ -35,6 +35,9 @@ struct Point_cloud_report {
 };
 
 namespace internal {
+
+// For each point the first one at the same place: itself, unless it is duplicated.
+std::vector<std::uint32_t> first_points_at_places(const std::vector<std::array<double, 3>>& points);
 
 // Finds the triangles at each point among its neighbours: the point first, then counterclockwise,
 // seen from either side of the surface. Fills the report.
@@ -56,8 +59,10 @@ struct Point_cloud : Domain {
 \brief makes a surface of points near a surface in space (§6.2 of the course, Sharp and Crane 2020).
 
 The nearest neighbours of each point are turned about it into the plane that fits them best, with
-their distances from it. The triangles at the point in their planar Delaunay triangulation, decided
-exactly, approximate the surface there. The union of these triangles over all points has every
+their distances from it. The triangles at the point in their planar Delaunay triangulation
+approximate the surface there. Where four points are on a circle up to rounding (2^-30), the numbers
+of the points decide, and neighbours that are as far as the last one count, too: so triangles stay
+the same if all points are turned. The union of these triangles over all points has every
 neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six
 sheets, and matrices are divided by that many: they approximate those of the surface. With exact
 traits no weight of the Delaunay Laplacian is negative. Rows are points.

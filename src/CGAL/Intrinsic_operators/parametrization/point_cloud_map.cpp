@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/Cloud_connection.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -95,11 +96,13 @@ Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>
   for (const double a : cloud.graph().areas) area += a;
   const double of_image = std::real(w.dot(form * w));
   w *= std::ldexp(of_image > 0 ? std::sqrt(area / of_image) : 1, cloud.exponent());
+  const std::vector<std::uint32_t> first_at_place = first_points_at_places(points);
   Eigen::MatrixX2d result(w.size(), 2);
   for (Eigen::Index i = 0; i < w.size(); ++i) {
-    const bool is_known = cloud.first_axis(static_cast<std::size_t>(i)).norm() > 0;
+    const std::uint32_t first = first_at_place[static_cast<std::size_t>(i)];
+    const bool is_known = cloud.first_axis(first).norm() > 0;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    result.row(i) << (is_known ? w[i].real() : unknown), (is_known ? w[i].imag() : unknown);
+    result.row(i) << (is_known ? w[first].real() : unknown), (is_known ? w[first].imag() : unknown);
   }
   return result;
 }

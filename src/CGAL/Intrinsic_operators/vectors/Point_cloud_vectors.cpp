@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 
 #include <Eigen/Core>
 
@@ -25,11 +26,11 @@ namespace CGAL::Intrinsic_triangulations {
 
 Point_cloud_vectors::Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
                                          std::size_t neighbours, double time_factor)
-    : points_(points) {
+    : points_(points), first_at_place_(internal::first_points_at_places(points)) {
   const internal::Cloud_connection connection(points, neighbours);
   exponent_ = connection.exponent();
   const auto vector = [](const Eigen::Vector3d& v) { return std::array{v[0], v[1], v[2]}; };
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (const std::uint32_t i : first_at_place_)
     axes_.push_back({vector(connection.first_axis(i)), vector(connection.second_axis(i))});
   seam_edges_ = connection.seam_edges();
   heat_.emplace(connection.graph(), time_factor);
@@ -42,47 +43,43 @@ std::array<double, 3> Point_cloud_vectors::in_space(std::size_t i, const Complex
   return result;
 }
 
-void Point_cloud_vectors::expect_plane(std::size_t i) const {
+std::size_t Point_cloud_vectors::with_plane(std::size_t i) const {
   if (i >= size())
     throw std::invalid_argument("there is no point " + std::to_string(i) + "; there are " +
                                 std::to_string(size()));
   if (axes_[i][0] == std::array<double, 3>{})
     throw std::invalid_argument("point " + std::to_string(i) +
                                 " has no triangles, and so no vectors: it lies on a line with its "
-                                "neighbours, or an earlier point has the same place");
+                                "neighbours");
+  return first_at_place_[i];
 }
 
 std::vector<double> Point_cloud_vectors::extend_scalars(
     const std::vector<std::pair<std::size_t, double>>& sources) const {
   internal::Vector_sources s(size());
   for (const auto& [i, value] : sources) {
-    expect_plane(i);
-    s.add(static_cast<Eigen::Index>(i), 1, value);
+    s.add(static_cast<Eigen::Index>(with_plane(i)), 1, value);
   }
-  const Eigen::VectorXd values = heat_->extended(s);
-  return {values.begin(), values.end()};
+  return at_all_points<double>(heat_->extended(s));
 }
 
 Tangent_field
 Point_cloud_vectors::transport(const std::vector<std::pair<std::size_t, Complex>>& sources) const {
   internal::Vector_sources s(size());
   for (const auto& [i, z] : sources) {
-    expect_plane(i);
-    const auto row = static_cast<Eigen::Index>(i);
+    const auto row = static_cast<Eigen::Index>(with_plane(i));
     s.add(row, 1, std::abs(z));
     s.vectors[row] += z;
   }
-  const Eigen::VectorXcd z = heat_->transported(s, heat_->extended(s));
-  return {z.begin(), z.end()};
+  return at_all_points<Complex>(heat_->transported(s, heat_->extended(s)));
 }
 
 std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size_t i) const {
-  expect_plane(i);
-  const Eigen::VectorXcd z = heat_->affine_logarithm(static_cast<Eigen::Index>(i));
-  std::vector<Complex> result(size());
-  for (std::size_t j = 0; j < size(); ++j)
-    result[j] = std::ldexp(1., exponent_) * z[static_cast<Eigen::Index>(j)];
-  internal::lengthen_to_chords(points_, i, 1, result);
+  const std::size_t at = with_plane(i);
+  std::vector<Complex> result =
+      at_all_points<Complex>(heat_->affine_logarithm(static_cast<Eigen::Index>(at)));
+  for (Complex& z : result) z *= std::ldexp(1., exponent_);
+  internal::lengthen_to_chords(points_, at, 1, result);
   return result;
 }
 
@@ -96,15 +93,18 @@ Point_cloud_vectors::direction_field(int degree,
   internal::Direction_problem problem{
       degree, Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(size())), 0, {}};
   for (const auto& [i, z] : fixed) {
-    expect_plane(i);
+    const std::size_t point = with_plane(i);
     const Complex u = internal::unit_vector(z);
     if (u == 0.)
       throw std::invalid_argument("the direction at point " + std::to_string(i) +
                                   " cannot be fixed: it is zero or not finite");
-    problem.fixed.push_back({i, internal::power_of(u, degree)});
+    problem.fixed.push_back({point, internal::power_of(u, degree)});
   }
   Direction_field field{degree, internal::solve(problem, heat_->graph(), progress)};
-  if (field.powers.empty() && size() > 0) field.status = Status::cancelled;
+  if (field.powers.empty() && size() > 0)
+    field.status = Status::cancelled;
+  else
+    field.powers = at_all_points<Complex>(field.powers);
   return field;
 }
 

@@ -15,8 +15,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Predicates about neighbours of the origin. Where rounded values differ by more than their errors,
-// they decide.
+// Predicates about neighbours of the origin. What differs by less than `tie` is equal: coordinates
+// of points that were turned are rounded, and results must not depend on that. Where squares vanish
+// in doubles, exact numbers decide.
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
@@ -33,29 +34,20 @@ public:
   }
   // whether `b` is to the left of the line from the origin to `a`: positive
   static CGAL::Orientation turn(const Neighbour& a, const Neighbour& b) {
-    double angle = b.direction - a.direction;
-    if (angle < -2) angle += 4;
-    if (angle > 2) angle -= 4;
-    if (std::abs(angle) > margin && std::abs(angle) < 2 - margin)
-      return angle > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-    return Exactly<Exact::Orientation_2, Approximate::Orientation_2>()(Point(0, 0), point(a),
-                                                                       point(b));
+    const double turned = angle(a, b);
+    if (std::abs(turned) <= tie || std::abs(turned) >= 2 - tie) return CGAL::COLLINEAR;
+    return turned > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+  }
+  static bool is_same_direction(const Neighbour& a, const Neighbour& b) {
+    return std::abs(angle(a, b)) <= tie;
   }
   static bool is_nearer(const Neighbour& a, const Neighbour& b) {
     const double d = squared_distance(a), e = squared_distance(b);
-    if (e > least && d < (1 - margin) * e) return true;
-    if (d > least && e < (1 - margin) * d) return false;
+    if (e > least && d < (1 - tie) * e) return true;
+    if (d > least && e < (1 - tie) * d) return false;
+    if (d > least && e > least) return a.number < b.number;
     return Exactly<Exact::Compare_distance_2, Approximate::Compare_distance_2>()(
                Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
-  }
-  // by direction, then by distance
-  static bool is_before(const Neighbour& a, const Neighbour& b) {
-    if (std::abs(a.direction - b.direction) > margin) return a.direction < b.direction;
-    const CGAL::Orientation o = turn(a, b);
-    return o == CGAL::COLLINEAR ? is_nearer(a, b) : o == CGAL::POSITIVE;
-  }
-  static bool is_same_direction(const Neighbour& a, const Neighbour& b) {
-    return std::abs(a.direction - b.direction) <= margin && turn(a, b) == CGAL::COLLINEAR;
   }
   // whether the edge to `b` is Delaunay between those to `a` and `c`
   bool is_kept(const Neighbour& a, const Neighbour& b, const Neighbour& c) const {
@@ -70,9 +62,16 @@ private:
   template <class E, class A>
   using Exactly = Point_kernel::Exactly<E, A>;
 
-  static constexpr double margin = 1e-13;
+  // Far above rounding, of coordinates a million times as large as distances, too; far below what
+  // changes a surface.
+  static constexpr double tie = 0x1p-30;
   static constexpr double least = 1e-280; // above, products do not underflow
 
+  // from -2 to 2
+  static double angle(const Neighbour& a, const Neighbour& b) {
+    const double turned = b.direction - a.direction;
+    return turned < -2 ? turned + 4 : turned > 2 ? turned - 4 : turned;
+  }
   // On which side of the circle through three points the origin is.
   static CGAL::Oriented_side side_of_circle(const Neighbour& a, const Neighbour& b,
                                             const Neighbour& c) {
@@ -82,8 +81,10 @@ private:
       determinant += s * (x - y);
       size += s * (std::abs(x) + std::abs(y));
     }
-    if (size > least && std::abs(determinant) > margin * size)
+    if (size > least) {
+      if (std::abs(determinant) <= tie * size) return CGAL::ON_ORIENTED_BOUNDARY;
       return determinant > 0 ? CGAL::ON_POSITIVE_SIDE : CGAL::ON_NEGATIVE_SIDE;
+    }
     return Exactly<Exact::Side_of_oriented_circle_2, Approximate::Side_of_oriented_circle_2>()(
         point(a), point(b), point(c), Point(0, 0));
   }
@@ -95,14 +96,31 @@ private:
   std::uint32_t center_;
 };
 
+// Keeps the nearest of those in one direction. Directions follow each other in a circle.
+static void drop_those_behind(std::vector<Delaunay_star::Neighbour>& neighbours) {
+  using P = Star_predicates;
+  std::size_t kept = 0;
+  const auto keep_nearer = [&](std::size_t i, const Delaunay_star::Neighbour& a) {
+    if (P::is_nearer(a, neighbours[i])) neighbours[i] = a;
+  };
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    if (kept > 0 && P::is_same_direction(neighbours[kept - 1], neighbours[i]))
+      keep_nearer(kept - 1, neighbours[i]);
+    else
+      neighbours[kept++] = neighbours[i];
+  }
+  if (kept > 1 && P::is_same_direction(neighbours[kept - 1], neighbours[0]))
+    keep_nearer(0, neighbours[--kept]);
+  neighbours.resize(kept);
+}
+
 bool Delaunay_star::find(std::uint32_t center, std::vector<Neighbour>& neighbours) {
   using P = Star_predicates;
   const P predicates(center);
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });
   for (Neighbour& a : neighbours) a.direction = P::direction(a.at);
-  std::sort(neighbours.begin(), neighbours.end(), P::is_before);
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end(), P::is_same_direction),
-                   neighbours.end()); // those behind another
+  std::ranges::sort(neighbours, {}, &Neighbour::direction);
+  drop_those_behind(neighbours);
   const std::size_t n = neighbours.size();
   if (n < 2) return false;
   // begin after a gap of half a turn, if there is one, else at the nearest, which is always in the

@@ -49,9 +49,16 @@ static void rotate(Symmetric_matrix_3& m, Symmetric_matrix_3& axes, unsigned p, 
   for (unsigned k = 0; k < 3; ++k) turn(axes[p][k], axes[q][k]);
 }
 
-// Two orthonormal vectors in the plane that fits points of this covariance best: eigenvectors of
-// the largest eigenvalues, by Jacobi's method, which squares the error with every round.
-static std::array<std::array<double, 3>, 2> tangent_axes(Symmetric_matrix_3 covariance) {
+// Two orthonormal vectors in a plane.
+struct Tangent_axes {
+  std::array<std::array<double, 3>, 2> axes;
+  bool is_tie; // whether, up to rounding, another plane fits as well
+};
+
+// In the plane that fits points of this covariance best: eigenvectors of the largest eigenvalues,
+// by Jacobi's method, which squares the error with every round.
+static Tangent_axes tangent_axes(Symmetric_matrix_3 covariance) {
+  constexpr double tie = 0x1p-20;
   Symmetric_matrix_3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int round = 0; round < 8; ++round)
     for (const auto& [p, q] : {std::pair(0U, 1U), {0U, 2U}, {1U, 2U}})
@@ -59,7 +66,10 @@ static std::array<std::array<double, 3>, 2> tangent_axes(Symmetric_matrix_3 cova
   unsigned normal = 0;
   for (unsigned k = 1; k < 3; ++k)
     if (covariance[k][k] < covariance[normal][normal]) normal = k;
-  return {axes[(normal + 1) % 3], axes[(normal + 2) % 3]};
+  const unsigned first = (normal + 1) % 3, second = (normal + 2) % 3;
+  const double a = covariance[first][first], b = covariance[second][second];
+  return {{axes[first], axes[second]},
+          std::min(a, b) - covariance[normal][normal] <= tie * std::max(a, b)};
 }
 
 // Finds the triangles at points of a cloud, one point at a time.
@@ -69,8 +79,10 @@ public:
   using Point = Kernel::Point_3;
 
   // \param points no two of which are at one place, near ones near each other in memory
-  Local_triangulator(const std::vector<Point>& points, std::size_t neighbours)
-      : points_(points), wanted_(static_cast<unsigned>(neighbours) + 1),
+  // \param names the user's numbers of the points, which decide ties
+  Local_triangulator(const std::vector<Point>& points, const std::vector<std::uint32_t>& names,
+                     std::size_t neighbours)
+      : points_(points), names_(names), wanted_(static_cast<unsigned>(neighbours) + 1),
         traits_(Point_map(points.data())),
         tree_(boost::counting_iterator<std::uint32_t>(0),
               boost::counting_iterator<std::uint32_t>(static_cast<std::uint32_t>(points.size())),
@@ -78,17 +90,23 @@ public:
     tree_.build();
   }
 
-  // Appends the triangles at a point. \return whether they go all around it
+  // Appends the triangles at a point, by names. \return whether they go all around it
   bool add(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>& triangles) {
     find_neighbours(center);
-    const bool is_closed = Delaunay_star::find(center, star_);
-    const auto add = [&](std::uint32_t a,
-                         std::uint32_t b) { // rounding may make a triangle of a line
-      if (!Point_kernel::Are_collinear()(points_[center], points_[a], points_[b]))
-        triangles.push_back({center, a, b});
-    };
-    for (std::size_t i = 0; i + 1 < star_.size(); ++i) add(star_[i].number, star_[i + 1].number);
-    if (is_closed) add(star_.back().number, star_.front().number);
+    const bool is_closed = Delaunay_star::find(names_[center], star_);
+    std::vector<std::uint32_t>& corners = corners_;
+    corners.clear();
+    for (const Delaunay_star::Neighbour& a : star_) corners.push_back(a.number);
+    // the side from which the star is seen, and where it begins, are those of the axes
+    if (is_closed) {
+      std::ranges::rotate(corners, std::ranges::min_element(corners));
+      if (corners[1] > corners.back()) std::ranges::reverse(corners.begin() + 1, corners.end());
+      corners.push_back(corners.front());
+    } else if (!corners.empty() && corners.front() > corners.back()) {
+      std::ranges::reverse(corners);
+    }
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+      triangles.push_back({names_[center], corners[i], corners[i + 1]});
     return is_closed;
   }
 
@@ -101,24 +119,40 @@ private:
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
   using Tree = Search::Tree;
 
+  // The nearest points, and all that are as far as the last of them up to rounding: which of these
+  // come first depends on the axes.
+  void search(std::uint32_t center) {
+    for (auto most = wanted_ + 1;; most *= 2) {
+      const Search found(tree_, points_[center], most, 0, true,
+                         typename Search::Distance(traits_.point_property_map()));
+      nearest_.assign(found.begin(), found.end()); // by distances
+      if (nearest_.size() <= wanted_) return;
+      const double farthest = (1 + same) * nearest_[wanted_ - 1].second;
+      if (nearest_.size() == most && nearest_.back().second <= farthest) continue;
+      std::erase_if(nearest_, [farthest](const auto& p) { return p.second > farthest; });
+      return;
+    }
+  }
+
   // turned about the center, which is the origin, into the plane that fits them best
   void find_neighbours(std::uint32_t center) {
-    const Search search(tree_, points_[center], wanted_, 0, true,
-                        typename Search::Distance(traits_.point_property_map()), false);
+    search(center);
     star_.clear();
     vectors_.clear();
-    Vector mean{};
-    for (const auto& found : search) {
-      if (found.first == center) continue;
+    for (const auto& [i, squared_distance] : nearest_) {
+      if (i == center) continue;
       Vector& v = vectors_.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        v[unsigned(k)] = points_[found.first][k] - points_[center][k];
-        mean[unsigned(k)] += v[unsigned(k)];
-      }
-      star_.push_back({{}, found.first});
+      for (int k = 0; k < 3; ++k) v[unsigned(k)] = points_[i][k] - points_[center][k];
+      star_.push_back({{}, names_[i]});
     }
-    const auto axes = tangent_axes(covariance(mean));
-    for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], axes);
+    const auto even = [](std::size_t) { return 1.; };
+    // weights that depend on names alone choose one of several planes
+    const auto uneven = [this](std::size_t i) {
+      return 1 + 0x1p-33 * static_cast<double>(star_[i].number * 2654435761U);
+    };
+    Tangent_axes found = tangent_axes(covariance(even));
+    if (found.is_tie) found = tangent_axes(covariance(uneven));
+    for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], found.axes);
   }
 
   // A projection would put points of another side of the surface in front of nearer ones: distances
@@ -133,55 +167,70 @@ private:
       height += (axes[0][i] * axes[1][j] - axes[0][j] * axes[1][i]) * v[k];
     }
     const double width = std::hypot(at[0], at[1]);
-    if (!(width > 0)) return {0, 0};                     // has no direction
-    const double factor = std::hypot(1, height / width); // 1 in planes, bit by bit
+    if (!(width > 0x1p-20 * std::abs(height))) return {0, 0}; // has no direction but by rounding
+    const double factor = std::hypot(1, height / width);      // 1 in planes, bit by bit
     return {factor * at[0], factor * at[1]};
   }
 
   // of the neighbours and the center, in units in which it neither overflows nor underflows
-  Symmetric_matrix_3 covariance(Vector mean) const {
-    const double n = static_cast<double>(vectors_.size()) + 1;
-    double largest = 0;
+  template <class Weight>
+  Symmetric_matrix_3 covariance(const Weight& weight) const {
+    double largest = 0, sum = 1; // the center has the weight 1
     for (const Vector& v : vectors_)
       largest = std::max({largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     Symmetric_matrix_3 m{};
     if (largest == 0) return m;
-    for (double& x : mean) x /= n * largest;
-    const auto add = [&](const Vector& v) {
+    Vector mean{};
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
+      sum += weight(i);
+      for (unsigned k = 0; k < 3; ++k) mean[k] += weight(i) * (vectors_[i][k] / largest);
+    }
+    for (double& x : mean) x /= sum;
+    const auto add = [&](const Vector& v, double w) {
       Vector d{};
       for (unsigned i = 0; i < 3; ++i) d[i] = v[i] / largest - mean[i];
       for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = i; j < 3; ++j) m[i][j] += d[i] * d[j];
+        for (unsigned j = i; j < 3; ++j) m[i][j] += w * d[i] * d[j];
     };
-    add({0, 0, 0});
-    for (const Vector& v : vectors_) add(v);
+    add({0, 0, 0}, 1);
+    for (std::size_t i = 0; i < vectors_.size(); ++i) add(vectors_[i], weight(i));
     for (unsigned i = 1; i < 3; ++i)
       for (unsigned j = 0; j < i; ++j) m[i][j] = m[j][i];
     return m;
   }
 
+  static constexpr double same = 0x1p-30; // relative, of squared distances
+
   const std::vector<Point>& points_;
+  const std::vector<std::uint32_t>& names_;
   unsigned wanted_;
   Traits traits_;
   Tree tree_;
+  std::vector<Search::Point_with_transformed_distance> nearest_;
   std::vector<Delaunay_star::Neighbour> star_;
   std::vector<Vector> vectors_;
+  std::vector<std::uint32_t> corners_;
 };
 
-// The first of the points at each place, near ones near each other.
-static std::vector<std::uint32_t>
-distinct_points(const std::vector<std::array<double, 3>>& points) {
-  if (points.empty()) return {};
-  std::vector<std::uint32_t> order(points.size());
+std::vector<std::uint32_t>
+first_points_at_places(const std::vector<std::array<double, 3>>& points) {
+  std::vector<std::uint32_t> order(points.size()), first(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
     return std::pair(points[i], i) < std::pair(points[j], j);
   });
-  std::vector<char> is_first(points.size(), 1);
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (points[order[i]] == points[order[i - 1]]) is_first[order[i]] = 0;
-  order = morton_order(points);
-  std::erase_if(order, [&is_first](std::uint32_t v) { return is_first[v] == 0; });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] =
+        i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+  return first;
+}
+
+// The first of the points at each place, near ones near each other.
+static std::vector<std::uint32_t> distinct_points(const std::vector<std::array<double, 3>>& points,
+                                                  const std::vector<std::uint32_t>& first) {
+  if (points.empty()) return {};
+  std::vector<std::uint32_t> order = morton_order(points);
+  std::erase_if(order, [&first](std::uint32_t v) { return first[v] != v; });
   return order;
 }
 
@@ -217,22 +266,28 @@ std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report) {
   check_coordinates(points);
-  const std::vector<std::uint32_t> members = distinct_points(points);
+  const std::vector<std::uint32_t> members =
+      distinct_points(points, first_points_at_places(points));
   report.duplicated_points = points.size() - members.size();
   report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
   report.is_on_border.assign(points.size(), 0);
   if (members.size() < 3) fail_without_triangles(points.size());
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(6 * points.size() + 6); // the usual number
   const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
-  Local_triangulator triangulator(ordered, report.neighbours);
+  Local_triangulator triangulator(ordered, members, report.neighbours);
+  std::vector<std::array<std::uint32_t, 3>> found;
+  found.reserve(6 * points.size() + 6); // the usual number
+  std::vector<std::size_t> begins(points.size()), ends(points.size());
   for (std::uint32_t i = 0; i < members.size(); ++i) {
-    const std::size_t before = triangles.size();
-    report.is_on_border[members[i]] = triangulator.add(i, triangles) ? 0 : 1;
-    if (triangles.size() == before) ++report.points_without_triangles;
+    const std::uint32_t center = members[i];
+    begins[center] = found.size();
+    report.is_on_border[center] = triangulator.add(i, found) ? 0 : 1;
+    ends[center] = found.size();
+    if (begins[center] == ends[center]) ++report.points_without_triangles;
   }
-  for (std::array<std::uint32_t, 3>& t : triangles)
-    for (std::uint32_t& v : t) v = members[v];
+  std::vector<std::array<std::uint32_t, 3>> triangles; // in the user's order
+  triangles.reserve(found.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t k = begins[v]; k < ends[v]; ++k) triangles.push_back(found[k]);
   report.triangles = triangles.size();
   if (triangles.empty()) fail_without_triangles(points.size());
   return triangles;

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -54,7 +55,8 @@ public:
   explicit Place_finder(const Triangulation& t) : t_(t) {}
 
   /*!
-  \brief returns the vertices of a row: one, on a cover all copies of the user's vertex.
+  \brief returns the vertices of a row: one, on a cover all copies of the user's vertex. A point of
+  a cloud at the place of an earlier one has the vertex of that.
   \param row the number of one of the user's vertices, or the row of an inserted one
   \throws Invalid_input naming a vertex that does not exist, or has no face
   \complexity that of `vertex_of_row()` for each; the first inserted one needs linear time
@@ -65,10 +67,10 @@ public:
     std::erase_if(result, [this](vertex_descriptor v) {
       return halfedge(v, t_.mesh()) == boost::graph_traits<Mesh>::null_halfedge();
     });
-    if (result.empty())
-      throw Invalid_input::about(Element_kind::vertex, row,
-                                 " is isolated: no face has it; choose another");
-    return result;
+    if (!result.empty()) return result;
+    if (const std::uint32_t twin = Twin_points(t_).row(row); twin != row) return copies(twin);
+    throw Invalid_input::about(Element_kind::vertex, row,
+                               " is isolated: no face has it; choose another");
   }
 
   /// returns the vertex of a row; on a cover, the first copy. \throws Invalid_input as `copies()`
