@@ -65,7 +65,9 @@ private:
         continue;
       }
       if (is_at_vertex) from = Window_face(table_, a.side).apex;
-      Ray ray{a.side, from, from, a.image, a.source, 1e-12 * planar_distance(from, a.image)};
+      const double rounding = 0x1p-50 * table_.corners[a.side].length;
+      Ray ray{a.side,  from,     from,
+              a.image, a.source, 1e-12 * planar_distance(from, a.image) + rounding};
       Step step = start(ray);
       while (step == Step::crossed && places_.size() < most_places) step = cross_side(ray);
       if (step == Step::at_source) return Status::done;
@@ -125,10 +127,13 @@ private:
     return true;
   }
 
-  // Whether a ray passes a point, within rounding.
+  // Whether a ray passes a point before its end, within rounding.
   static bool passes(const Ray& ray, Plane_vector<double> p) {
     const Plane_vector<double> along = ray.image - ray.from;
-    return std::abs(cross(along, p - ray.from)) <= ray.tolerance * std::sqrt(dot(along, along));
+    const double length = std::sqrt(dot(along, along)), most = ray.tolerance * length;
+    const double part = dot(along, p - ray.from);
+    return std::abs(cross(along, p - ray.from)) <= most && part >= -most &&
+           part <= length * length + most;
   }
 
   // The first step, from a point in the face or from the apex.
@@ -164,13 +169,13 @@ private:
   // Crosses the side of a ray, and finds the side where it leaves the next face.
   Step cross_side(Ray& ray) {
     const Face_corner& side = table_.corners[ray.side];
-    const double down = ray.from.y - ray.image.y;
+    const double up = std::max(ray.from.y, 0.0), down = up - ray.image.y;
     if (side.opposite == Gluing::none || !(down > 0)) return Step::lost;
     std::uint32_t back = side.opposite;
     bool is_along = false;
     if (!side.has_one_neighbor() && !cross_branch(ray, back, is_along)) return Step::lost;
     // a source on the side itself is met there, at whatever angle
-    const double part = -ray.image.y <= ray.tolerance ? 1 : ray.from.y / down;
+    const double part = -ray.image.y <= ray.tolerance ? 1 : up / down;
     const double x = std::clamp(ray.from.x + (ray.image.x - ray.from.x) * part, 0.0, side.length);
     places_.push_back({ray.side, {1 - x / side.length, x / side.length, 0}});
     const auto beyond = [&](Plane_vector<double> p) {
