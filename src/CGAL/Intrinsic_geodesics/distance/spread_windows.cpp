@@ -42,6 +42,11 @@ both sides (Chen and Han's "one angle, one split"). These arguments stay within 
 layout of the faces before it: they hold on any Delta-complex, also where a shortest path crosses a
 face more than once.
 
+**Where more than two faces meet** a window goes on into each of the others. The rules about the
+corners of one face hold as they are: the paths that they compare meet at points of that face. "One
+angle, one split" holds among windows only that came through the same faces of such edges, see
+`Crossed_windows`. Vertices there end fans, and paths go on from fan to fan everywhere.
+
 **The order.** The queue gives vertices by their distance, and sides by the least distance of a
 point of the windows that wait there, which parts of windows never undercut. So the distance of a
 vertex is final when the vertex comes. The other windows of the side come earlier than they would
@@ -57,7 +62,8 @@ longer: a cap on the number of windows stands in for the proof.
 **Rounding.** Comparisons are tolerant in the direction that keeps windows. A window drawn to a
 corner shows it if the corner lies off its rays by rounding; so no corner is lost between two
 windows, at an error of second order. Distances are lengths of segments, never results of
-comparisons.
+comparisons. A vertex that is so near to an image that rounding hides directions behind it looks
+there itself; a source within rounding of a vertex leaves it to the vertex altogether.
 */
 
 namespace CGAL::Intrinsic_triangulations::internal {
