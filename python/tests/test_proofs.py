@@ -69,7 +69,7 @@ class Ends(unittest.TestCase):
         t = np.linspace(0, 2 * np.pi, 600, endpoint=False)
         P = np.round(np.column_stack([50 * np.cos(t), 50 * np.sin(t), 10 * t]), 2)
         start = time.perf_counter()
-        s = it.Surface(P, np.empty((0, 3), int), domain="points").delaunay()
+        s = it.points(P).delaunay()
         self.assertIn(s.certificate, ("exact", "interval"))
         self.assertLess(time.perf_counter() - start, 5)
 
