@@ -30,7 +30,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
             `lengths` it may be None, or the number of vertices.
         F: faces, of shape (m, k), or a list of faces with different numbers of corners.
         lengths: for an abstract surface, the lengths of the sides of triangles, of shape (m, 3):
-            from each corner to the next. They need not fit into space.
+            from each corner to the next. They need not fit into space. Around an edge with more
+            than two faces, these are in the order of their numbers.
         glue: with `lengths`, which sides are glued, of shape (m, 3, 2): the other face and its
             side, or -1. By default, sides with the same ends are.
         domain: what is made of faces: "manifold", or a cover if that cannot be:

@@ -191,8 +191,8 @@ std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
         throw Invalid_input(Element_kind::face, s.halfedge / 3,
                             "lengths[" + std::to_string(s.halfedge / 3) + ", " +
                                 std::to_string(s.halfedge % 3) + "] is " + std::to_string(l) +
-                                ", but another side of that edge has the length " +
-                                std::to_string(known) + "; give all sides of an edge one length");
+                                ", but the other side of that edge has the length " +
+                                std::to_string(known) + "; give both sides of an edge one length");
     result.push_back(known * known);
   }
   return result;
