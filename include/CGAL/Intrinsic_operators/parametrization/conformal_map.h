@@ -72,8 +72,9 @@ template <MeasuredTriangulation Triangulation>
 \brief maps a disk to the plane with least conformal energy, two vertices fixed (Lévy, Petitjean,
 Ray, Maillot, Least squares conformal maps, 2002).
 
-The two are the border vertex with the least row, and the border vertex half the length of the
-border away. The result is scaled to the area of the surface, and the first vertex is at the origin.
+The two are the border vertex where the longest edge of the border begins, and the border vertex
+half the length of the border away. The result is scaled to the area of the surface, and the first
+of them is at the origin.
 If no conformal map exists, the result depends on the two vertices; that of
 `spectral_conformal_map()` does not. Faces may turn over, and parts may overlap: `certify_map()`
 finds out exactly.

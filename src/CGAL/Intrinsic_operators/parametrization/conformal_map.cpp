@@ -136,6 +136,20 @@ private:
   std::size_t solutions_ = 0;
 };
 
+// The rows of the vertex of a border where its longest edge begins, and of the vertex half the
+// border away. They do not depend on the numbers of vertices, unless edges are equally long within
+// rounding.
+static std::pair<int, int> opposite_rows(const Disk_border& border) {
+  const std::size_t n = border.rows.size();
+  std::size_t begin = 0, steps = 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if (border.lengths[i] > (1 + 0x1p-40) * border.lengths[begin]) begin = i;
+  const double half = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0) / 2;
+  for (double length = 0; length < half && steps + 1 < n; ++steps)
+    length += border.lengths[(begin + steps) % n];
+  return {static_cast<int>(border.rows[begin]), static_cast<int>(border.rows[(begin + steps) % n])};
+}
+
 static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
                                                   const Eigen::SparseMatrix<double>& laplacian,
                                                   const Disk_border& border,
@@ -143,13 +157,9 @@ static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
   if (!solutions.begins()) return {};
   Complex_matrix c = conformal_energy(laplacian, {border});
   regularise_isolated(c);
-  const double half = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0) / 2;
-  std::size_t other = 0;
-  for (double length = 0; length < half; ++other) length += border.lengths[other];
-  const auto first = static_cast<int>(border.rows[0]),
-             second = static_cast<int>(border.rows[std::min(other, border.rows.size() - 1)]);
+  const auto [first, second] = opposite_rows(border);
   std::vector<char> is_fixed(static_cast<std::size_t>(c.rows()), 0);
-  is_fixed[border.rows[0]] = is_fixed[static_cast<std::size_t>(second)] = 1;
+  is_fixed[static_cast<std::size_t>(first)] = is_fixed[static_cast<std::size_t>(second)] = 1;
   Eigen::VectorXcd w = -c.col(second);
   w[first] = 0;
   w[second] = 1;
