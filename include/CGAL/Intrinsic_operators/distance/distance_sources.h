@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
@@ -142,8 +143,16 @@ private:
       const auto& [from, to] = *in_common;
       const bool is_point = points.size() == 2 && points[0].halfedge == points[1].halfedge &&
                             points[0].weights == points[1].weights;
-      if (from.weights != to.weights || is_point) add_segment(from, to); // skip repeated points
+      if (is_point || !are_together(from, to)) add_segment(from, to); // skip repeated points
     }
+  }
+
+  // Whether two points of a face are the same within rounding: a piece between them has no
+  // direction.
+  bool are_together(const Surface_point& p, const Surface_point& q) const {
+    const Geodesic_face face(Intrinsic_view<Triangulation>(t_), p.halfedge);
+    const Plane_vector<double> d = face.position(q.weights) - face.position(p.weights);
+    return std::hypot(d[0], d[1]) <= 0x1p-38 * *std::ranges::max_element(face.length);
   }
 
   Surface_point rounded(const Surface_point& p) const {

@@ -13,8 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point within rounding of a corner or a side of its face, at it: up to 2^-40 of the longest side.
-// \pre the halfedge of the point has a face
+// A point within rounding of a corner or a side of its face, at it: up to 2^-40 of the longest
+// side. \pre the halfedge of the point has a face
 template <NumberedComplex Complex>
 Surface_point within_rounding(const Complex& complex, const Surface_point& p) {
   const Geodesic_face face(complex, p.halfedge);
