@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <array>
 #include <bit>

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
 
 #include <pybind11/stl.h>

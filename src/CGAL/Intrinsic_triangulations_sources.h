@@ -41,7 +41,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_memory.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.cpp>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.cpp>

@@ -15,8 +15,8 @@
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 
 #include <functional>
 #include <vector>

@@ -20,9 +20,9 @@
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 
 #include <algorithm>
 #include <array>

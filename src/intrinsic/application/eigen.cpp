@@ -5,7 +5,7 @@
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 
 #include <string>
 #include <vector>

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <Eigen/Core>
 

@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #define INTRINSIC_APPLICATION_VERTEX_SETS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 
 #include <cstddef>
 #include <cstdint>

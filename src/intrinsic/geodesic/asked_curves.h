@@ -6,7 +6,7 @@
 
 #include "../options.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 
 #include <cstddef>
 #include <string>

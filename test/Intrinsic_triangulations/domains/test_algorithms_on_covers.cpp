@@ -21,8 +21,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>

@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_geodesics/queries/Copies_of_curve.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <vector>

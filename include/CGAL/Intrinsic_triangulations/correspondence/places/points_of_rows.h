@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_POINTS_OF_ROWS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_POINTS_OF_ROWS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -37,4 +37,4 @@ points_of_rows(const Triangulation& t, const std::vector<std::array<double, 3>>&
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_POINTS_OF_ROWS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H

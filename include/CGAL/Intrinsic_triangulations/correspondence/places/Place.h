@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -81,4 +81,4 @@ Surface_point with_one_name(const Input& input, const Surface_point& p);
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_H

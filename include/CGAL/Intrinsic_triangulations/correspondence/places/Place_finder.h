@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_FINDER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_FINDER_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_FINDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_FINDER_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Place.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -168,4 +168,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_QUERIES_PLACE_FINDER_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_PLACE_FINDER_H
