@@ -82,12 +82,11 @@ class _Curves:
     def trace(self, p, direction, length):
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.
 
-        `direction` is a vector in space, which is projected to the face of `p`, or at a vertex into
-        the face that is nearest to it. Or it is a complex number: in a face, the real axis runs
-        along its first side; at a vertex, see `frames()`. Its size does not matter, but is not
-        zero. `length` is in units of the vertices. The curve is
-        straight across edges, goes through vertices with equal angles on both sides, and ends at
-        the border.
+        `direction` is a vector in space, which is projected to the face of `p`, or at a vertex or
+        on an edge into the face that is nearest to it. Or it is a complex number: in a face, the
+        real axis runs along its first side; at a vertex, see `frames()`. Its size does not matter,
+        but is not zero. `length` is in units of the vertices. The curve is straight across edges,
+        goes through vertices with equal angles on both sides, and ends at the border.
 
         >>> s.trace(0, [1, 0.5, 0], 0.5).points[-1]
         array([0.4472136, 0.2236068, 0.       ])

@@ -134,7 +134,7 @@ private:
              "coordinates in the tangent plane");
     if (!x.allFinite()) refuse("a vector is not finite; give others");
     const Space_vector v{x[0], x[1], x[2]};
-    if (p.has_face()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
+    if (!p.is_vertex()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
     const Vertex at = find_.vertex(p.vertex);
     if (t_.is_inserted(at))
       refuse("vertex " + std::to_string(p.vertex) +

@@ -20,8 +20,9 @@ namespace python {
 using Space_vector = std::array<double, 3>; ///< a vector in space
 
 /*!
-\brief projects a vector in space to the face of a point; at a vertex, only its direction, to the
-face whose plane has the vector nearest to it. At the border the planes of the first and the last
+\brief projects a vector in space to the face of a point, whichever face the point was named in: on
+an edge to the nearer one of both; at a vertex, only its direction, to the face whose plane has the
+vector nearest to it. At the border the planes of the first and the last
 face go on beyond it: a vector that points out of the surface stays outside.
 \param coordinates where the user's vertices are
 \param vertex the number in the input of a point that is a vertex, which is not isolated

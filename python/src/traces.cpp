@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
@@ -94,11 +95,17 @@ double angle_beyond(const IT::Input& input, std::uint32_t h, const In_corner& c,
 
 IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
                                     const Place& p, std::uint32_t vertex, const Space_vector& v) {
-  if (p.has_face()) {
-    const IT::Surface_point q = point_on_input(input, p);
-    return tangent_of(input, q, in_corner(input, coordinates, q.halfedge, v, false));
-  }
   In_corner best{0, 0, -2};
+  if (!p.is_vertex()) {
+    IT::Surface_point nearest = point_on_input(input, p);
+    for (const IT::Surface_point& q : IT::internal::descriptions(input, nearest)) {
+      const In_corner here = in_corner(input, coordinates, q.halfedge, v, false);
+      if (!(here.cosine > best.cosine)) continue;
+      best = here;
+      nearest = q;
+    }
+    return tangent_of(input, nearest, best);
+  }
   const std::uint32_t first = input.outgoing_halfedge(vertex);
   std::uint32_t side = first, last = first;
   const IT::Fan_angle fan = IT::measure_fan(input, first, [&](std::uint32_t h, double) {
@@ -145,7 +152,7 @@ IT::Tangent_vector tangent(const T& t, const Points& coordinates, const Place& p
                             "the surface has lengths and no points, so that it has no directions "
                             "in space; give a complex number");
   const auto v =
-      p.has_face() ? typename T::vertex_descriptor{} : Place_finder<T>(t).vertex(p.vertex);
+      p.is_vertex() ? Place_finder<T>(t).vertex(p.vertex) : typename T::vertex_descriptor{};
   return tangent_in_space(t.input(), coordinates, p, t.index(v), std::get<Space_vector>(direction));
 }
 

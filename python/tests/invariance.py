@@ -311,7 +311,7 @@ def trace(x):
     z = complex(*(frames[p.face] @ d))
     found = []
     for c in (x.s.trace(p, d, 0.9 * x.scale), x.s.trace(p, z, 0.9 * x.scale),
-              x.s.trace(spot(x, 0), d, 0.7 * x.scale)):
+              x.s.trace(spot(x, 0), d, 0.7 * x.scale), x.s.trace(spot(x, 6), d, 0.7 * x.scale)):
         found += [x.space(c.points[-1]), c.length / x.scale, c.status]
     return found
 
@@ -397,7 +397,7 @@ def between(a, b):
 
 
 def transport(x):
-    field = x.s.transport(spots(x, 0, 4), [x.vector(direction(2)), x.vector(direction(3))])
+    field = x.s.transport(spots(x, 0, 4, 6), [x.vector(direction(k)) for k in (2, 3, 4)])
     return [x.rows(field.lengths), x.vectors(x.rows(field.vectors))]
 
 
