@@ -92,13 +92,6 @@ struct Corner_table {
     return o == Gluing::none ? o : next(o);
   }
 
-  /// makes paths keep to one copy of a vertex: they do not pass to the others.
-  void part_copies(std::uint32_t v) {
-    if (next_copy.empty()) return;
-    for (std::uint32_t w = next_copy[v]; w != v;) w = std::exchange(next_copy[w], w);
-    next_copy[v] = v;
-  }
-
   /// finds the fans of all vertices. \pre `corners` are there, and `first_corner` is long enough
   void find_fans();
 };

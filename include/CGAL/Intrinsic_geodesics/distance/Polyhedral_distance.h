@@ -237,8 +237,6 @@ public:
   }
 
   /// \cond
-  // On a cover, paths from a vertex then leave this copy of it alone.
-  void part_copies(vertex_descriptor v) { field_.table.part_copies(t_->index(v)); }
   // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
@@ -318,6 +316,7 @@ private:
     const internal::Path_place& place = path.places.back();
     const Plane_vector<double>& d = path.departure;
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
+    if (norm == 0 && length > 0) return none; // from another copy of the source
     return {surface_.point(place), scale * d};
   }
 

@@ -88,34 +88,71 @@ std::vector<std::complex<double>> logarithms(const Point_frames<Triangulation>& 
   return result;
 }
 
-// The logarithms along shortest paths that leave one copy of a vertex, in its coordinates.
-template <class Triangulation, class NP>
-std::vector<std::complex<double>> logarithms_at_copy(const Point_frames<Triangulation>& frames,
-                                                     typename Triangulation::vertex_descriptor v,
-                                                     const NP& np) {
-  Polyhedral_distance<Triangulation> distance(frames.triangulation());
-  distance.part_copies(v);
-  distance.search(v, np);
-  return logarithms(frames, distance, np, [&](const Tangent_vector& x) {
-    return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
-  });
+// Takes vectors from faces of the user under a cover to the coordinates of a copy of a vertex, if
+// one side of the face is about it; else to those of another copy.
+template <class Triangulation>
+class Vectors_at_copy {
+  using Vertex = typename Triangulation::vertex_descriptor;
+
+public:
+  Vectors_at_copy(const Point_frames<Triangulation>& frames, Vertex v)
+      : frames_(frames), sheets_(frames.triangulation()), v_(v) {}
+
+  std::complex<double> operator()(const Tangent_vector& on_input) const {
+    const Triangulation& t = frames_.triangulation();
+    const auto front = tangent_to_intrinsic(t, on_input);
+    if (!front) return unknown_vector;
+    std::complex<double> result = unknown_vector;
+    for (const Tangent_vector& x : sheets_(*front)) {
+      const auto corner = frames_.corners(x.point)[0];
+      if (is_known(result) && corner.vertex != frames_.number(v_)) continue;
+      result = frames_.to_field(corner.vertex, corner.to_here({x.vector[0], x.vector[1]}));
+    }
+    return result;
+  }
+
+private:
+  const Point_frames<Triangulation>& frames_;
+  Vectors_on_sheets<Triangulation> sheets_;
+  Vertex v_;
+};
+
+// A vector in the frame of a halfedge of the same face, or of one beside it; else unknown.
+template <class Triangulation>
+std::complex<double> vector_in_frame(const Triangulation& t, const Tangent_vector& v,
+                                     std::uint32_t halfedge) {
+  const Intrinsic_view<Triangulation> view(t);
+  const Geodesic_face from(view, v.point.halfedge), to(view, halfedge);
+  for (unsigned k = 0; k < 3; ++k)
+    for (unsigned j = 0; j < 3; ++j) {
+      const bool is_same = from.side[k] == to.side[j];
+      if (!is_same && from.side[k] != (to.side[j] ^ 1U)) continue;
+      const Plane_vector<double> along = from.relative_to(k, v.vector),
+                                 x = to.from_relative_to(j, is_same ? along : -1. * along);
+      return {x[0], x[1]};
+    }
+  return unknown_vector;
 }
 
-// Takes vectors at other copies of a vertex to its coordinates, if it has the other side of the
-// face of the vector; others stay as they are.
+// Takes vectors at a point from faces of the user under a cover to the frame of its halfedge.
 template <class Triangulation>
-auto vectors_at_copy(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
-  using Vertex = typename Triangulation::vertex_descriptor;
-  if constexpr (QueriedTriangulation<Triangulation>)
-    return [v, sheets = Vectors_on_sheets<Triangulation>(t)](Vertex other,
-                                                             std::complex<double> z) mutable {
-      for (const auto& [w, x] : sheets(other, z))
-        if (w == v) return x;
-      return z;
-    };
-  else
-    return [](Vertex, std::complex<double> z) { return z; };
-}
+class Vectors_at_point {
+public:
+  Vectors_at_point(const Triangulation& t, const Surface_point& p)
+      : t_(t), sheets_(t), halfedge_(p.halfedge) {}
+
+  std::complex<double> operator()(const Tangent_vector& on_input) const {
+    if (const auto front = tangent_to_intrinsic(t_, on_input))
+      for (const Tangent_vector& v : sheets_(*front))
+        if (const auto z = vector_in_frame(t_, v, halfedge_); is_known(z)) return z;
+    return unknown_vector;
+  }
+
+private:
+  const Triangulation& t_;
+  Vectors_on_sheets<Triangulation> sheets_;
+  std::uint32_t halfedge_;
+};
 
 } // namespace internal
 
@@ -127,10 +164,11 @@ Lengths and directions are those of `Polyhedral_distance`, so the result does no
 triangulation of the surface. In the plane it is the displacement. Shortest paths bend only at
 vertices with more than a full turn of angle: all vertices behind such a vertex have its direction.
 
-On a cover, paths leave the copy `v`, as long as another copy does not have a shorter path. A vector
-along such a path is that on the other side of its face, if this is about `v`; else it is in the
-coordinates of the copy that the path leaves. (On the surface of a soup, some faces at a vertex may
-be about other copies of it on both sides.)
+On a cover with a correspondence, paths are those on the faces under it, see
+`Polyhedral_distance::on_faces()`. A vector is that on the side of its face that is about `v`; if
+none is, it is in the coordinates of another copy. (On a soup, some faces at a vertex may be about
+other copies of it on both sides.) Without a correspondence, vectors along paths from other copies
+are unknown.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \param t the triangulation
 \param v the vertex, which is not isolated
@@ -141,8 +179,8 @@ work, the others are NaN
 components and beyond the maximum distance
 \throws std::invalid_argument if the vertex is isolated, or the surface is that of a cloud of
   points, see `Point_cloud_vectors`
-\complexity that of `Polyhedral_distance`, once for each copy of the vertex, and linear in the
-  number of edges that all shortest paths cross
+\complexity that of `Polyhedral_distance`, and linear in the number of edges that all shortest
+  paths cross
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
@@ -153,20 +191,16 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
   if (frames.is_isolated(v))
     throw std::invalid_argument("vertex " + std::to_string(frames.number(v)) +
                                 " has no face, so that there are no vectors at it");
-  std::vector<std::complex<double>> result = internal::logarithms_at_copy(frames, v, np);
-  constexpr double shorter = 1 - 1e-10; // by more than rounding
-  if (t.input().names().sheets == 1) return result;
-  auto at_copy = internal::vectors_at_copy(t, v);
-  for (const auto other : vertices(t.mesh())) {
-    if (other == v || t.input_vertex(other) != t.input_vertex(v) || frames.is_isolated(other))
-      continue;
-    const std::vector<std::complex<double>> found = internal::logarithms_at_copy(frames, other, np);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      if (std::abs(found[i]) < shorter * std::abs(result[i]) ||
-          (internal::is_known(found[i]) && !internal::is_known(result[i])))
-        result[i] = at_copy(other, found[i]);
-  }
-  return result;
+  if constexpr (QueriedTriangulation<Triangulation>)
+    if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
+      on_faces.search(v, np);
+      return internal::logarithms(frames, on_faces, np,
+                                  internal::Vectors_at_copy<Triangulation>(frames, v));
+    }
+  return internal::logarithms(
+      frames, Polyhedral_distance<Triangulation>(t, v, np), np, [&](const Tangent_vector& x) {
+        return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
+      });
 }
 
 /*!
@@ -187,6 +221,12 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const 
       z = frames.from_corner(p, frames.from_field(frames.number(v), z));
     return result;
   }
+  if constexpr (QueriedTriangulation<Triangulation>)
+    if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
+      on_faces.search(p, np);
+      return internal::logarithms(frames, on_faces, np,
+                                  internal::Vectors_at_point<Triangulation>(t, p));
+    }
   return internal::logarithms(
       frames, Polyhedral_distance<Triangulation>(t, p, np), np,
       [](const Tangent_vector& x) { return std::complex(x.vector[0], x.vector[1]); });
