@@ -401,6 +401,10 @@ def transport(x):
     return [x.rows(field.lengths), x.vectors(x.rows(field.vectors))]
 
 
+def transport_from_vertex(x):
+    return [x.vectors(x.rows(x.s.transport(spot(x, 0), x.vector(direction(2))).vectors))]
+
+
 def axes(x):
     field = x.s.transport(spot(x, 0), x.vector(direction(2)))
     return [np.linalg.norm(field.axes, axis=1)[x.vertex]]

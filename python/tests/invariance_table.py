@@ -5,8 +5,6 @@
 import tempfile
 from pathlib import Path
 
-import numpy as np
-
 import intrinsic as it
 import invariance as m
 from invariance import Left_out, combinatorial, discrete, intrinsic, vertices
@@ -141,7 +139,8 @@ TABLE = {
                         discrete(m.logarithm("affine", 0)),
                         discrete(m.logarithm("affine", 4, 6), on=MESHES),
                         discrete(m.logarithm("polar", 0, 4, 6), on=MESHES)],
-    "Surface.transport": [discrete(m.transport, converges=True)],
+    "Surface.transport": [discrete(m.transport), discrete(
+        m.transport_from_vertex, on=("genus 2", "disk", "plane", "cone"), converges=True)],
     "VectorField.lengths": [discrete(m.transport)],
     "VectorField.vectors": [discrete(m.transport)],
     "VectorField.axes": [discrete(m.axes)],
