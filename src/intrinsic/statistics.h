@@ -246,8 +246,8 @@ Json flip_and_measure(Loaded<Triangulation>& loaded, bool flip, const Options& o
   Json json = loaded_json(loaded, options);
   const double area = input_area(loaded);
   // lengths that were changed have another area than the points
-  const bool is_area_known = std::isfinite(area) && options.metric.empty() &&
-                             t.report().mollification.kind == IT::Mollification::none;
+  const bool is_area_known = std::isfinite(area) && area > 0 && options.metric.empty() &&
+                             t.report().mollification.kind != IT::Mollification::lengths;
   const double kept_area = is_area_known || is_exact ? area : stored_area(t);
   const auto constrained = constrain(json);
   Stopwatch watch;
