@@ -5,6 +5,7 @@
 #include "geodesic/asked_curves.h"
 #include "levels.h"
 #include "support/file_formats.h"
+#include "support/surface_words.h"
 
 #include <algorithm>
 #include <array>

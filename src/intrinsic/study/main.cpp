@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../support/command_line.h"
-#include "../support/read_mesh.h"
+#include "../support/surface_words.h"
 #include "arithmetics.h"
 #include "job.h"
 #include "study.h"

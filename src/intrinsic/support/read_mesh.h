@@ -43,16 +43,6 @@ struct Surface_choice {
   IT::Nonplanar_polygons polygons = IT::Nonplanar_polygons::fan;
 };
 
-/// The words that name surfaces on the command line.
-inline const std::vector<std::string> surface_words{"auto",   "manifold", "orientation-cover",
-                                                    "tufted", "closed",   "points"};
-
-/// What the command line says about `surface_words`.
-inline const std::string surface_description =
-    "surface to make from the file: auto (the first of these that its faces allow; points if it "
-    "has none; default), manifold, orientation-cover, tufted, closed (the first of these without "
-    "border), or points (ignores faces)";
-
 /// returns the surface that one of `surface_words` names.
 Surface_choice surface_named(const std::string& word);
 
