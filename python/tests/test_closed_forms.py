@@ -168,6 +168,7 @@ class Curved(Random_places):
             V, F = sphere(random, random.integers(5, 12))
             V = V * 10.0 ** random.uniform(-1, 0, 3)
             s, f, k = it.Surface(V, F), int(random.integers(len(F))), random.integers(3)
+            F = s.faces  # hulls have faces that were turned around
             w = np.zeros(3)
             w[[k - 1, k - 2]] = random.uniform(0, 0.5, 2) * 10.0 ** random.integers(-18, 0, 2)
             w[k] = 1 - w.sum()
