@@ -191,7 +191,7 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
   if (frames.is_isolated(v))
     throw std::invalid_argument("vertex " + std::to_string(frames.number(v)) +
                                 " has no face, so that there are no vectors at it");
-  if constexpr (QueriedTriangulation<Triangulation>)
+  if constexpr (CorrespondingTriangulation<Triangulation>)
     if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
       on_faces.search(v, np);
       return internal::logarithms(frames, on_faces, np,
@@ -221,7 +221,7 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const 
       z = frames.from_corner(p, frames.from_field(frames.number(v), z));
     return result;
   }
-  if constexpr (QueriedTriangulation<Triangulation>)
+  if constexpr (CorrespondingTriangulation<Triangulation>)
     if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
       on_faces.search(p, np);
       return internal::logarithms(frames, on_faces, np,

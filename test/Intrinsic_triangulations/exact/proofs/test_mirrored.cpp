@@ -94,7 +94,7 @@ public:
     for (std::uint32_t n = 1; n + 1 < last; ++n) diamond_.triangles.enter(n - 1, 2, {n, 0});
     diamond_.corners = {{{0, 1}, {last - 2, 1}, {last - 2, 2}, {0, 2}}};
   }
-  bool is_mirrored() const { return ::is_mirrored(walk_, diamond_); }
+  bool has_proof() const { return is_mirrored(walk_, diamond_); }
   IT::Answer in_field() const {
     return IT::Field_proof()(
         IT::Question{walk_.input, diamond_, IT::recorded(IT::Delaunay_expression())});
@@ -125,7 +125,7 @@ TEST(Mirrored_proof, proves_trapezoids_over_triangles_that_are_not_symmetric_in_
   for (std::size_t i = 0; i < 40; ++i) {
     const bool is_moved = i % 3 == 0;
     const Fan fan(1 + i % 7, is_moved, random);
-    EXPECT_EQ(fan.is_mirrored(), !is_moved);
+    EXPECT_EQ(fan.has_proof(), !is_moved);
     EXPECT_EQ(fan.in_field(), is_moved ? IT::Answer::not_zero : IT::Answer::zero);
   }
 }
