@@ -253,8 +253,11 @@ def distance(x):
 def distance_by_heat(x):
     s = x.s
     return [x.rows(s.distance(spot(x, 0), method="heat")) / x.scale,
-            x.rows(s.distance(spots(x, 1, 4), method="heat")) / x.scale,
-            x.rows(s.distance(spot(x, 6), method="heat")) / x.scale]
+            x.rows(s.distance(spots(x, 1, 4), method="heat")) / x.scale]
+
+
+def distance_by_heat_from_edge(x):
+    return [x.rows(x.s.distance(spot(x, 6), method="heat")) / x.scale]
 
 
 def voronoi(x):
@@ -347,15 +350,20 @@ def logarithm(method, *ks):
     def measure(x):
         found = []
         for k in ks:
-            p = spot(x, k)
-            z = complexes(x.rows(x.s.log_map(p, method=method))) / x.scale
-            found.append(abs(z))
-            if has_plane(x, place(x.name, k)):
-                if isinstance(p, it.Point) and max(p.barycentric) == 1:
-                    z = as_at_vertex(x, p, z)
-                found += up_to_turns(z, place(x.name, 3), x.name in ORIENTED)
+            z = complexes(x.rows(x.s.log_map(spot(x, k), method=method))) / x.scale
+            found += without_frame(x, k, z)
         return found
     return measure
+
+
+def without_frame(x, k, z):
+    """Vectors at a place, up to the frame there."""
+    p, found = spot(x, k), [abs(z)]
+    if has_plane(x, place(x.name, k)):
+        if isinstance(p, it.Point) and max(p.barycentric) == 1:
+            z = as_at_vertex(x, p, z)
+        found += up_to_turns(z, place(x.name, 3), x.name in ORIENTED)
+    return found
 
 
 def has_plane(x, p):
@@ -388,7 +396,10 @@ def as_at_vertex(x, p, z):
     if np.cross(first, middle) @ np.cross(a, b) < 0:
         turn = turn.conjugate()
     total, is_on_border = angle_and_border(x, x.F[p.face][k])
-    return abs(z) * np.exp(1j * np.angle(z / turn) * (np.pi if is_on_border else 2 * np.pi) / total)
+    whole, angle = np.pi if is_on_border else 2 * np.pi, np.angle(z / turn)
+    beyond = np.maximum(abs(angle) - total / 2, 0)  # the border
+    scaled = (abs(angle) - beyond) * whole / total + beyond * np.pi / (2 * np.pi - total)
+    return abs(z) * np.exp(1j * np.sign(angle) * scaled)
 
 
 def between(a, b):

@@ -137,7 +137,7 @@ def transport(x, path, folder):
 def logmap(x, path, folder):
     program.run("logmap", path, "--source", words(x, 0), "-o", folder / "z.txt", "--on", "input")
     z = m.complexes(x.rows(table(folder / "z.txt")[:, :2])) / x.scale
-    return [abs(z), *m.up_to_turns(z, place(x.name, 3), x.name in ORIENTED)]
+    return m.without_frame(x, 0, z)
 
 
 def field(x, path, folder):

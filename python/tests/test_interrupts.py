@@ -109,7 +109,8 @@ class Callbacks(unittest.TestCase):
         np.testing.assert_array_equal(found[0], found[2])
 
     def test_a_thread_that_waits_for_the_surface_does_not_keep_it_from_the_error(self):
-        s = it.Surface(*unit_grid(60))
+        s = it.Surface(*unit_grid(150))
+        u = s.points @ [1, 0.3, 0]
         other = threading.Thread(target=s.laplacian)
 
         def use():
@@ -117,7 +118,7 @@ class Callbacks(unittest.TestCase):
             other.join(0.2)  # until it waits
             s.laplacian()
 
-        self.expect_refusals(lambda p: s.refine(size=0.004, progress=p), use)
+        self.expect_refusals(lambda p: s.isolines(u, 3000, progress=p), use)
         other.join(60)
         self.assertFalse(other.is_alive())
 
