@@ -53,23 +53,25 @@ class Network:
 
     `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
     `flips` how many edges were flipped, `certified` whether the curves are proven to be geodesic
-    (None: this was not asked for). `Surface.cut()` cuts along them.
+    (None: this was not asked for), and `obstacle` why a path on the faces of a soup is not, or
+    None. `Surface.cut()` cuts along them.
     """
 
-    __slots__ = ("curves", "status", "flips", "certified", "_edges")
+    __slots__ = ("curves", "status", "flips", "certified", "obstacle", "_edges")
 
     def __init__(self, parts):
         self.curves = [Curve(c) for c in parts["curves"]]
         self.status = parts["status"]
         self.flips = parts["flips"]
         self.certified = parts["is_certified"]
+        self.obstacle = parts["obstacle"]
         self._edges = parts["edges"]
 
     def __getstate__(self):
-        return self.curves, self.status, self.flips, self.certified
+        return self.curves, self.status, self.flips, self.certified, self.obstacle
 
     def __setstate__(self, state):
-        self.curves, self.status, self.flips, self.certified = state
+        self.curves, self.status, self.flips, self.certified, self.obstacle = state
         self._edges = None  # stay behind: cuts insert the curves again
 
     @property

@@ -33,6 +33,7 @@ class Network(Sequence[Curve]):
     status: str
     flips: int
     certified: bool | None
+    obstacle: str | None
     @property
     def length(self) -> float: ...
     def __len__(self) -> int: ...

@@ -39,7 +39,9 @@ class _Curves:
         With `method` "exact", it is a shortest path. With "flips" it is found by flips from a
         shortest path along edges: it is locally shortest, often longer, and found faster. `through`
         are points between the ends. They choose the way around holes and handles; with `waypoints`,
-        the path stays at them, and consists of shortest paths from each to the next.
+        the path stays at them, and consists of shortest paths from each to the next. On soups,
+        shortest paths are those on your faces, any number of which meet at an edge; paths that are
+        shortened (by "flips", and with `through` but without `waypoints`) stay on the double cover.
 
         >>> s.path(0, 2).length
         1.4142135623730951
@@ -51,8 +53,8 @@ class _Curves:
         """Returns a closed geodesic as a `Curve`: shortest paths from each of the points to the
         next, and from the last to the first, are shortened together.
 
-        A loop that goes around nothing shrinks to a point: its status is "contracted". See `path()`
-        for the options.
+        A loop that goes around nothing shrinks to a point: its status is "contracted". On soups,
+        loops stay on the double cover. See `path()` for the options.
         """
         return self.network((), [points], waypoints=waypoints, method=method,
                             progress=progress)[0]
@@ -64,7 +66,8 @@ class _Curves:
         Each path and each loop is a sequence of points, see `path()` and `loop()`. By the method
         "exact" each curve is found as if the others were not there; by "flips" curves do not cross
         others. Ends that several curves share stay where they are. `certify` asks for a proof that
-        all curves are geodesic.
+        all curves are geodesic: on soups, shortest paths within the faces, where `obstacle` says
+        what could not be proven; other curves on the double cover.
         """
         options = _core.CurveOptions(_is_shortest(method), bool(waypoints), bool(certify))
         curves = []

@@ -6,11 +6,13 @@
 #include "Surface.h"
 #include "curve_arrays.h"
 #include "places.h"
+#include "searches.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
@@ -26,6 +28,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +61,8 @@ struct Found_curves {
   std::vector<double> initial_lengths;
   IT::Shortening_result shortening;
   std::optional<bool> is_certified;
-  std::shared_ptr<Curve_edges> edges;
+  std::string obstacle;               ///< why paths on faces are not certified
+  std::shared_ptr<Curve_edges> edges; ///< null if curves are no edges
 };
 
 // Makes curves geodesic on a copy of a triangulation.
@@ -73,10 +77,12 @@ public:
       : t_(std::make_unique<T>(t)), options_(options), visitor_{&watch}, network_(*t_) {}
 
   Found_curves run(const std::vector<Asked_curve>& asked) {
+    if (!find_on_faces(asked)) return {};
     Curves curves;
-    for (const Asked_curve& curve : asked)
-      curves.push_back({IT::insert_places(*t_, curve.points, curve.is_loop), curve.is_loop,
-                        options_.stays_at_points});
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (!on_faces_.contains(i))
+        curves.push_back({IT::insert_places(*t_, asked[i].points, asked[i].is_loop),
+                          asked[i].is_loop, options_.stays_at_points});
     IT::internal::fix_junctions(network_, curves);
     for (const auto& curve : curves) expect_different_neighbors(curve.vertices, curve.is_loop);
     if (!(options_.is_shortest && add_geodesics(curves))) {
@@ -87,13 +93,43 @@ public:
     if (found_.shortening.status == IT::Status::cancelled) return {};
     measure();
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) trace(c);
-    if (options_.is_certified) found_.is_certified = IT::certify_geodesic(network_).is_geodesic();
+    if (options_.is_certified)
+      found_.is_certified = curves.empty() || IT::certify_geodesic(network_).is_geodesic();
     found_.input = t_->shared_input();
-    found_.edges = edges();
+    if (on_faces_.empty())
+      found_.edges = edges();
+    else
+      add_paths_on_faces();
     return std::move(found_);
   }
 
 private:
+  // Shortest paths on the faces under a cover, which are no edges. False if the search is cancelled.
+  bool find_on_faces(const std::vector<Asked_curve>& asked) {
+    if (!options_.is_shortest || t_->input().names().sheets == 1) return true;
+    IT::Paths_on_faces<T> find(*t_);
+    Search_visitor visitor{visitor_.watch};
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (find.can_find(asked[i].points.size(), asked[i].is_loop, options_.stays_at_points)) {
+        on_faces_[i] = find(asked[i].points, IT::parameters::visitor(std::ref(visitor)));
+        if (on_faces_[i].curve.status == IT::Status::cancelled) return false;
+      }
+    return true;
+  }
+
+  // Puts them between the curves on the cover.
+  void add_paths_on_faces() {
+    for (auto& [i, path] : on_faces_) {
+      const auto place = static_cast<std::ptrdiff_t>(i);
+      found_.initial_lengths.insert(found_.initial_lengths.begin() + place, path.curve.length);
+      if (options_.is_certified && !path.certificate.is_geodesic()) {
+        found_.is_certified = false;
+        found_.obstacle = path.certificate.obstacle;
+      }
+      found_.ways.insert(found_.ways.begin() + place, Way{std::move(path.curve), false});
+    }
+  }
+
   auto observed() { return IT::parameters::visitor(std::ref(visitor_)); }
 
   std::string name(Vertex v) const {
@@ -209,6 +245,7 @@ private:
   Curve_options options_;
   Shortening_watch visitor_;
   IT::Curve_network<T> network_;
+  std::map<std::size_t, IT::Path_on_faces> on_faces_; // by the numbers of curves
   Found_curves found_;
 };
 
@@ -230,6 +267,7 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
   result["status"] = program::name(found.shortening.status);
   result["flips"] = found.shortening.flips;
   result["is_certified"] = py::cast(found.is_certified);
+  result["obstacle"] = found.obstacle.empty() ? py::object(py::none()) : py::str(found.obstacle);
   result["edges"] = found.edges;
   return result;
 }

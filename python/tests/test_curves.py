@@ -137,6 +137,84 @@ class Paths(Shapes):
         self.check(s, V, curve)
 
 
+class Soups(Shapes):
+    """Shortest paths are on the user's faces, any number of which meet at an edge."""
+
+    def expect_on_faces(self, s, V, curve):
+        self.check(s, V, curve)
+        for p, q, face in zip(curve.points, curve.points[1:], curve.faces):
+            for x in (p, q):
+                weights = np.linalg.lstsq(np.vstack([V[s.faces[face]].T, np.ones(3)]),
+                                          np.append(x, 1), rcond=None)[0]
+                np.testing.assert_allclose(weights @ V[s.faces[face]], x, atol=1e-12)
+                self.assertGreater(weights.min(), -1e-9)
+
+    def test_paths_cross_edges_from_any_face_to_any_other(self):
+        a = np.arange(4) * np.pi / 2
+        V = np.array([(0, 0, 0), (0, 0, 1), *zip(np.cos(a), np.sin(a), [0.5] * 4)])
+        for arithmetic in ("exact", "double"):
+            s = it.Surface(V, [(0, 1, k) for k in range(2, 6)], arithmetic=arithmetic)
+            for tip in (3, 4, 5):
+                network = s.network([[2, tip]], certify=True)
+                self.assertAlmostEqual(network[0].length, 2, 14)
+                self.assertEqual((network.certified, network.obstacle), (True, None))
+                self.assertEqual((network[0].status, len(network[0])), ("done", 3))
+                self.expect_on_faces(s, V, network[0])
+            around = s.network([[2, 3], [2, 4, 5]], [[2, 3, 4]], certify=True)
+            self.assertEqual([c.is_closed for c in around], [False, False, True])
+            self.assertAlmostEqual(around[0].length, 2, 14)
+
+    def test_books_unfold(self):
+        random = np.random.default_rng(54)
+        for _ in range(25):
+            pages = int(random.integers(3, 7))
+            a = 2 * np.pi * (np.arange(pages) + random.uniform(0.1, 0.9, pages)) / pages
+            r, z = random.uniform(0.3, 2, pages), random.uniform(0.1, 0.9, pages)
+            V = np.concatenate([[(0, 0, 0), (0, 0, 1)],
+                                np.column_stack([r * np.cos(a), r * np.sin(a), z])])
+            s = it.Surface(V, [random.permutation([0, 1, k + 2]) for k in range(pages)])
+            i, j = random.choice(pages, 2, replace=False)
+            w = random.dirichlet((1, 1, 1))
+            place = it.Point(int(i), tuple(w[list(s.faces[i]).index(k)] for k in s.faces[i]))
+            height = w @ V[s.faces[i], 2]
+            part = w[list(s.faces[i]).index(i + 2)]
+            network = s.network([[place, int(j) + 2]], certify=True)
+            self.assertAlmostEqual(network[0].length, np.hypot(part * r[i] + r[j], height - z[j]),
+                                   12)
+            self.assertTrue(network.certified)
+            self.expect_on_faces(s, V, network[0])
+
+    def test_paths_are_as_long_as_distances(self):
+        random = np.random.default_rng(55)
+        for _ in range(20):
+            n = int(random.integers(6, 12))
+            V = random.random((n, 3))
+            F = {tuple(sorted(random.choice(n, 3, replace=False))) for _ in range(2 * n)}
+            s = it.Surface(V, [random.permutation(f) for f in sorted(F)])
+            a, b = int(s.faces[0][0]), it.Point(len(F) - 1, tuple(random.dirichlet((1, 1, 1))))
+            expected = s.distance(a, targets=[b])[0]
+            if not np.isfinite(expected):
+                continue
+            network = s.network([[a, b]], certify=True)
+            self.assertAlmostEqual(network[0].length, expected, 10)
+            self.assertTrue(network.certified, network.obstacle)
+            self.expect_on_faces(s, V, network[0])
+
+    def test_what_is_not_proven_is_said(self):
+        V, F = unit_grid(2)  # the path passes the vertex in the middle, straight
+        V, F = np.concatenate([V, [[0.5, 0.25, 1]]]), [*F, [1, 4, 9], [9, 4, 1]]
+        network = it.Surface(V, F[:-1]).network([[0, 8]], certify=True)
+        if not network.certified:
+            self.assertIn("vertex 4", network.obstacle)
+        with self.assertRaisesRegex(ValueError, "follows itself"):
+            it.Surface(V, F[:-1]).path(3, 3)
+        with self.assertRaisesRegex(ValueError, "components"):
+            it.Surface(np.concatenate([V, V + 5]),
+                       [*F[:-1], *(np.array(F[:-1]) + 10)]).path(0, 18)
+        again = pickle.loads(pickle.dumps(network))
+        self.assertEqual(again.obstacle, network.obstacle)
+
+
 class Traces(Shapes):
     def test_lines_in_a_square_are_straight(self):
         V, F = unit_grid(5)
@@ -324,6 +402,18 @@ class Same_as_the_program(program.Comparison):
         lists = [",".join(map(str, loop)) for loop in loops]
         network = it.Surface(V, F).network((), loops, certify=True)
         self.expect_curves(path, network, "--loop", lists[0], "--loop", lists[1])
+
+    def test_paths_on_soups(self):
+        a = np.arange(4) * np.pi / 2
+        V = np.array([(0, 0, 0), (0, 0, 1), *zip(np.cos(a), np.sin(a), [0.5] * 4)])
+        F = [(0, 1, k) for k in range(2, 6)]
+        path = self.folder / "book.off"
+        path.write_text("OFF\n6 4 0\n" + "\n".join(" ".join(map(repr, map(float, p))) for p in V)
+                        + "\n" + "\n".join("3 %d %d %d" % f for f in F) + "\n")
+        network = it.Surface(V, F).network([[2, 3], [2, 0, 4], [2, 4]], waypoints=True,
+                                           certify=True)
+        self.expect_curves(path, network, "--path", "2,3", "--path", "2,0,4", "--path", "2,4",
+                           "--waypoints")
 
     def test_a_surface_with_doubles(self):
         path, V, F = program.mesh("elephant.off")
