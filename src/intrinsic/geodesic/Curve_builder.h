@@ -7,6 +7,7 @@
 #include "../constraints.h"
 #include "../load.h"
 #include "../options.h"
+#include "../support/file_formats.h"
 #include "../support/naming_file.h"
 #include "asked_curves.h"
 
@@ -15,6 +16,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
@@ -22,8 +24,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace program {
@@ -32,7 +36,7 @@ namespace program {
 \brief adds the curves of the options to a network: first vertices at their points, then marked
 edges, then paths and loops. Paths and loops are geodesics, each found as if the others were not
 there. Beside marked edges, and if shortening may stop early, they start as shortest paths along
-edges.
+edges. Shortest paths on the faces under a cover are no edges, and not in the network.
 */
 template <class Triangulation>
 class Curve_builder {
@@ -49,8 +53,9 @@ public:
 
   /// adds the curves. \throws std::runtime_error naming what cannot be added, and the remedy
   void run() {
-    const std::vector<Asked_curve> curves =
+    std::vector<Asked_curve> curves =
         asked_curves(options_, t_.input().number_of_rows(), loaded_.facts.polygons);
+    if (are_free(curves)) take_paths_on_faces(curves);
     std::vector<Curve> through;
     for (const Asked_curve& curve : curves)
       through.push_back(
@@ -72,7 +77,7 @@ public:
       named(curves[i].source,
             [&] { curves[i].is_loop ? network_.add_loop(way) : network_.add_path(way); });
     }
-    if (network_.number_of_curves() == 0)
+    if (network_.number_of_curves() == 0 && on_faces_.empty())
       throw std::runtime_error(options_.input +
                                ": no edge is marked, so there is no curve; mark edges, or choose a "
                                "smaller --sharp-angle");
@@ -80,6 +85,8 @@ public:
 
   /// returns the shortest paths that curves were made of, if each was found alone.
   const std::vector<IT::Traced_curve>& initial() const { return initial_; }
+  /// returns the paths on the faces under a cover, by the numbers of curves.
+  const std::map<std::size_t, IT::Path_on_faces>& on_faces() const { return on_faces_; }
   /// returns what was done to find them.
   const IT::Shortening_result& shortening() const { return shortening_; }
 
@@ -92,6 +99,24 @@ private:
            g.joint_angle == 180 &&
            std::all_of(curves.begin(), curves.end(),
                        [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
+  }
+
+  // Finds what consists of shortest paths on the faces under a cover, unless curves are to be edges.
+  void take_paths_on_faces(std::vector<Asked_curve>& curves) {
+    const bool are_edges =
+        options_.refines || options_.geodesic.writes_subdivision ||
+        (!options_.output.empty() && !is_file_of(Contents::curves, options_.output));
+    if (are_edges || t_.input().names().sheets == 1) return;
+    IT::Paths_on_faces<Triangulation> find(t_);
+    std::vector<Asked_curve> others;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      if (const Asked_curve& c = curves[i];
+          find.can_find(c.points.size(), c.is_loop, options_.geodesic.has_waypoints))
+        on_faces_[i] =
+            naming_file(c.source + ": " + options_.input, [&] { return find(c.points); });
+      else
+        others.push_back(c);
+    curves = std::move(others);
   }
 
   // False if vertices are not connected, or rounding has spoilt a path.
@@ -191,6 +216,7 @@ private:
   const Options& options_;
   IT::Curve_network<Triangulation>& network_;
   std::vector<IT::Traced_curve> initial_;
+  std::map<std::size_t, IT::Path_on_faces> on_faces_;
   IT::Shortening_result shortening_;
 };
 

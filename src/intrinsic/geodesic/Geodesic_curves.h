@@ -10,6 +10,7 @@
 #include "../support/progress.h"
 #include "Curve_builder.h"
 
+#include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -70,12 +72,14 @@ public:
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
       const bool is_lone = c < builder.initial().size();
       initial_length_.push_back(is_lone ? builder.initial()[c].length : network_.length(c));
-      if (is_lone && !options_.view.empty()) initial_[c] = polyline(c, builder.initial()[c]);
+      if (is_lone && !options_.view.empty())
+        initial_[c] = polyline(builder.initial()[c], network_.is_loop(c), c);
     }
     json["seconds"]["paths"] = watch.lap();
     progress.show("shortening");
     Shortening_progress visitor;
     visitor.line = &progress;
+    on_faces_ = builder.on_faces();
     result_ = builder.shortening();
     result_ += IT::shorten_curves(network_,
                                   IT::parameters::relative_length(options_.geodesic.relative_length)
@@ -85,7 +89,11 @@ public:
     progress.show("verifying");
     json["geodesic"] = facts();
     json["seconds"]["certify"] = watch.lap();
-    if (!options_.view.empty() || !options_.output.empty()) shortened_ = polylines();
+    if (!options_.view.empty() || !options_.output.empty()) {
+      shortened_ = polylines();
+      add_on_faces(shortened_);
+    }
+    if (!options_.view.empty()) add_on_faces(initial_);
   }
 
   /// returns the curves as they were before.
@@ -125,17 +133,49 @@ private:
       if (is_contracted && !t_.is_inserted(network_.start(c)))
         curves.back()["vertex"] = t_.input_vertex(network_.start(c));
     }
-    return {{"status", geodesic_status(result_.status, are_all_contracted)},
-            {"length", network_.length()},
-            {"initial_length", initial_length},
-            {"joints", report.joints.size()},
-            {"flips", result_.flips},
-            {"shortenings", result_.shortenings},
-            {"wedge_checks", result_.wedge_checks},
-            {"exact_ties", result_.exact_ties},
-            {"refused_flips", result_.refused_flips},
-            {"certified", IT::certify_geodesic(network_).is_geodesic()},
-            {"curves", curves}};
+    double length = network_.length();
+    for (const auto& [c, path] : on_faces_) {
+      are_all_contracted = false;
+      length += path.curve.length;
+      initial_length += path.curve.length;
+      curves.insert(curves.begin() + static_cast<std::ptrdiff_t>(c), facts(path));
+    }
+    Json json = {{"status", geodesic_status(result_.status, are_all_contracted)},
+                 {"length", length},
+                 {"initial_length", initial_length},
+                 {"joints", report.joints.size()},
+                 {"flips", result_.flips},
+                 {"shortenings", result_.shortenings},
+                 {"wedge_checks", result_.wedge_checks},
+                 {"exact_ties", result_.exact_ties},
+                 {"refused_flips", result_.refused_flips},
+                 {"certified",
+                  network_.number_of_curves() == 0 || IT::certify_geodesic(network_).is_geodesic()},
+                 {"curves", curves}};
+    for (const auto& [c, path] : on_faces_)
+      if (!path.certificate.is_geodesic()) {
+        json["certified"] = false;
+        json["obstacle"] = path.certificate.obstacle;
+      }
+    return json;
+  }
+
+  static Json facts(const IT::Path_on_faces& path) {
+    Json json = {{"status", path.curve.status == IT::Status::done ? "geodesic" : "inaccurate"},
+                 {"length", path.curve.length},
+                 {"initial_length", path.curve.length},
+                 {"is_loop", false}};
+    if (const CGAL::Interval_nt<> bounds = path.certificate.length; CGAL::is_finite(bounds))
+      json["length_bounds"] = {bounds.inf(), bounds.sup()};
+    return json;
+  }
+
+  // Puts the paths on faces between the curves of the network.
+  void add_on_faces(std::vector<IT::Polyline>& lines) const {
+    if (on_faces_.empty()) return;
+    for (const auto& [c, path] : on_faces_)
+      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(c), polyline(path.curve, false));
+    for (std::size_t c = 0; c < lines.size(); ++c) lines[c].label = static_cast<std::int32_t>(c);
   }
 
   std::vector<IT::Polyline> polylines() const {
@@ -147,13 +187,13 @@ private:
         continue;
       }
       const IT::Traced_curve curve = IT::trace_curve(t_, network_.halfedges(c));
-      result.push_back(polyline(c, curve));
+      result.push_back(polyline(curve, network_.is_loop(c), c));
     }
     return result;
   }
 
-  IT::Polyline polyline(std::uint32_t c, const IT::Traced_curve& curve) const {
-    IT::Polyline line{{}, network_.is_loop(c), static_cast<std::int32_t>(c)};
+  IT::Polyline polyline(const IT::Traced_curve& curve, bool is_loop, std::uint32_t c = 0) const {
+    IT::Polyline line{{}, is_loop, static_cast<std::int32_t>(c)};
     for (const IT::Surface_point& p : curve.points)
       line.points.push_back(IT::point_in_space(t_, p, points_));
     if (line.is_closed) line.points.pop_back(); // the start again
@@ -175,6 +215,7 @@ private:
   std::vector<Point> points_;
   std::vector<double> initial_length_;
   IT::Shortening_result result_;
+  std::map<std::size_t, IT::Path_on_faces> on_faces_; // by the numbers of curves
   std::vector<IT::Polyline> initial_, shortened_;
 };
 
