@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  // Shortest paths on the faces under a cover, which are no edges. False if the search is cancelled.
+  // Shortest paths on the faces under a cover, which are no edges. False if it is cancelled.
   bool find_on_faces(const std::vector<Asked_curve>& asked) {
     if (!options_.is_shortest || t_->input().names().sheets == 1) return true;
     IT::Paths_on_faces<T> find(*t_);

@@ -101,7 +101,7 @@ private:
                        [](const Asked_curve& c) { return c.kind == Curve_kind::joined; });
   }
 
-  // Finds what consists of shortest paths on the faces under a cover, unless curves are to be edges.
+  // Finds shortest paths on the faces under a cover, unless curves are to be edges.
   void take_paths_on_faces(std::vector<Asked_curve>& curves) {
     const bool are_edges =
         options_.refines || options_.geodesic.writes_subdivision ||
