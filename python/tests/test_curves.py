@@ -345,7 +345,7 @@ class Arguments(unittest.TestCase):
                 (lambda: s.isolines(V[:, 0], [np.inf]), "levels"),
                 (lambda: s.isolines(V[:, 0] * np.nan, [0.5]), ""),
                 (lambda: s.cut([V]), "not a Curve"),
-                (lambda: s.cut(through=[it.Point(0, (1, 0, 0))]), "vertices")]:
+                (lambda: s.cut(through=[it.Point(0, (0.5, 0.5, 0))]), "vertices")]:
             with self.assertRaisesRegex(ValueError, words):
                 call()
         two = it.Surface(np.concatenate([V, V + 5]), np.concatenate([F, F + 9]))
