@@ -86,7 +86,7 @@ struct Uniformization {
   std::vector<double> u;             ///< by row; on a sphere for the chords there
   std::vector<double> scale_factors; ///< exp(u/2), see `Conformal_metric`
   Prescribed_angles angles;          ///< by row; of a sphere none
-  std::optional<Conformal_sphere> sphere{};
+  std::optional<Conformal_sphere> sphere{};     ///< of a sphere
   std::optional<std::complex<double>> period{}; ///< of a torus
   std::optional<Scaled_layout> layout{};        ///< none of a sphere
   std::string no_layout;                        ///< why there is no layout though it was wanted

@@ -16,8 +16,8 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Predicates about neighbours of the origin. What differs by less than `tie` is equal: coordinates
-// of points that were turned are rounded, and results must not depend on that. Where squares vanish
-// in doubles, exact numbers decide.
+// of points that were turned are rounded, and results must not depend on that. Where products
+// leave the range of doubles, exact numbers decide.
 class Star_predicates {
 public:
   using Neighbour = Delaunay_star::Neighbour;
@@ -43,9 +43,9 @@ public:
   }
   static bool is_nearer(const Neighbour& a, const Neighbour& b) {
     const double d = squared_distance(a), e = squared_distance(b);
-    if (e > least && d < (1 - tie) * e) return true;
-    if (d > least && e < (1 - tie) * d) return false;
-    if (d > least && e > least) return a.number < b.number;
+    if (is_in_range(e) && d < (1 - tie) * e) return true;
+    if (is_in_range(d) && e < (1 - tie) * d) return false;
+    if (is_in_range(d) && is_in_range(e)) return a.number < b.number;
     return Exactly<Exact::Compare_distance_2, Approximate::Compare_distance_2>()(
                Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
   }
@@ -65,7 +65,8 @@ private:
   // Far above rounding, of coordinates a million times as large as distances, too; far below what
   // changes a surface.
   static constexpr double tie = 0x1p-30;
-  static constexpr double least = 1e-280; // above, products do not underflow
+  // whether products neither underflow nor overflow
+  static bool is_in_range(double x) { return x > 1e-280 && x < 1e300; }
 
   // from -2 to 2
   static double angle(const Neighbour& a, const Neighbour& b) {
@@ -81,7 +82,7 @@ private:
       determinant += s * (x - y);
       size += s * (std::abs(x) + std::abs(y));
     }
-    if (size > least) {
+    if (is_in_range(size)) {
       if (std::abs(determinant) <= tie * size) return CGAL::ON_ORIENTED_BOUNDARY;
       return determinant > 0 ? CGAL::ON_POSITIVE_SIDE : CGAL::ON_NEGATIVE_SIDE;
     }

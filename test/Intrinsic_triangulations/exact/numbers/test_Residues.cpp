@@ -101,7 +101,7 @@ TEST(Conjugate_bound, exceeds_all_conjugates) {
   EXPECT_THROW(IT::Conjugate_bound(1) / IT::Conjugate_bound(2), std::length_error);
 }
 
-TEST(Multiquadratic_number, ends_when_coefficients_have_become_long) {
+TEST(Long_coefficients, end_when_coefficients_have_become_long) {
   IT::Square_class_basis basis;
   IT::Multiquadratic_number x(1);
   for (const int n : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37}) {

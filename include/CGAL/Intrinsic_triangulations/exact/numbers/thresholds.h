@@ -24,7 +24,9 @@ struct thresholds {
   static constexpr double image_steps = 0x1.8p21;
   /// The same for all proofs of a surface together that cost more than `few_image_steps`: two
   /// seconds, and more for each of its faces, about what flips take.
-  static constexpr double all_image_steps = 0x1p22, image_steps_of_face = 0x1p5;
+  static constexpr double all_image_steps = 0x1p22;
+  /// What each face of a surface adds to `all_image_steps`.
+  static constexpr double image_steps_of_face = 0x1p5;
   /// Cost of a proof that is not counted.
   static constexpr double few_image_steps = 0x1p12;
 
