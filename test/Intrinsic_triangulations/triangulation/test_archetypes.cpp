@@ -227,10 +227,8 @@ TEST(Archetypes, measured_and_numbered_triangulation_is_enough_for_vectors) {
   const IT::Surface_point p{0, {0.5, 0.25, 0.25}}, q{8, {0.2, 0.4, 0.4}};
   EXPECT_NEAR(IT::karcher_mean(heat, {{p, 1}, {q, 1}}).residual,
               IT::karcher_mean(heat_of_all, {{p, 1}, {q, 1}}).residual, 0.01);
-  EXPECT_NEAR(
-      IT::voronoi_centres(heat, {p, q}, IT::parameters::maximum_rounds(3)).largest_move,
-      IT::voronoi_centres(heat_of_all, {p, q}, IT::parameters::maximum_rounds(3)).largest_move,
-      0.01);
+  EXPECT_EQ(IT::voronoi_centres(heat, {p, q}, IT::parameters::maximum_rounds(3)).status,
+            IT::voronoi_centres(heat_of_all, {p, q}, IT::parameters::maximum_rounds(3)).status);
   const IT::Direction_field field = IT::smoothest_direction_field(t, 4);
   EXPECT_EQ(field.powers, IT::smoothest_direction_field(all, 4).powers);
   EXPECT_EQ(IT::singularities(t, field).index, IT::singularities(all, field).index);

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -58,7 +59,7 @@ face, angles from the middle of the corner are those on the surface.
 \param logarithm the method
 \throws Invalid_input as `Place_finder::append()`
 */
-template <QueriedTriangulation Triangulation, class Logarithm>
+template <QueriedTriangulation Triangulation, std::invocable<Surface_point> Logarithm>
 std::vector<std::complex<double>> logarithms_from_place(const Triangulation& t, const Place& place,
                                                         const Logarithm& logarithm) {
   Place_finder<Triangulation> find(t);

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
 
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -21,7 +22,7 @@ on the faces of the input. A cloud that was refined is a cloud of all of them.
 \param points the user's points
 \complexity linear, and that of `locate_on_input()` for each inserted vertex
 */
-template <class Triangulation>
+template <QueriedTriangulation Triangulation>
 std::vector<std::array<double, 3>>
 points_of_rows(const Triangulation& t, const std::vector<std::array<double, 3>>& points) {
   std::vector<std::array<double, 3>> result(points);

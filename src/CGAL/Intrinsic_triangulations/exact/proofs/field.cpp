@@ -295,11 +295,47 @@ Unfolded_diamond unfolded(const Input_diamond& d) {
   return result;
 }
 
+// The value of an expression of a figure whose faces have the given roots as areas.
+template <class FT, class Figure, class Expression, class Root>
+FT value_of(const Figure& figure, const Expression& expression, Faces_in_field& faces,
+            const Root& root) {
+  return expression(figure.template values<FT>([&](std::uint32_t f) {
+    const auto& [l, area] = faces(f);
+    return std::pair(std::array{FT(l[0]), FT(l[1]), FT(l[2])}, root(area));
+  }));
+}
+
+template <class Figure, class Expression>
+Answer decide_by_coefficients(const Figure& figure, const Expression& expression,
+                              Faces_in_field& faces, double& steps_left) {
+  using Number = Multiquadratic_number;
+  constexpr double words_of_step =
+      static_cast<double>(thresholds::words_of_coefficients) / thresholds::image_steps;
+  const double most =
+      std::clamp(words_of_step * steps_left, words_of_step * thresholds::few_image_steps,
+                 static_cast<double>(thresholds::words_of_coefficients));
+  faces.basis().limit_products(static_cast<std::size_t>(most));
+  const auto root = [&](const Square_root& area) { return Number(faces.basis(), area); };
+  Answer answer = Answer::open;
+  try {
+    answer = value_of<Number>(figure, expression, faces, root).is_zero() ? Answer::zero
+                                                                         : Answer::not_zero;
+  } catch (const std::length_error&) {
+  }
+  const double cost = (most - static_cast<double>(faces.basis().words_left())) / words_of_step;
+  if (cost > thresholds::few_image_steps) steps_left -= cost;
+  return answer;
+}
+
+// Images first; where their bound asks for too many, as for long coordinates, coefficients.
 template <class Asked>
 Answer decide_by_triangles(const Asked& q, Faces_in_field& faces, double& steps_left) {
   std::optional<typename Asked::Figure> part;
-  Images_of_figure<Asked> images(decisive_part(q, part), q.expression, faces);
-  return decide_by_images(faces.basis(), images.bits(), images, steps_left);
+  const auto& figure = decisive_part(q, part);
+  Images_of_figure<Asked> images(figure, q.expression, faces);
+  const Answer answer = decide_by_images(faces.basis(), images.bits(), images, steps_left);
+  if (answer != Answer::open) return answer;
+  return decide_by_coefficients(figure, q.expression, faces, steps_left);
 }
 Answer decide_by_triangles(const Question<Input_diamond, Recorded_diamond_expression>& q,
                            Faces_in_field& faces, double& steps_left) {
@@ -311,13 +347,6 @@ Answer decide_by_triangles(const Question<Input_diamond, Recorded_diamond_expres
 // not zero, and coefficients that it is.
 template <class Asked>
 Answer decide_by_flips(const Asked& q, Faces_in_field& faces, double& steps_left) {
-  using Number = Multiquadratic_number;
-  const auto value = [&]<class FT>(const auto& root) {
-    return q.expression(q.figure.template values<FT>([&](std::uint32_t f) {
-      const auto& [l, area] = faces(f);
-      return std::pair(std::array{FT(l[0]), FT(l[1]), FT(l[2])}, root(area));
-    }));
-  };
   {
     const Residue_fields scope(0);
     std::vector<Residues> roots;
@@ -326,24 +355,10 @@ Answer decide_by_flips(const Asked& q, Faces_in_field& faces, double& steps_left
         roots.push_back(Residues::sqrt_of(faces.basis().representative(roots.size())));
       return image_of(area, roots);
     };
-    const Residues image = value.template operator()<Residues>(root);
+    const auto image = value_of<Residues>(q.figure, q.expression, faces, root);
     if (Residue_fields::are_defined() && !image.is_zero()) return Answer::not_zero;
   }
-  constexpr double words_of_step =
-      static_cast<double>(thresholds::words_of_coefficients) / thresholds::image_steps;
-  const double most =
-      std::clamp(words_of_step * steps_left, words_of_step * thresholds::few_image_steps,
-                 static_cast<double>(thresholds::words_of_coefficients));
-  faces.basis().limit_products(static_cast<std::size_t>(most));
-  const auto root = [&](const Square_root& area) { return Number(faces.basis(), area); };
-  Answer answer = Answer::open;
-  try {
-    answer = value.template operator()<Number>(root).is_zero() ? Answer::zero : Answer::not_zero;
-  } catch (const std::length_error&) {
-  }
-  const double cost = (most - static_cast<double>(faces.basis().words_left())) / words_of_step;
-  if (cost > thresholds::few_image_steps) steps_left -= cost;
-  return answer;
+  return decide_by_coefficients(q.figure, q.expression, faces, steps_left);
 }
 
 } // namespace
