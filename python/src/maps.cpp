@@ -3,6 +3,7 @@
 
 #include "maps.h"
 #include "../../src/intrinsic/status_name.h"
+#include "fields.h"
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_operators/compiled.h>
