@@ -34,7 +34,7 @@ namespace {
 struct Component_angles {
   std::size_t first = 0;      // vertex
   std::size_t count = 0;      // of vertices
-  std::size_t full_turns = 0; // of them, the angle that nobody has to ask for
+  std::size_t full_turns = 0; // of them: the default angle
   bool has_free = false, is_rational = true;
   CGAL::Gmpq multiples = 0; // of pi
   double radians = 0;       // of the others
@@ -114,7 +114,7 @@ struct Excess {
           << " break the theorem of Gauss and Bonnet: their sum is too "
           << (excess > 0 ? "large" : "small") << " by " << std::abs(excess) << " radians ("
           << std::abs(excess) / std::numbers::pi << " pi); ";
-  if (sum.full_turns == sum.count) // which may be what nobody asked for
+  if (sum.full_turns == sum.count) // the default, perhaps not asked for
     message << "with full turns everywhere only tori are flat: give it cones"
             << (components > 1
                     ? ", or take the " + std::to_string(components) + " components one by one"
