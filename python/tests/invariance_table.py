@@ -17,8 +17,6 @@ CURVED = tuple(name for name in ORIENTED if name != "plane")
 # Why some do not hold yet.
 PLANES = {name: "a vertex of a soup has several tangent planes, of which the order of faces makes "
                 "one the first" for name in ("soup", "book")}
-BORDER = {"Moebius": "vectors that point out of the surface are drawn in the plane of the face "
-                     "that is the first one on their sheet"}
 SHEETS = {"Moebius": "copies of a vertex on both sheets are as near by heat, and rounding chooses"}
 EDGES = {name: "a point within rounding of an edge of the triangulation is not on it, but in one "
                "of its faces" for name in ("torus", "genus 2", "disk", "plane", "Moebius")}
@@ -147,22 +145,22 @@ TABLE = {
     "Frames.vertices": [vertices(m.axes_of_frames, on=IN_SPACE)],
     "Frames.faces": [vertices(m.axes_of_frames, on=IN_SPACE)],
     "Frames.angles": [vertices(m.turns, on=MESHES)],
-    "Frames.to_space": [discrete(m.to_space, fails=PLANES | BORDER)],
+    "Frames.to_space": [discrete(m.to_space, fails=PLANES)],
     "Surface.log_map": [
         intrinsic(m.logarithm("exact", 0, 4, 6), fails={"book": PLANES["book"]}),
         discrete(m.logarithm("affine", 0)),
         discrete(m.logarithm("affine", 4, 6), on=MESHES, fails=PLANES),
         discrete(m.logarithm("polar", 0, 4, 6), on=MESHES, fails=PLANES | SHEETS)],
-    "Surface.transport": [discrete(m.transport, fails=PLANES | BORDER), discrete(
+    "Surface.transport": [discrete(m.transport, fails=PLANES), discrete(
         m.transport_from_vertex, on=("genus 2", "disk", "plane", "cone"), converges=True)],
-    "VectorField.lengths": [discrete(m.transport, fails=PLANES | BORDER)],
-    "VectorField.vectors": [discrete(m.transport, fails=PLANES | BORDER)],
+    "VectorField.lengths": [discrete(m.transport, fails=PLANES)],
+    "VectorField.vectors": [discrete(m.transport, fails=PLANES)],
     "VectorField.axes": [discrete(m.axes)],
     "Surface.extend": [discrete(m.extend), discrete(m.extend_from_far, converges=True)],
     "Surface.direction_field": [discrete(m.aligned, on=CURVED),
-                                discrete(m.fixed, fails=PLANES | BORDER),
+                                discrete(m.fixed, fails=PLANES),
                                 combinatorial(m.singularities, on=ORIENTED)],
-    "DirectionField.vectors": [discrete(m.fixed, fails=PLANES | BORDER)],
+    "DirectionField.vectors": [discrete(m.fixed, fails=PLANES)],
     "Surface.signed_distance": [
         discrete(m.signed(lambda x: x.s.isolines(m.function(x), [0.1])), on=ORIENTED),
         discrete(m.signed(lambda x: x.s.path(m.spot(x, 0), m.spot(x, 1))), on=ORIENTED),

@@ -37,7 +37,7 @@ costs a search in the faces about its vertex, and no query of the correspondence
 
 Faces about a vertex are sectors of its polar coordinates, see `Tangent_field`. A vertex inserted on
 an edge has two, or one on the border, and a vertex inserted in a face has one. Vectors that point
-out of the surface are in the frame of the first face.
+out of the surface are in the frame of the first or the last face, whichever side is nearer.
 */
 class Vertex_sectors {
 public:

@@ -73,12 +73,13 @@ Input_vector Vertex_sectors::on_input(const Fan& fan, std::complex<double> z) co
   double angle = std::arg(z);
   if (angle < 0) angle += 2 * pi;
   const Sector* sector = &sectors_[fan.begin];
+  const Sector* const last = &sectors_[fan.end - 1];
   if (fan.is_on_border && angle > pi) { // what is left of the circle beyond the border
     const double inside = pi * fan.factor;
+    if (angle < 1.5 * pi) sector = last;
     angle = inside + (angle - pi) / pi * (2 * pi - inside);
   } else {
     angle *= fan.factor;
-    const Sector* const last = &sectors_[fan.end - 1];
     while (sector != last && sector[1].angle <= angle) ++sector;
   }
   const double length = std::hypot(z.real(), z.imag()), turn = angle - sector->angle;
