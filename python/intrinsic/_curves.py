@@ -106,7 +106,8 @@ class _Curves:
 
         `u` has a number per vertex, and is linear in the faces of this triangulation. It may be
         infinite. `levels` are the values, or how many there are between the least and the greatest
-        value of `u`, evenly. Larger values are on the left of a line.
+        value of `u`, evenly. Larger values are on the left of a line. On surfaces that are not
+        manifolds, or have one side, each line comes once; it may be in several parts.
 
         >>> line, = s.isolines([0, 1, 2, 1], [0.5])
         >>> round(line.length, 12)

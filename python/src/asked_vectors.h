@@ -9,7 +9,6 @@
 #include "tangents.h"
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
-#include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
@@ -97,8 +96,9 @@ public:
   std::vector<std::pair<Vertex, std::complex<double>>> at_vertices(const Asked_vectors& asked) {
     std::vector<std::pair<Vertex, std::complex<double>>> result;
     for (std::size_t i = 0; i < asked.places.size(); ++i) {
-      const Vertex v = find_.vertex(asked.places[i].vertex);
-      const auto z = asked.are_in_planes() ? asked.in_plane(i) : polar(v, tangent(asked, i));
+      const auto [v, z] = asked.are_in_planes()
+                              ? std::pair(find_.vertex(asked.places[i].vertex), asked.in_plane(i))
+                              : sheets_.at_vertex(tangent(asked, i));
       const auto copies = sheets_(v, z);
       result.insert(result.end(), copies.begin(), copies.end());
     }
@@ -149,16 +149,10 @@ private:
     return *IT::tangent_to_intrinsic(t_, v); // integer coordinates find it always
   }
 
-  std::complex<double> polar(Vertex v, const IT::Tangent_vector& x) {
-    if (!frames_) frames_.emplace(t_);
-    return frames_->to_field(frames_->number(v), frames_->at_corner(x.point, x.vector));
-  }
-
   const Triangulation& t_;
   const std::vector<Point>& points_;
   Place_finder<Triangulation> find_;
   IT::Vectors_on_sheets<Triangulation> sheets_;
-  std::optional<IT::internal::Point_frames<Triangulation>> frames_;
 };
 
 } // namespace python

@@ -185,25 +185,23 @@ py::list isolines(Surface& s, const Doubles& u, const Doubles& l, const py::obje
   Watch watch(progress);
   Counting visitor{&watch, "levels"};
   std::shared_ptr<const IT::Input> input;
-  std::vector<IT::Isoline> lines;
-  std::vector<Way> ways;
+  std::vector<IT::Traced_isoline> lines;
   const std::span values(u.data(), static_cast<std::size_t>(u.size()));
   const std::span levels(l.data(), static_cast<std::size_t>(l.size()));
   with_triangulation(s, watch, [&](const auto& t) {
     input = t.shared_input();
-    lines = IT::isolines(t, values, levels, IT::parameters::visitor(std::ref(visitor)));
-    for (const IT::Isoline& line : lines) {
-      watch.begin("line");
-      ways.push_back({IT::trace_isoline(t, line), line.is_closed});
-    }
+    const auto np = IT::parameters::visitor(std::ref(visitor));
+    const std::vector<IT::Isoline> found = IT::isolines(t, values, levels, np);
+    visitor.stage = "lines";
+    lines = IT::trace_isolines(t, found, np);
   });
   py::list result;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (ways[i].curve.points.empty()) continue; // it has no length
-    py::dict line = curve_arrays(*input, s.points, std::move(ways[i]), true);
-    line["level"] = lines[i].level;
-    line["number_of_level"] = lines[i].number_of_level;
-    result.append(line);
+  for (IT::Traced_isoline& line : lines) {
+    py::dict arrays =
+        curve_arrays(*input, s.points, Way{std::move(line.curve), line.is_closed}, true);
+    arrays["level"] = line.level;
+    arrays["number_of_level"] = line.number_of_level;
+    result.append(arrays);
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include "places.h"
 #include "tangents.h"
 
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
@@ -91,41 +92,76 @@ double angle_beyond(const IT::Input& input, std::uint32_t h, const In_corner& c,
   return is_last && (before <= 0 || turn - here < before) ? turn - here : before;
 }
 
-} // namespace
-
-IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
-                                    const Place& p, std::uint32_t vertex, const Space_vector& v) {
+// The face at a point whose plane has a vector nearest to it. Of the front and the back of one on a
+// cover, the front.
+struct Nearest_face {
+  const IT::Input& input;
+  const Points& coordinates;
+  const Space_vector& v;
   In_corner best{0, 0, -2};
-  if (!p.is_vertex()) {
-    IT::Surface_point nearest = point_on_input(input, p);
-    for (const IT::Surface_point& q : IT::internal::descriptions(input, nearest)) {
-      const In_corner here = in_corner(input, coordinates, q.halfedge, v, false);
-      if (!(here.cosine > best.cosine)) continue;
-      best = here;
-      nearest = q;
-    }
-    return tangent_of(input, nearest, best);
+  IT::Surface_point point{};
+
+  bool is_front(std::uint32_t h) const {
+    return input.names().sheets == 1 || input.names().faces.user(input.face(h)) % 2 == 0;
   }
-  const std::uint32_t first = input.outgoing_halfedge(vertex);
-  std::uint32_t side = first, last = first;
-  const IT::Fan_angle fan = IT::measure_fan(input, first, [&](std::uint32_t h, double) {
-    if (input.is_border(h)) return;
-    last = h;
-    const In_corner here = in_corner(input, coordinates, h, v, true);
-    if (!(here.cosine > best.cosine)) return;
-    best = here;
-    side = h;
-  });
-  if (fan.is_on_border)
+
+  void take(const IT::Surface_point& p, const In_corner& c) {
+    constexpr double same = 0x1p-40; // up to rounding
+    const bool is_better =
+        best.cosine == -2 || c.cosine > best.cosine + same ||
+        (c.cosine > best.cosine - same && is_front(p.halfedge) && !is_front(point.halfedge));
+    if (!is_better) return;
+    best = c;
+    point = p;
+  }
+
+  // in the faces at a point that is no vertex
+  void take_all(const IT::Surface_point& p) {
+    for (const IT::Surface_point& q : IT::internal::descriptions(input, p))
+      take(q, in_corner(input, coordinates, q.halfedge, v, false));
+  }
+
+  void take_about(std::uint32_t vertex) {
+    const std::uint32_t first = input.outgoing_halfedge(vertex);
+    std::uint32_t last = first;
+    const auto at_source = [](std::uint32_t h) { return IT::Surface_point{h, {1, 0, 0}}; };
+    const IT::Fan_angle fan = IT::measure_fan(input, first, [&](std::uint32_t h, double) {
+      if (input.is_border(h)) return;
+      last = h;
+      take(at_source(h), in_corner(input, coordinates, h, v, true));
+    });
+    if (!fan.is_on_border) return;
     for (const std::uint32_t h : {first, last}) {
       const In_corner here = in_corner(input, coordinates, h, v, false);
       const double beyond = angle_beyond(input, h, here, h == first, h == last);
       const double gap = 2 * std::numbers::pi - fan.sum;
       if (!(beyond > 0x1p-40 && beyond <= gap / 2 && here.cosine > best.cosine - 0x1p-50)) continue;
       best = here;
-      side = h;
+      point = at_source(h);
     }
-  return tangent_of(input, {side, {1, 0, 0}}, best);
+  }
+};
+
+} // namespace
+
+IT::Tangent_vector tangent_in_space(const IT::Input& input, const Points& coordinates,
+                                    const Place& p, std::uint32_t vertex, const Space_vector& v) {
+  Nearest_face nearest{input, coordinates, v};
+  if (!p.is_vertex()) {
+    const IT::Surface_point here = point_on_input(input, p);
+    nearest.take_all(here);
+    if (const IT::internal::Sheets sheets(input); sheets.is_cover())
+      for (const IT::Surface_point& q : sheets.others(here)) nearest.take_all(q);
+  } else {
+    const std::uint32_t row = input.names().row(vertex);
+    const std::uint32_t first = input.names().vertices.user(input.names().vertex(row));
+    for (std::uint32_t copy = first; copy < input.number_of_vertices(); ++copy) {
+      const std::uint32_t here = input.names().vertices.here(copy);
+      if (input.names().row(here) != row) break;
+      nearest.take_about(here);
+    }
+  }
+  return tangent_of(input, nearest.point, nearest.best);
 }
 
 namespace {

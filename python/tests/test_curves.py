@@ -11,6 +11,7 @@ import numpy as np
 
 import intrinsic as it
 import program
+import ten_surfaces
 from intrinsic import _curves
 from support import CUBE, SQUARE, TETRAHEDRON, grown_memory, unit_grid
 
@@ -273,6 +274,58 @@ class Isolines(Shapes):
         u[0] = np.inf
         lines = it.Surface(V, F).isolines(u, 3)
         self.assertEqual(sorted({line.level for line in lines}), [0.25, 0.5, 0.75])
+
+
+class Isolines_of_covers(unittest.TestCase):
+    """Lines on double covers, against the pieces in faces, each counted once."""
+
+    @staticmethod
+    def lengths(V, F, u, level):
+        """The length of the line in each face where the linear function has the level."""
+        result = []
+        for f in F:
+            ends = []
+            for a, b in ((f[0], f[1]), (f[1], f[2]), (f[2], f[0])):
+                if (u[a] < level) != (u[b] < level):
+                    x = (level - u[a]) / (u[b] - u[a])
+                    ends.append((1 - x) * V[a] + x * V[b])
+            result.append(np.linalg.norm(ends[0] - ends[1]) if ends else 0)
+        return np.array(result)
+
+    def test_lines_come_once(self):
+        for name in "Moebius", "soup", "book":
+            for seed in range(4):
+                V, F = (np.array(x) for x in ten_surfaces.MAKERS[name](np.random.default_rng(seed)))
+                u = V @ np.random.default_rng(seed).normal(size=3)
+                level = np.quantile(u, 0.4)
+                with self.subTest(name=name, seed=seed):
+                    lines = it.Surface(V, F).isolines(u, [level])
+                    pieces = self.lengths(V, F, u, level)
+                    self.assertAlmostEqual(sum(x.length for x in lines), pieces.sum(), delta=1e-9)
+                    found = np.zeros(len(F))
+                    for x in lines:
+                        P = np.vstack([x.points, x.points[:1]]) if x.is_closed else x.points
+                        np.add.at(found, x.faces[:len(P) - 1],
+                                  np.linalg.norm(np.diff(P, axis=0), axis=1))
+                    np.testing.assert_allclose(found, pieces, atol=1e-9)
+
+    def test_lines_of_flipped_covers_come_once(self):
+        """A linear function is linear on Delaunay triangles of a plane, whatever the flips."""
+        random = np.random.default_rng(5)
+        V, F = unit_grid(6)
+        V[:, :2] += random.uniform(-0.05, 0.05, (len(V), 2))
+        middle = (V[0] + V[1]) / 2
+        F = np.vstack([F, [[0, 1, len(V)], [0, 1, len(V) + 1]]]) # two fins
+        V = np.vstack([V, middle + [0, 0, 0.2], middle - [0, 0, 0.2]])
+        u = V @ [0.3, 1, 0]
+        s = it.Surface(V, F)
+        level = float(np.quantile(u, 0.7))
+        expected = self.lengths(V, F, u, level).sum()
+        d = s.delaunay()
+        self.assertGreater(d.statistics["delaunay"]["flips"], 4)
+        for t in s, d:
+            lines = t.isolines(u, [level])
+            self.assertAlmostEqual(sum(x.length for x in lines), expected, delta=1e-9)
 
 
 class Cuts(unittest.TestCase):

@@ -25,6 +25,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/distance/batches.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.cpp>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.cpp>
+#include <CGAL/Intrinsic_geodesics/isolines/Lines_on_surface.cpp>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/certify_on_faces.cpp>

@@ -6,9 +6,11 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +19,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*!
 \brief is what a double cover covers: the user's faces, each once, any number of them at an edge.
 
-Its vertices have the numbers of rows; its faces those of pairs of front and back. Nothing is
+Its vertices have the numbers of rows; its faces those of pairs of front and back. In a cloud, of
+which each point has triangles of its own, those at the same three points are one face. Nothing is
 flipped: windows have to meet edges of more than two faces as edges.
 */
 class Face_complex {
@@ -37,10 +40,20 @@ public:
   Surface_point point(const Path_place& p) const { return {halfedges_[p.side], p.weights}; }
 
 private:
+  struct Side {
+    std::uint32_t number;
+    bool is_against; // it runs against that side
+  };
+
+  Side same_side(std::uint32_t first, const std::array<std::uint32_t, 3>& sides, unsigned k) const;
   std::uint32_t side(std::uint32_t halfedge, bool& is_back) const;
-  std::vector<Branched_side::Other> sides_at_edge(std::uint32_t side) const;
+  std::vector<Branched_side::Other> other_sides(std::uint32_t first) const;
+  // of the source of a halfedge
+  std::uint32_t row(std::uint32_t h) const { return input_.names().row(input_.source(h)); }
 
   const Input& input_;
+  Sheets sheets_;
+  std::vector<Side> sides_;              // by the sides of the user's faces
   std::vector<std::uint32_t> halfedges_; // of the front, by sides
 };
 

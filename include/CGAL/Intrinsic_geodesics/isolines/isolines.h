@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_ISOLINES_ISOLINES_H
 #define CGAL_INTRINSIC_GEODESICS_ISOLINES_ISOLINES_H
 
+#include <CGAL/Intrinsic_geodesics/isolines/Lines_on_surface.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
@@ -26,6 +27,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -111,7 +113,8 @@ Function_on_halfedges function_on_halfedges(const Mesh& mesh, const Numbers& num
 
 // Adds a line through points to polylines, unless its length is zero. Points that repeat the last
 // one are left out.
-void add_polyline(const Isoline& line, const std::vector<std::array<double, 3>>& points,
+void add_polyline(std::size_t level, bool is_closed,
+                  const std::vector<std::array<double, 3>>& points,
                   std::vector<Polyline>& polylines);
 
 } // namespace internal
@@ -220,6 +223,36 @@ Traced_curve trace_isoline(const Triangulation& t, const Isoline& line) {
   return curve;
 }
 
+/*!
+\brief traces isolines of a triangulation over its input: each once, also if the input is a double
+cover of the user's faces.
+
+Of a cover, they end where more than two faces meet; a line that changes sides may come in several
+parts.
+\tparam Triangulation a model of `CorrespondingTriangulation`
+\param t the triangulation
+\param lines what `isolines()` found on `t`
+\param np an optional named parameter:
+  - `visitor(v)`: `v.progress(n)` is called before each line with the number of those that are done;
+    it returns whether to go on
+\return their ways; lines of length zero are left out
+\complexity see `trace_isoline()`; of a cover, linear in its size also
+*/
+template <QueriedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+std::vector<Traced_isoline> trace_isolines(const Triangulation& t,
+                                           const std::vector<Isoline>& lines,
+                                           const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
+  const std::function<bool(std::size_t)> progress = internal::progress_of(np);
+  const internal::Lines_on_surface once(t.correspondence().input());
+  std::vector<Traced_isoline> result;
+  for (std::size_t i = 0; i < lines.size() && progress(i); ++i)
+    if (Traced_curve way = trace_isoline(t, lines[i]); !way.points.empty())
+      once.add({lines[i].level, lines[i].number_of_level, lines[i].is_closed, std::move(way)},
+               result);
+  return result;
+}
+
 namespace internal {
 
 // Isolines as polylines; `point` takes points of the input to coordinates.
@@ -227,12 +260,11 @@ template <class Triangulation, class Point_of>
 std::vector<Polyline> polylines_at(const Triangulation& t, const std::vector<Isoline>& lines,
                                    const Point_of& point) {
   std::vector<Polyline> result;
-  for (const Isoline& line : lines) {
-    Traced_curve way = trace_isoline(t, line);
-    if (line.is_closed && !way.points.empty()) way.points.pop_back(); // the first one again
+  for (Traced_isoline& line : trace_isolines(t, lines)) {
+    if (line.is_closed) line.curve.points.pop_back(); // the first one again
     std::vector<std::array<double, 3>> points;
-    for (const Surface_point& p : way.points) points.push_back(point(p));
-    add_polyline(line, points, result);
+    for (const Surface_point& p : line.curve.points) points.push_back(point(p));
+    add_polyline(line.number_of_level, line.is_closed, points, result);
   }
   return result;
 }
@@ -245,8 +277,8 @@ std::vector<Polyline> polylines_at(const Triangulation& t, const std::vector<Iso
 \param t the triangulation
 \param lines what `isolines()` found on `t`
 \param mesh the mesh that `t` was built from; its faces may be polygons
-\return the polylines, labelled by the numbers of their levels; lines of length zero, and those that
-`Signposts` lost, are left out
+\return the polylines, labelled by the numbers of their levels, see `trace_isolines()`; lines that
+`Signposts` lost are left out
 \throws Invalid_input if the mesh is another one
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
@@ -294,7 +326,7 @@ std::vector<Polyline> polylines(const std::vector<Isoline>& lines, const Mesh& m
       for (std::size_t k = 0; k < 3; ++k) x[k] = std::lerp(a[k], b[k], p.parameter);
       points.push_back(x);
     }
-    internal::add_polyline(line, points, result);
+    internal::add_polyline(line.number_of_level, line.is_closed, points, result);
   }
   return result;
 }

@@ -103,7 +103,7 @@ private:
     else if constexpr (std::convertible_to<Source, Halfedge>)
       add_side(source);
     else if constexpr (std::same_as<Source, Surface_point>)
-      add_segment(source, source);
+      add_point(rounded(source));
     else if constexpr (std::same_as<Source, Face_location<Mesh>>)
       add(surface_point(t_, source));
     else if constexpr (std::same_as<Source, Polyline_source>)
@@ -154,6 +154,8 @@ private:
     const Plane_vector<double> d = face.position(q.weights) - face.position(p.weights);
     return std::hypot(d[0], d[1]) <= 0x1p-38 * *std::ranges::max_element(face.length);
   }
+
+  void add_point(const Surface_point& p) { add_segment(p, p); }
 
   Surface_point rounded(const Surface_point& p) const {
     if (is_border(t_.numbers().halfedge_at(p.halfedge))) return p;

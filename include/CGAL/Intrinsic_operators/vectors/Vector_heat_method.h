@@ -325,7 +325,7 @@ private:
     std::vector<std::array<double, 3>> at(log.size());
     for (const vertex_descriptor v : vertices(triangulation().mesh()))
       at[frames_.number(v)] = rows[triangulation().input_vertex(v)];
-    internal::lengthen_to_chords(at, source, unit(), log);
+    internal::lengthen_to_chords(at, first_, source, unit(), log);
   }
 
   internal::Point_frames<Triangulation> frames_;

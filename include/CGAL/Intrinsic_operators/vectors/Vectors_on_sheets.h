@@ -55,17 +55,22 @@ public:
     return result;
   }
 
+  /// returns the vertex where a tangent vector is, and the vector in its polar coordinates.
+  /// \pre the vector is at a vertex
+  std::pair<Vertex, std::complex<double>> at_vertex(const Tangent_vector& v) {
+    if (!frames_) frames_.emplace(t_);
+    const Vertex there = t_.numbers().vertex_at(vertex(v.point));
+    return {there,
+            frames_->to_field(frames_->number(there), frames_->at_corner(v.point, v.vector))};
+  }
+
   /// returns a vertex and a vector in its polar coordinates, and those on the other sheet.
   std::vector<std::pair<Vertex, std::complex<double>>> operator()(Vertex v,
                                                                   std::complex<double> z) {
     std::vector<std::pair<Vertex, std::complex<double>>> result{{v, z}};
     if (!sheets_.is_cover()) return result;
     const std::optional<Tangent_vector> w = other(tangent_vector(t_, v, z));
-    if (!w || internal::corner_of(w->point) == 3) return result;
-    if (!frames_) frames_.emplace(t_);
-    const Vertex there = t_.numbers().vertex_at(vertex(w->point));
-    result.push_back({there, frames_->to_field(frames_->number(there),
-                                               frames_->at_corner(w->point, w->vector))});
+    if (w && internal::corner_of(w->point) < 3) result.push_back(at_vertex(*w));
     return result;
   }
 

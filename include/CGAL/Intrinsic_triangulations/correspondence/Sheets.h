@@ -60,18 +60,23 @@ public:
   // against it
   std::uint32_t other_side(std::uint32_t h) const;
 
-private:
-  std::uint32_t other_face(std::uint32_t f) const;
-  std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
-
-  // whether an edge is a seam; border edges are not
-  bool is_seam(std::uint32_t edge) const;
-
   // The edges over the same edge of the user: a halfedge of each, the given one first; all run in
   // one direction.
   // \param most the maximal number of edges
   std::vector<std::uint32_t>
   edges_over(std::uint32_t h, std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+
+  // whether an edge is a seam; border edges are not
+  bool is_seam(std::uint32_t edge) const;
+
+  // Marks one of the front and the back of each face: as far as no seam and no change of sides comes
+  // between, on one sheet with their neighbours, and on the front of the first one by name.
+  // \complexity linear
+  std::vector<char> one_sheet() const;
+
+private:
+  std::uint32_t other_face(std::uint32_t f) const;
+  std::array<std::uint32_t, 3> sides_of(std::uint32_t f) const;
 
   Surface_point with_zero_last(Surface_point p) const;
 

@@ -63,10 +63,23 @@ public:
     }
   }
 
-  // Splits the vertices; see below.
-  Gluing take(std::vector<std::uint32_t>& row_of_vertex);
+  // A corner of a face: its angle, and the length of the opposite side.
+  struct Corner {
+    double angle, opposite;
+  };
+
+  // Splits every vertex into copies, one per umbrella, in the order of vertices; those without faces
+  // stay. The first copy is the one with the largest angle, and the longest sides opposite to it:
+  // vectors at the vertex are in its tangent plane, in whichever order faces are given.
+  // \param corners of the faces, at the source of each side
+  Gluing take(std::vector<std::uint32_t>& row_of_vertex, const std::vector<Corner>& corners);
 
 private:
+  std::vector<std::uint32_t> number_umbrellas(std::vector<std::uint32_t>& umbrella) const;
+  std::vector<std::uint32_t> order_umbrellas(const std::vector<std::uint32_t>& row,
+                                             const std::vector<std::uint32_t>& umbrella,
+                                             const std::vector<Corner>& corners) const;
+
   Gluing cover_;
 };
 

@@ -14,20 +14,42 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 bool Face_complex::is_under(const Input& input) {
-  return input.names().sheets == 2 && Sheets(input).is_cover();
+  return input.names().sheets % 2 == 0 && Sheets(input).is_cover();
 }
 
-Face_complex::Face_complex(const Input& input) : input_(input) {
+Face_complex::Face_complex(const Input& input) : input_(input), sheets_(input) {
+  // the first side of the first face at three points; those of meshes are different faces
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> found;
   for (std::uint32_t f = 0; f < input.number_of_faces(); f += 2) {
-    const std::uint32_t front = input.names().faces.here(f);
-    for (const std::uint32_t h : sides_of_face(input, input.halfedge_of_face(front)))
-      halfedges_.push_back(h);
+    const auto sides = sides_of_face(input, input.halfedge_of_face(input.names().faces.here(f)));
+    auto first = static_cast<std::uint32_t>(halfedges_.size());
+    if (input.names().sheets > 2) {
+      std::array<std::uint32_t, 3> rows{row(sides[0]), row(sides[1]), row(sides[2])};
+      std::ranges::sort(rows);
+      first = found.insert({rows, first}).first->second;
+    }
+    if (first == halfedges_.size()) halfedges_.insert(halfedges_.end(), sides.begin(), sides.end());
+    for (unsigned k = 0; k < 3; ++k) sides_.push_back(same_side(first, sides, k));
+  }
+}
+
+// A side of a face as a side of the first face at its corners.
+Face_complex::Side Face_complex::same_side(std::uint32_t first,
+                                           const std::array<std::uint32_t, 3>& sides,
+                                           unsigned k) const {
+  if (halfedges_[first] == sides[0]) return {first + k, false};
+  const std::uint32_t from = row(sides[k]), to = row(sides[(k + 1) % 3]);
+  for (unsigned j = 0;; ++j) {
+    const std::uint32_t a = row(halfedges_[first + j]), b = row(halfedges_[first + (j + 1) % 3]);
+    if (a == from && b == to) return {first + j, false};
+    if (a == to && b == from) return {first + j, true};
   }
 }
 
@@ -38,7 +60,9 @@ std::uint32_t Face_complex::side(std::uint32_t halfedge, bool& is_back) const {
   std::uint32_t k = 0;
   for (std::uint32_t h = input_.halfedge_of_face(f); h != halfedge; h = input_.next(h)) ++k;
   is_back = name % 2 != 0;
-  return 3 * (name / 2) + (is_back ? (3 - k) % 3 : k);
+  const Side& s = sides_[3 * (name / 2) + (is_back ? (3 - k) % 3 : k)];
+  is_back = is_back != s.is_against;
+  return s.number;
 }
 
 Path_place Face_complex::place(const Surface_point& p) const {
@@ -48,23 +72,18 @@ Path_place Face_complex::place(const Surface_point& p) const {
   return {s, {p.weights[1], p.weights[0], p.weights[2]}};
 }
 
-// A cover glues the sides at an edge one after the other, in a circle or from border to border.
-std::vector<Branched_side::Other> Face_complex::sides_at_edge(std::uint32_t first) const {
-  std::vector<Branched_side::Other> sides{{first, true}};
+std::vector<Branched_side::Other> Face_complex::other_sides(std::uint32_t first) const {
+  std::vector<Branched_side::Other> sides;
   const auto add = [&](std::uint32_t halfedge, bool is_along) {
     if (input_.is_border(halfedge)) return;
     bool is_back = false;
     const std::uint32_t s = side(halfedge, is_back);
-    if (std::ranges::find(sides, s, &Branched_side::Other::side) == sides.end())
-      sides.push_back({s, is_along == is_back});
+    if (s != first && std::ranges::find(sides, s, &Branched_side::Other::side) == sides.end())
+      sides.push_back({s, is_along != is_back});
   };
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const auto [s, is_along] = sides[i];
-    const std::uint32_t front = halfedges_[s];
-    const std::array<std::uint32_t, 3> back =
-        sides_of_face(input_, input_.halfedge_of_face(input_.names().faces.here(2 * (s / 3) + 1)));
-    add(front ^ 1U, is_along);
-    add(back[(3 - s % 3) % 3] ^ 1U, !is_along);
+  for (const std::uint32_t h : sheets_.edges_over(halfedges_[first])) {
+    add(h, true);
+    add(h ^ 1U, false);
   }
   return sides;
 }
@@ -78,8 +97,7 @@ Corner_table Face_complex::table() const {
     const std::array<double, 3> l = squared_lengths_of_face(input_, h);
     const auto [cosine, sine] =
         corner_direction(l[0], l[2], l[1], input_.quadruple_area(input_.face(h)));
-    Branched_side branch{s, sides_at_edge(s)};
-    branch.others.erase(branch.others.begin()); // itself
+    Branched_side branch{s, other_sides(s)};
     std::uint32_t opposite = Gluing::none;
     if (branch.others.size() == 1 && !branch.others.front().is_along) {
       opposite = branch.others.front().side;

@@ -134,9 +134,10 @@ std::vector<Isoline> trace_isolines(const Function_on_halfedges& f, std::span<co
   return lines;
 }
 
-void add_polyline(const Isoline& line, const std::vector<std::array<double, 3>>& points,
+void add_polyline(std::size_t level, bool is_closed,
+                  const std::vector<std::array<double, 3>>& points,
                   std::vector<Polyline>& polylines) {
-  Polyline all{{}, line.is_closed, static_cast<std::int32_t>(line.number_of_level)};
+  Polyline all{{}, is_closed, static_cast<std::int32_t>(level)};
   for (const std::array<double, 3>& p : points)
     if (all.points.empty() || all.points.back() != p) all.points.push_back(p);
   if (all.is_closed && all.points.size() > 1 && all.points.back() == all.points.front())

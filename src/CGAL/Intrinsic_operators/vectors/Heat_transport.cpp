@@ -237,13 +237,19 @@ Eigen::VectorXcd Heat_transport::polar_logarithm(Eigen::Index source) const {
   return result;
 }
 
-void lengthen_to_chords(const std::vector<std::array<double, 3>>& at, std::size_t source,
-                        double unit, std::vector<std::complex<double>>& log) {
+void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
+                        const std::vector<std::uint32_t>& first, std::size_t source, double unit,
+                        std::vector<std::complex<double>>& log) {
   const auto& q = at[source];
+  std::vector<double> least(log.size(), std::numeric_limits<double>::infinity());
+  const auto vertex = [&first](std::size_t i) { return first.empty() ? i : first[i]; };
+  for (std::size_t i = 0; i < log.size(); ++i)
+    least[vertex(i)] = std::fmin(least[vertex(i)], std::abs(log[i])); // not that of unknown ones
   for (std::size_t i = 0; i < log.size(); ++i) {
     const auto& p = at[i];
     const double chord = unit * std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-    if (std::abs(log[i]) < chord) log[i] = chord * unit_vector(log[i]);
+    const double length = std::abs(log[i]), nearest = least[vertex(i)];
+    if (nearest < chord) log[i] = (chord + (length - nearest)) * unit_vector(log[i]);
     if (log[i] == 0. && chord > 0) log[i] = unknown_vector;
   }
 }

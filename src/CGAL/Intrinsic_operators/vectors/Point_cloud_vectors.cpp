@@ -79,7 +79,7 @@ std::vector<std::complex<double>> Point_cloud_vectors::logarithmic_map(std::size
   std::vector<Complex> result =
       at_all_points<Complex>(heat_->affine_logarithm(static_cast<Eigen::Index>(at)));
   for (Complex& z : result) z *= std::ldexp(1., exponent_);
-  internal::lengthen_to_chords(points_, at, 1, result);
+  internal::lengthen_to_chords(points_, {}, at, 1, result);
   return result;
 }
 

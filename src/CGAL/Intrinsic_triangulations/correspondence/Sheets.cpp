@@ -42,6 +42,26 @@ std::vector<char> Sheets::wide_seams() const {
   return result;
 }
 
+std::vector<char> Sheets::one_sheet() const {
+  std::vector<char> is_on(input_.number_of_faces(), 0), is_known(is_on);
+  std::vector<std::uint32_t> next;
+  const auto choose = [&](std::uint32_t f) {
+    if (is_known[f] != 0) return;
+    is_on[f] = is_known[f] = is_known[other_face(f)] = 1;
+    next.push_back(f);
+  };
+  for (std::uint32_t name = 0; name < is_on.size(); ++name) {
+    choose(input_.names().faces.here(name));
+    while (!next.empty()) {
+      const std::uint32_t f = next.back();
+      next.pop_back();
+      for (const std::uint32_t h : sides_of(f))
+        if (!input_.is_border(h ^ 1U) && !is_seam(h / 2)) choose(input_.face(h ^ 1U));
+    }
+  }
+  return is_on;
+}
+
 std::vector<Surface_point> Sheets::others(Surface_point p) const {
   std::vector<Surface_point> result;
   p = with_zero_last(p);

@@ -62,7 +62,7 @@ public:
   // The cover of faces that are not glued in pairs.
   Domain finish(Double_cover cover, Domain_kind kind, std::string reason) {
     std::vector<std::uint32_t> vertex;
-    Gluing_map mesh = Gluing_map::from_valid(cover.take(vertex));
+    Gluing_map mesh = Gluing_map::from_valid(cover.take(vertex, corners()));
     Intrinsic_input& in = result_.input;
     in.squared_lengths = squared_lengths(mesh, &Double_cover::side);
     in.mesh = std::move(mesh);
@@ -128,6 +128,29 @@ private:
       for (std::uint32_t k = 0; k < 3; ++k)
         result[mesh.sides({f})[k].index / 2] =
             result_.input.squared_lengths[edge_[side(3 * f + k)]];
+    return result;
+  }
+
+  // The length of a side of `faces_`, rounded.
+  double length(std::uint32_t h) const {
+    const Intrinsic_input& in = result_.input;
+    if (!edge_.empty()) return std::sqrt(in.squared_lengths[edge_[h]]);
+    const std::array<double, 3>&p = in.points[faces_.origin[h]],
+                             &q = in.points[faces_.origin[Gluing::next(h)]];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+
+  // The corners of the triangles at the sources of their sides, rounded. Triangles without area, and
+  // lengths that break the triangle inequality by rounding, have the angles 0 or pi.
+  std::vector<Double_cover::Corner> corners() const {
+    std::vector<Double_cover::Corner> result;
+    result.reserve(faces_.origin.size());
+    for (std::uint32_t h = 0; h < faces_.origin.size(); ++h) {
+      const double a = length(h), b = length(Gluing::next(Gluing::next(h))),
+                   c = length(Gluing::next(h)), x = ((a - b) + c) / a, y = ((b - a) + c) / b;
+      const double square = x * y / 4; // of the sine of half of the angle
+      result.push_back({square > 0 ? 2 * std::asin(std::sqrt(std::min(square, 1.))) : 0, c});
+    }
     return result;
   }
 

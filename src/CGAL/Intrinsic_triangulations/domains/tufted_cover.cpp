@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -74,10 +75,12 @@ std::vector<std::uint32_t> sort_around_edge(const std::vector<std::array<double,
   return order;
 }
 
-// Splits every vertex into one per umbrella, in the order of vertices; those without faces stay.
-// \return the vertex that each new one is a copy of
-static std::vector<std::uint32_t> split_vertices(Gluing& g) {
-  std::vector<std::uint32_t> umbrella(g.origin.size(), Gluing::none), row;
+// The umbrella that each halfedge starts in. \return the vertex of each umbrella
+std::vector<std::uint32_t>
+Double_cover::number_umbrellas(std::vector<std::uint32_t>& umbrella) const {
+  const Gluing& g = cover_;
+  std::vector<std::uint32_t> row;
+  umbrella.assign(g.origin.size(), Gluing::none);
   for (std::uint32_t start = 0; start < g.origin.size(); ++start) {
     if (umbrella[start] != Gluing::none) continue;
     const auto number = static_cast<std::uint32_t>(row.size());
@@ -91,21 +94,49 @@ static std::vector<std::uint32_t> split_vertices(Gluing& g) {
     for (h = g.glue[start]; h != Gluing::none; h = g.glue[Gluing::next(h)]) // and clockwise
       umbrella[Gluing::next(h)] = number;
   }
-  std::vector<std::uint32_t> copies(g.number_of_vertices, 0), rows;
-  for (const std::uint32_t v : row) ++copies[v];
-  for (std::uint32_t v = 0; v < g.number_of_vertices; ++v) {
-    const auto first = static_cast<std::uint32_t>(rows.size());
-    rows.insert(rows.end(), copies[v] == 0 ? 1 : copies[v], v);
-    copies[v] = first; // from now on: the place of the next copy
-  }
-  for (std::uint32_t& v : row) v = copies[v]++;
-  for (std::size_t h = 0; h < g.origin.size(); ++h) g.origin[h] = row[umbrella[h]];
-  g.number_of_vertices = static_cast<std::uint32_t>(rows.size());
-  return rows;
+  return row;
 }
 
-Gluing Double_cover::take(std::vector<std::uint32_t>& row_of_vertex) {
-  row_of_vertex = split_vertices(cover_);
+// By vertices, then as copies are ordered: by their measures up to rounding, so that equal ones stay
+// as they are.
+std::vector<std::uint32_t> Double_cover::order_umbrellas(const std::vector<std::uint32_t>& row,
+                                                         const std::vector<std::uint32_t>& umbrella,
+                                                         const std::vector<Corner>& corners) const {
+  std::vector<Corner> sums(row.size(), {0, 0});
+  for (std::uint32_t h = 0; h < umbrella.size(); ++h) {
+    const Corner& c = corners[h % 6 < 3 ? side(h) : Gluing::next(side(h))];
+    sums[umbrella[h]].angle += c.angle;
+    sums[umbrella[h]].opposite += c.opposite;
+  }
+  std::vector<std::array<std::int64_t, 2>> steps;
+  steps.reserve(sums.size());
+  for (const Corner& c : sums)
+    steps.push_back({-std::llround(std::ldexp(c.angle, 30)),
+                     c.opposite > 0 ? -std::llround(std::ldexp(std::log2(c.opposite), 30)) : 0});
+  std::vector<std::uint32_t> order(row.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return std::pair(row[i], steps[i]) < std::pair(row[j], steps[j]);
+  });
+  return order;
+}
+
+Gluing Double_cover::take(std::vector<std::uint32_t>& row_of_vertex,
+                          const std::vector<Corner>& corners) {
+  std::vector<std::uint32_t> umbrella;
+  const std::vector<std::uint32_t> row = number_umbrellas(umbrella),
+                                   order = order_umbrellas(row, umbrella, corners);
+  std::vector<std::uint32_t> copy(row.size()), copies(cover_.number_of_vertices, 0);
+  for (const std::uint32_t v : row) ++copies[v];
+  row_of_vertex.clear();
+  auto next = order.begin();
+  for (std::uint32_t v = 0; v < copies.size(); ++v) {
+    for (std::uint32_t k = 0; k < copies[v]; ++k)
+      copy[*next++] = static_cast<std::uint32_t>(row_of_vertex.size()) + k;
+    row_of_vertex.insert(row_of_vertex.end(), std::max(copies[v], 1U), v);
+  }
+  for (std::size_t h = 0; h < umbrella.size(); ++h) cover_.origin[h] = copy[umbrella[h]];
+  cover_.number_of_vertices = static_cast<std::uint32_t>(row_of_vertex.size());
   return std::move(cover_);
 }
 
