@@ -63,8 +63,9 @@ std::vector<Complex> logarithms_from(Surface& s, const T& t, const From& from,
 template <class T>
 std::vector<Complex> logarithms(Surface& s, const T& t, const Place& p,
                                 const Asked_logarithm& asked, Watch& watch) {
-  return IT::logarithms_from_place(
-      t, p, [&](const auto& from) { return logarithms_from(s, t, from, asked, watch); });
+  return IT::logarithms_from_place(t, p, asked.method, [&](const auto& from) {
+    return logarithms_from(s, t, from, asked, watch);
+  });
 }
 
 py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,

@@ -14,9 +14,9 @@
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,12 +206,14 @@ std::vector<Complex> cloud_logarithms(const Triangulation& t, std::uint32_t row,
 template <class Triangulation>
 std::vector<Complex> logarithms(const Triangulation& t, const IT::Place& source,
                                 const Options& options, const std::string& method) {
-  return IT::logarithms_from_place(t, source, [&](const auto& from) {
-    if (method == "exact") return IT::logarithmic_map(t, from);
-    return IT::Vector_heat_method<Triangulation>(
-               t, IT::parameters::time_factor(options.application.time_factor))
-        .logarithmic_map(from, method == "polar" ? IT::Logarithm_method::polar
-                                                 : IT::Logarithm_method::affine);
+  const IT::Logarithm_method by = method == "exact"   ? IT::Logarithm_method::exact
+                                  : method == "polar" ? IT::Logarithm_method::polar
+                                                      : IT::Logarithm_method::affine;
+  std::optional<IT::Vector_heat_method<Triangulation>> heat;
+  return IT::logarithms_from_place(t, source, by, [&](const auto& from) {
+    if (by == IT::Logarithm_method::exact) return IT::logarithmic_map(t, from);
+    if (!heat) heat.emplace(t, IT::parameters::time_factor(options.application.time_factor));
+    return heat->logarithmic_map(from, by);
   });
 }
 
@@ -312,8 +314,8 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   int turns = 0;
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
-  computed.directions = {"direction", field.directions(), options.application.degree,
-                         IT::first_copies_of_rows(t), singular.index};
+  computed.directions = {"direction", sheets.averaged(field.directions(), degree),
+                         options.application.degree, IT::first_copies_of_rows(t), singular.index};
   computed.marks = {"singularities", centres(t, singular.index, points)};
   computed.json = {
       {"degree", degree},

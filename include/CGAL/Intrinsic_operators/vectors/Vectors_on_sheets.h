@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -78,25 +79,31 @@ public:
   \brief averages the directions of a field on both sheets: where a vertex has a copy on the other
   sheet of its first copy, the first one gets the mean direction, and any one that is known.
   \param field a vector per copy, by the numbers of a `Tangent_field`
+  \param degree the number of equivalent directions that each vector stands for
   \complexity linear on other surfaces; else that of `tangent_to_input()` for each vertex
   */
-  Tangent_field averaged(Tangent_field field) {
+  Tangent_field averaged(Tangent_field field, int degree = 1) {
     if (!sheets_.is_cover()) return field;
     const std::vector<std::uint32_t> first = internal::first_copies(t_);
     const internal::Vertex_copies<Triangulation> copies(t_);
+    const auto power = [degree](const std::complex<double>& z) {
+      const std::complex<double> u = internal::unit_vector(z);
+      return u == 0. ? u : std::polar(1., degree * std::arg(u));
+    };
     Tangent_field sums(field.size());
-    for (std::size_t i = 0; i < field.size(); ++i) sums[i] = internal::unit_vector(field[i]);
+    std::ranges::transform(field, sums.begin(), power);
     for (const Vertex v : vertices(t_.mesh())) {
       const std::uint32_t i = copies(v);
       if (first[i] == i || internal::unit_vector(field[i]) == 0.) continue;
       const auto both = (*this)(v, field[i]);
       const auto& [there, z] = both.back();
       if (copies(there) != first[i]) continue;
-      sums[first[i]] += internal::unit_vector(z);
+      sums[first[i]] += power(z);
       if (!internal::is_known(field[first[i]])) field[first[i]] = z;
     }
     for (std::size_t i = 0; i < field.size(); ++i)
-      if (const auto u = internal::unit_vector(sums[i]); u != 0.) field[i] = std::abs(field[i]) * u;
+      if (const auto u = internal::unit_vector(sums[i]); u != 0.)
+        field[i] = std::polar(std::abs(field[i]), std::arg(u) / degree);
     return field;
   }
 

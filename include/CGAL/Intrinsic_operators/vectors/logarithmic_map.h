@@ -10,8 +10,10 @@
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -22,6 +24,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -134,24 +137,30 @@ std::complex<double> vector_in_frame(const Triangulation& t, const Tangent_vecto
   return unknown_vector;
 }
 
-// Takes vectors at a point from faces of the user under a cover to the frame of its halfedge.
+// Takes vectors at a point from faces of the user under a cover to the frame of its halfedge, or of
+// another copy of the point if they are in no face beside it.
 template <class Triangulation>
 class Vectors_at_point {
 public:
   Vectors_at_point(const Triangulation& t, const Surface_point& p)
-      : t_(t), sheets_(t), halfedge_(p.halfedge) {}
+      : t_(t), sheets_(t), halfedges_{p.halfedge} {
+    if (const std::optional<Surface_point> here = locate_on_input(t, p))
+      for (const Surface_point& q : Sheets(t.correspondence().input()).others(*here))
+        if (const auto copy = locate_on_intrinsic(t, q)) halfedges_.push_back(copy->halfedge);
+  }
 
   std::complex<double> operator()(const Tangent_vector& on_input) const {
     if (const auto front = tangent_to_intrinsic(t_, on_input))
-      for (const Tangent_vector& v : sheets_(*front))
-        if (const auto z = vector_in_frame(t_, v, halfedge_); is_known(z)) return z;
+      for (const std::uint32_t h : halfedges_)
+        for (const Tangent_vector& v : sheets_(*front))
+          if (const auto z = vector_in_frame(t_, v, h); is_known(z)) return z;
     return unknown_vector;
   }
 
 private:
   const Triangulation& t_;
   Vectors_on_sheets<Triangulation> sheets_;
-  std::uint32_t halfedge_;
+  std::vector<std::uint32_t> halfedges_; // of the copies
 };
 
 } // namespace internal

@@ -69,6 +69,10 @@ public:
   // whether an edge is a seam; border edges are not
   bool is_seam(std::uint32_t edge) const;
 
+  // Whether more than two faces meet at an edge: then the exchange of sides is no isometry.
+  // \complexity linear
+  bool has_branches() const;
+
   // Marks one of the front and the back of each face: as far as no seam and no change of sides comes
   // between, on one sheet with their neighbours, and on the front of the first one by name.
   // \complexity linear

@@ -42,6 +42,12 @@ std::vector<char> Sheets::wide_seams() const {
   return result;
 }
 
+bool Sheets::has_branches() const {
+  for (std::uint32_t e = 0; e < input_.number_of_edges(); ++e)
+    if (edges_over(2 * e, 3).size() > 2) return true;
+  return false;
+}
+
 std::vector<char> Sheets::one_sheet() const {
   std::vector<char> is_on(input_.number_of_faces(), 0), is_known(is_on);
   std::vector<std::uint32_t> next;
