@@ -176,10 +176,9 @@ void add_pieces(const T& t, const IT::Traced_curve& curve,
       return IT::internal::within_rounding(
           input, IT::internal::seen_in_face(input, curve.points[k], curve.faces[i]));
     };
-    const auto p = in_face(i), q = IT::seen_from(input, in_face(i + 1), p.halfedge);
-    const IT::Geodesic_face face(input, p.halfedge);
-    const auto along = face.position(q.weights) - face.position(p.weights);
-    const double length = std::ldexp(std::hypot(along[0], along[1]), -input.scale_exponent());
+    const auto p = in_face(i), q = in_face(i + 1);
+    const IT::Unscaled_vector along = IT::vector_between(input, p, q);
+    const double length = std::hypot(along[0], along[1]);
     if (!(length > 0)) continue;
     const IT::Tangent_vector start = *IT::tangent_to_intrinsic(t, {p, along});
     pieces.push_back({IT::trace_geodesic(t, start.point, start.vector, length).points});

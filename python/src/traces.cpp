@@ -73,12 +73,11 @@ In_corner in_corner(const IT::Input& input, const Points& coordinates, std::uint
   return result;
 }
 
-// Faces are laid out in scaled units, and the vector is in those of the user.
 IT::Tangent_vector tangent_of(const IT::Input& input, const IT::Surface_point& p,
                               const In_corner& c) {
   const IT::Geodesic_face face(input, p.halfedge);
-  const double unit = std::ldexp(1., -input.scale_exponent());
-  return {p, unit * (c.first * face.edge[0] - c.second * face.edge[2])};
+  return {p,
+          IT::unscaled(c.first * face.edge[0] - c.second * face.edge[2], input.scale_exponent())};
 }
 
 // By how much a vector in the plane of the first or the last face about a border vertex points out
@@ -214,8 +213,8 @@ py::dict trace(Surface& s, const Place_arrays& from, const Direction& direction,
     if (!(std::hypot(start.vector[0], start.vector[1]) > 0))
       throw IT::Invalid_input(IT::Element_kind::none, 0,
                               "the direction is zero, or orthogonal to the face; give another");
-    return IT::internal::trace_scaled(*input, input->scale_exponent(), start.point, start.vector,
-                                      length, IT::parameters::default_values());
+    return IT::internal::trace_on(*input, start.point, start.vector, length,
+                                  IT::parameters::default_values());
   });
   return curve_arrays(*input, s.points, {traced(*input, geodesic), false});
 }

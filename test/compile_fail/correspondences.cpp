@@ -57,3 +57,11 @@ void misuse(const IT::Intrinsic_input& input) {
   IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Hears_of_flips> t(input);
 }
 } // namespace case_correspondence_without_moves
+
+namespace case_vector_in_scaled_units {
+// Faces are laid out in scaled units, tangent vectors are in those of the input.
+// error: could not convert .*Plane_vector<double>.*Tangent_vector
+IT::Tangent_vector misuse(const IT::Input& input) {
+  return {IT::Surface_point(), IT::Geodesic_face(input, 0).edge[0]};
+}
+} // namespace case_vector_in_scaled_units

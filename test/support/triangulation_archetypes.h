@@ -43,6 +43,7 @@ public:
   std::uint32_t outgoing_halfedge(std::uint32_t v) const { return input_.outgoing_halfedge(v); }
   double squared_length(std::uint32_t e) const { return input_.squared_length(e); }
   double quadruple_area(std::uint32_t f) const { return input_.quadruple_area(f); }
+  int scale_exponent() const { return input_.scale_exponent(); }
 
 private:
   const IT::Input& input_;

@@ -28,6 +28,7 @@ are doubles in scaled units.
 |---|---|
 | \itc{Geodesic_face}, \itc{Geodesic_walk}, \itf{trace_geodesic} | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
 | \itf{trace_to_target} | also `source` |
+| \itf{vector_between} | as `Geodesic_face`, and `scale_exponent` |
 | \itf{locate_circumcenter} | as `trace_geodesic()` |
 | \itc{Constrained_segments} | `is_border`, `source`, `target`, `squared_length` |
 | \itc{Tangent_frames} | also `number_of_halfedges`, which `Input` has |
@@ -62,4 +63,6 @@ public:
   double squared_length(std::uint32_t e) const;
   /// returns four times the area of face `f`.
   double quadruple_area(std::uint32_t f) const;
+  /// returns s, where lengths are 2^s times those in the units of the input.
+  int scale_exponent() const;
 };

@@ -21,7 +21,10 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Complex = std::complex<double>;
 
-Complex complex(const IT::Plane_vector<double>& v) { return {v[0], v[1]}; }
+template <class Vector>
+Complex complex(const Vector& v) {
+  return {v[0], v[1]};
+}
 
 double distance(const IT::Corresponding_triangulation& t, const Mesh& mesh,
                 const IT::Surface_point& p, const IT::Surface_point& q) {

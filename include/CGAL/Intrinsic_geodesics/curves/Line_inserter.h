@@ -63,7 +63,7 @@ public:
     return Move_status::done;
   }
 
-  // Turns a line of given length, in units of the triangulation, into a path. It ends at vertex
+  // Turns a line of given length, in scaled units, into a path. It ends at vertex
   // `target`, if given, which must be near its end. Also `not_traceable` if it crosses an edge that
   // may not be split.
   Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {

@@ -91,7 +91,7 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
   for (unsigned i = 0; i < 3; ++i)
     if (view.source(face.side[i]) == v && (!k || w[i] > w[*k])) k = i;
   if (!k) return std::nullopt; // rounding, in a face that is tiny
-  const Plane_vector<double> d = face.relative_to(*k, here->vector);
+  const Unscaled_vector d = face.relative_to(*k, here->vector);
   double angle = std::atan2(d[1], d[0]); // from the side of the corner that is nearer
   const double full = 2 * std::numbers::pi, corner = angle_at_source(view, face.side[*k]);
   if (angle < 0 && angle + full - corner < -angle) angle += full;
@@ -138,11 +138,11 @@ Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,
   for (std::size_t i = 0; i < segments.size() && result.status == Move_status::done; ++i) {
     if (result.vertices[i] == result.vertices[i + 1]) continue;
     const auto& [p, q] = segments[i];
-    const Plane_vector<double> vector = vector_between(input, p, q);
-    const auto d = internal::direction_at_vertex(t, t.index(result.vertices[i]), {p, vector});
+    const Unscaled_vector v = vector_between(input, p, q);
+    const auto d = internal::direction_at_vertex(t, t.index(result.vertices[i]), {p, v});
+    const double length = std::ldexp(std::hypot(v[0], v[1]), input.scale_exponent());
     result.status =
-        d ? inserter.go(*d, std::hypot(vector[0], vector[1]), t.index(result.vertices[i + 1]))
-          : Move_status::not_traceable;
+        d ? inserter.go(*d, length, t.index(result.vertices[i + 1])) : Move_status::not_traceable;
   }
   result.halfedges = inserter.paths().halfedges(t);
   return result;

@@ -317,7 +317,7 @@ private:
     const Plane_vector<double>& d = path.departure;
     const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
     if (norm == 0 && length > 0) return none; // from another copy of the source
-    return {surface_.point(place), scale * d};
+    return {surface_.point(place), {scale * d.x, scale * d.y}};
   }
 
   internal::Searched_surface<Triangulation> surface_;

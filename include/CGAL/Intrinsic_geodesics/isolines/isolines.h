@@ -194,7 +194,7 @@ double length_of_isoline(const Triangulation& t, const Isoline& line) {
         vector_between(view, line.points[i].surface_point(), line.end_of_piece(i).surface_point());
     sum += std::hypot(v[0], v[1]);
   }
-  return std::ldexp(sum, -t.metric().scale_exponent());
+  return sum;
 }
 
 /*!

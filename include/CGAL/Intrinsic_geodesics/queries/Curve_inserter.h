@@ -55,20 +55,20 @@ private:
   Flip_log<Triangulation>* log_;
 };
 
-// Lays out a straight line over the input.
+// Lays out a straight line over the input. Lengths are in the units of the input.
 class Laid_out_line {
 public:
   Laid_out_line(const Input& input, const Traced_curve& curve) : input_(input), curve_(curve) {}
 
   // The line from point `first` to point `last` of the curve, in the frame of its first face.
-  Plane_vector<double> vector(std::size_t first, std::size_t last) const;
+  Unscaled_vector vector(std::size_t first, std::size_t last) const;
   // Its length.
   double length(std::size_t first, std::size_t last) const;
   // A point at an end of a piece of it.
   Surface_point point(std::size_t i, std::size_t piece) const;
 
 private:
-  Plane_vector<double> piece(std::size_t i) const;
+  Unscaled_vector piece(std::size_t i) const;
   bool turn(std::size_t i, Plane_vector<double>& x) const;
 
   const Input& input_;
@@ -133,9 +133,10 @@ private:
     const auto d = direction_at_vertex(t_, t_.index(from),
                                        {line.point(first, first), line.vector(first, last)});
     if (!d) return Move_status::not_traceable;
-    return go(*d, length, t_.index(to));
+    return go(*d, std::ldexp(length, t_.metric().scale_exponent()), t_.index(to));
   }
-  // The direction is corrected first: in a face that is thin, rounding turns it.
+  // The direction is corrected first: in a face that is thin, rounding turns it. The length is in
+  // scaled units.
   Move_status go(Corner_direction d, double length, std::uint32_t to) {
     const Accurate_view<Triangulation> view(t_);
     const Geodesic_to_target straight =

@@ -40,7 +40,7 @@ public:
 
   // Appends the straight piece v from p to q, of one face, to a curve over the input. Returns false
   // if the piece is not traceable.
-  bool append(const Surface_point& p, const Surface_point& q, const Plane_vector<double>& v,
+  bool append(const Surface_point& p, const Surface_point& q, const Unscaled_vector& v,
               Traced_curve& curve) {
     auto from = tangent_to_input(t_, {p, v});
     auto to = locate_on_input(t_, q);

@@ -174,7 +174,6 @@ Traced_curve trace_boundary(const Triangulation& t, const Cell_boundary& boundar
   const internal::Accurate_view<Triangulation> view(t);
   internal::Piece_tracer<Triangulation> tracer(t);
   Traced_curve curve;
-  double length = 0;
   const Input& input = t.correspondence().input();
   for (const auto& [p, q] : boundary.pieces) {
     const auto v = boundary.is_on_input ? vector_between(input, p, q) : vector_between(view, p, q);
@@ -185,9 +184,8 @@ Traced_curve trace_boundary(const Triangulation& t, const Cell_boundary& boundar
       curve.points.push_back(q);
     } else if (!tracer.append(p, q, v, curve))
       return {Status::not_traceable, {}, {}, 0, {0}};
-    length += std::hypot(v[0], v[1]);
+    curve.length += std::hypot(v[0], v[1]);
   }
-  curve.length = std::ldexp(length, -t.metric().scale_exponent());
   curve.length_enclosure = {0, std::numeric_limits<double>::infinity()};
   return curve;
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -107,7 +108,7 @@ public:
   }
 
   // A vector at the vertex where a point is, in the frame here, and back.
-  std::complex<double> at_corner(const Surface_point& p, const Plane_vector<double>& v) const {
+  std::complex<double> at_corner(const Surface_point& p, const Unscaled_vector& v) const {
     return corners(p)[0].to_here({v[0], v[1]});
   }
   std::complex<double> from_corner(const Surface_point& p, const std::complex<double>& z) const {
@@ -123,11 +124,8 @@ public:
     for (unsigned k = 0; k < 3; ++k)
       sum += q.weights[k] * values[number(t_->numbers().vertex_at(view.source(face.side[k])))];
     if (view.face(p.halfedge) != view.face(q.halfedge)) return sum;
-    const Geodesic_face here(view, p.halfedge); // the values may be those of paths around
-    const Plane_vector<double> from = here.position(p.weights),
-                               to = here.position(seen_from(view, q, p.halfedge).weights);
-    return std::ldexp(1., -t_->metric().scale_exponent()) *
-           std::complex(to[0] - from[0], to[1] - from[1]);
+    const Unscaled_vector v = vector_between(view, p, q); // values may be those of ways around
+    return {v[0], v[1]};
   }
 
 private:

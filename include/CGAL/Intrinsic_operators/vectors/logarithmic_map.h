@@ -130,8 +130,8 @@ std::complex<double> vector_in_frame(const Triangulation& t, const Tangent_vecto
     for (unsigned j = 0; j < 3; ++j) {
       const bool is_same = from.side[k] == to.side[j];
       if (!is_same && from.side[k] != (to.side[j] ^ 1U)) continue;
-      const Plane_vector<double> along = from.relative_to(k, v.vector),
-                                 x = to.from_relative_to(j, is_same ? along : -1. * along);
+      const Unscaled_vector along = from.relative_to(k, v.vector),
+                            x = to.from_relative_to(j, is_same ? along : -1. * along);
       return {x[0], x[1]};
     }
   return unknown_vector;

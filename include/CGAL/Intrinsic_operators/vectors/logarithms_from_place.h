@@ -110,7 +110,7 @@ logarithms_at_corner_of_face(const Triangulation& t, const Surface_point& p,
   const unsigned k = corner_of(p);
   const double half = angle_at_source(input, face.side[k]) / 2;
   const Plane_vector<double> middle = face.from_relative_to(k, {std::cos(half), std::sin(half)});
-  const Tangent_vector there = tangent_to_intrinsic(t, {p, middle}).value();
+  const Tangent_vector there = tangent_to_intrinsic(t, {p, {middle.x, middle.y}}).value();
   const Point_frames<Triangulation> frames(t);
   auto corner = frames.corners(there.point)[0];
   corner.polar_angle = std::arg(corner.to_here({there.vector[0], there.vector[1]}));

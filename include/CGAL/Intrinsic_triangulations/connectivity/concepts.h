@@ -39,6 +39,7 @@ concept NumberedComplex = requires(const Complex& c, std::uint32_t i) {
   { c.outgoing_halfedge(i) } -> std::same_as<std::uint32_t>;
   { c.squared_length(i) } -> std::same_as<double>;
   { c.quadruple_area(i) } -> std::same_as<double>;
+  { c.scale_exponent() } -> std::same_as<int>;
 };
 
 namespace internal {

@@ -32,8 +32,10 @@ struct Mapped_point {
   Plane_vector<double> found{1, 0};
 
   /// takes a tangent vector from the frame where the point was given to that of `point.halfedge`.
-  Plane_vector<double> transfer(const Plane_vector<double>& v) const {
-    return found * in_frame(given, v);
+  template <class Units>
+  Plane_vector<double, Units> transfer(const Plane_vector<double, Units>& v) const {
+    using Vector = Plane_vector<double, Units>;
+    return Vector{found.x, found.y} * in_frame(Vector{given.x, given.y}, v);
   }
 };
 

@@ -100,6 +100,8 @@ public:
   double quadruple_area(std::uint32_t f) const {
     return t_->metric().approximate_quadruple_area(f);
   }
+  /// returns s, where lengths are 2^s times those in the units of the input.
+  int scale_exponent() const { return t_->metric().scale_exponent(); }
 
 private:
   typename Traits::halfedge_descriptor descriptor(std::uint32_t h) const {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -13,8 +14,10 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief is a vector or a point of the plane, and the complex number x + i y.
 \tparam FT a model of `RingNumber`; division requires a model of `FieldNumber`
+\tparam Units any type: the name of the units, so that vectors in different ones do not mix. `void`
+  where faces are laid out, which is in scaled units; see `Unscaled_vector` for those of the input
 */
-template <RingNumber FT>
+template <RingNumber FT, class Units = void>
 struct Plane_vector {
   FT x; ///< first coordinate
   FT y; ///< second coordinate
@@ -54,6 +57,19 @@ struct Plane_vector {
     return {dot(a, b), cross(a, b)};
   }
 };
+
+/// is a vector in the units of the input; `unscaled()` makes one of a vector in scaled units.
+using Unscaled_vector = Plane_vector<double, class Units_of_input>;
+
+/// returns a vector in the units of the input. \param v in scaled units
+/// \param scale_exponent see `Input::scale_exponent()`
+inline Unscaled_vector unscaled(const Plane_vector<double>& v, int scale_exponent) {
+  return {std::ldexp(v.x, -scale_exponent), std::ldexp(v.y, -scale_exponent)};
+}
+/// returns a vector in scaled units; the inverse of `unscaled()`.
+inline Plane_vector<double> scaled(const Unscaled_vector& v, int scale_exponent) {
+  return {std::ldexp(v.x, scale_exponent), std::ldexp(v.y, scale_exponent)};
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -65,7 +65,7 @@ auto approximate_values(const Complex& complex) {
 \brief is a face laid out in the plane, in the frame of one of its halfedges: the source is at the
 origin, the target on the positive x-axis, the apex above.
 
-Sides are stored as vectors, see `planar_sides()`.
+Sides are stored as vectors, see `planar_sides()`; they are in scaled units, those of the complex.
 */
 struct Geodesic_face {
   std::array<std::uint32_t, 3> side;        ///< the halfedge of the frame, the next and the last
@@ -99,14 +99,19 @@ struct Geodesic_face {
     return Plane_vector<double>{0, 0} - to_corner(weights, 0);
   }
 
-  /// returns a direction relative to side `s`: along it, and to the left of it.
-  Plane_vector<double> relative_to(unsigned s, const Plane_vector<double>& v) const {
-    return length[s] > 0 ? in_frame(edge[s], v) / length[s] : v;
+  /// returns a vector, in any units, relative to side `s`: along it, and to the left of it.
+  template <class Units = void>
+  Plane_vector<double, Units> relative_to(unsigned s, const Plane_vector<double, Units>& v) const {
+    const Plane_vector<double, Units> along{edge[s].x, edge[s].y};
+    return length[s] > 0 ? in_frame(along, v) / length[s] : v;
   }
 
-  /// returns a direction that is given relative to side `s`.
-  Plane_vector<double> from_relative_to(unsigned s, const Plane_vector<double>& v) const {
-    return length[s] > 0 ? edge[s] * v / length[s] : v;
+  /// returns a vector, in any units, that is given relative to side `s`.
+  template <class Units = void>
+  Plane_vector<double, Units> from_relative_to(unsigned s,
+                                               const Plane_vector<double, Units>& v) const {
+    const Plane_vector<double, Units> along{edge[s].x, edge[s].y};
+    return length[s] > 0 ? along * v / length[s] : v;
   }
 };
 

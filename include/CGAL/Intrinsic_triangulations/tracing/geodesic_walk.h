@@ -57,11 +57,13 @@ public:
   points out of the face is measured around the vertex from the nearer side.
   \param complex the surface, which must outlive the walk
   \param p the point
-  \param direction a vector in the frame of the halfedge of `p`, not zero
+  \param direction a vector in the frame of the halfedge of `p`, not zero, in any units
   */
-  Geodesic_walk(const Complex& complex, const Surface_point& p, Plane_vector<double> direction)
+  template <class Units = void>
+  Geodesic_walk(const Complex& complex, const Surface_point& p,
+                const Plane_vector<double, Units>& direction)
       : complex_(&complex), face_(complex, p.halfedge), weights_(p.weights),
-        direction_(normalized(direction)) {
+        direction_(normalized({direction.x, direction.y})) {
     unsigned zeros = 0, corner = 0, edge = 0;
     for (unsigned k = 0; k < 3; ++k) {
       if (weights_[k] > 0) {

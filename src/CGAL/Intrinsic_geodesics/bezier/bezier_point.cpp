@@ -20,7 +20,7 @@ Place_on_curve place_on_curve(const Input& input, const Traced_curve& curve, dou
   std::vector<double> lengths;
   double all = 0;
   for (std::size_t i = 0; i < curve.faces.size(); ++i) {
-    const Plane_vector<double> v = vector_between(input, end_of_piece(i, 0), end_of_piece(i, 1));
+    const Unscaled_vector v = vector_between(input, end_of_piece(i, 0), end_of_piece(i, 1));
     lengths.push_back(std::hypot(v[0], v[1]));
     all += lengths.back();
   }

@@ -13,11 +13,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-Plane_vector<double> Laid_out_line::vector(std::size_t first, std::size_t last) const {
-  Plane_vector<double> sum{0, 0}, x{1, 0}; // x: the x-axis of the frame
+Unscaled_vector Laid_out_line::vector(std::size_t first, std::size_t last) const {
+  Unscaled_vector sum{0, 0};
+  Plane_vector<double> x{1, 0}; // the x-axis of the frame
   for (std::size_t i = first; i < last; ++i) {
     if (i > first && !turn(i, x)) break;
-    const Plane_vector<double> v = piece(i);
+    const Unscaled_vector v = piece(i);
     sum = {sum[0] + x[0] * v[0] - x[1] * v[1], sum[1] + x[0] * v[1] + x[1] * v[0]};
   }
   return sum;
@@ -26,7 +27,7 @@ Plane_vector<double> Laid_out_line::vector(std::size_t first, std::size_t last) 
 double Laid_out_line::length(std::size_t first, std::size_t last) const {
   double sum = 0;
   for (std::size_t i = first; i < last; ++i) {
-    const Plane_vector<double> v = piece(i);
+    const Unscaled_vector v = piece(i);
     sum += std::hypot(v[0], v[1]);
   }
   return sum;
@@ -36,7 +37,7 @@ Surface_point Laid_out_line::point(std::size_t i, std::size_t piece) const {
   return seen_in_face(input_, curve_.points[i], curve_.faces[piece]);
 }
 
-Plane_vector<double> Laid_out_line::piece(std::size_t i) const {
+Unscaled_vector Laid_out_line::piece(std::size_t i) const {
   return vector_between(input_, point(i, i), point(i + 1, i));
 }
 

@@ -40,9 +40,10 @@ void append_piece(const Input& input, const Tangent_vector& from, const Surface_
   const std::uint32_t vertex = vertex_at(input, to);
   const Geodesic_target target = vertex == Gluing::none ? Geodesic_target::at_point(input, to)
                                                         : Geodesic_target::at_vertex(vertex);
-  const double length = std::hypot(from.vector[0], from.vector[1]);
+  const Plane_vector<double> v = scaled(from.vector, input.scale_exponent());
+  const double length = std::hypot(v[0], v[1]);
   if (length == 0 || is_rounding(input, from, vertex, length)) return;
-  const Geodesic_walk<Input> walk(input, from.point, from.vector);
+  const Geodesic_walk<Input> walk(input, from.point, v);
   const Geodesic_to_target line = trace_to_target(input, walk, target, length, strip);
   std::uint32_t face = input.face(walk.face().side[0]);
   if (!line.is_reached) curve.status = Status::inaccurate;

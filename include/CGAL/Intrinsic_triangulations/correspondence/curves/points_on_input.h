@@ -126,14 +126,15 @@ double parameter_on_halfedge(const Coordinates& coordinates, std::uint32_t verte
   return p.halfedge == halfedge ? p.weights[1] : p.weights[0];
 }
 
-/// returns the vector from a point of the input to another one of the same face, in the frame of
+/// returns the vector from a point of a complex to another one of the same face, in the frame of
 /// the first.
 template <NumberedComplex Complex>
-Plane_vector<double> vector_between(const Complex& input, const Surface_point& from,
-                                    const Surface_point& to) {
-  const Geodesic_face face(input, from.halfedge);
-  return face.to_corner(from.weights, 0) -
-         face.to_corner(seen_from(input, to, from.halfedge).weights, 0);
+Unscaled_vector vector_between(const Complex& complex, const Surface_point& from,
+                               const Surface_point& to) {
+  const Geodesic_face face(complex, from.halfedge);
+  return unscaled(face.to_corner(from.weights, 0) -
+                      face.to_corner(seen_from(complex, to, from.halfedge).weights, 0),
+                  complex.scale_exponent());
 }
 
 /*!

@@ -242,8 +242,9 @@ std::uint32_t first_wrong_length(const Triangulation& t, const Coordinates& coor
     if (!entered.empty()) strip.unfold(view, coordinates, h, entered);
     const Plane_vector<double> v =
         !entered.empty() ? strip.vector()
-                         : vector_between(input, corner_on_input(view, coordinates, h),
-                                          corner_on_input(view, coordinates, h ^ 1U));
+                         : scaled(vector_between(input, corner_on_input(view, coordinates, h),
+                                                 corner_on_input(view, coordinates, h ^ 1U)),
+                                  input.scale_exponent());
     return std::hypot(v.x, v.y);
   };
   double tolerance = 0;

@@ -7,9 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -137,7 +137,7 @@ public:
   \pre the place has a face
   \complexity that of `tangent_to_intrinsic()`
   */
-  Tangent_vector tangent(const Place& place, const Plane_vector<double>& vector) const {
+  Tangent_vector tangent(const Place& place, const Unscaled_vector& vector) const {
     const Input& input = t_.input();
     return *tangent_to_intrinsic(
         t_, internal::with_one_name(input, {point_on_input(input, place), vector}));

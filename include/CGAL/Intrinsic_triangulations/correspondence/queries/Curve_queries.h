@@ -152,7 +152,7 @@ double angle_at_inserted_vertex(const Triangulation& t, const Coordinates& coord
   start = corner_on_input(view, coordinates, h);
   const std::vector<std::uint32_t> entered = find_entered(view, coordinates, h);
   if (entered.empty()) {
-    const Plane_vector<double> v =
+    const Unscaled_vector v =
         vector_between(input, start, corner_on_input(view, coordinates, h ^ 1U));
     return std::atan2(v[1], v[0]);
   }

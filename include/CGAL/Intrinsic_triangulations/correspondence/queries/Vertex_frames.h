@@ -80,7 +80,7 @@ public:
   // point. Each corner stands for `degree` vectors at equal angles: their common powers are
   // averaged, and one root is returned.
   template <class At>
-  Plane_vector<double> in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
+  Unscaled_vector in_face(const Surface_point& p, const At& at, unsigned degree = 1) const {
     const Geodesic_face face(surface_, p.halfedge);
     const double n = degree;
     std::complex<double> sum = 0;
@@ -101,7 +101,7 @@ public:
   // the polar angle of a vector at corner `k` of the face of its point
   double polar_angle(const Tangent_vector& v, unsigned k) const {
     const Geodesic_face face(surface_, v.point.halfedge);
-    const Plane_vector<double> r = face.relative_to(k, v.vector);
+    const Unscaled_vector r = face.relative_to(k, v.vector);
     return scale_[surface_.source(face.side[k])] * (angle_[face.side[k]] + std::atan2(r[1], r[0]));
   }
 

@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// A vector in a face of the input.
 struct Input_vector {
-  std::uint32_t halfedge;      ///< a side of the face; `Gluing::none` if no face has the vertex
-  Plane_vector<double> vector; ///< along the halfedge, and to the left of it
+  std::uint32_t halfedge; ///< a side of the face; `Gluing::none` if no face has the vertex
+  Unscaled_vector vector; ///< along the halfedge, and to the left of it
 };
 
 /*!

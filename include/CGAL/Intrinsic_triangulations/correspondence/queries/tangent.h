@@ -29,9 +29,8 @@ At a vertex, it points into the face of its frame, or its angle from the side of
 starts there is measured around the vertex.
 */
 struct Tangent_vector {
-  Surface_point point; ///< the point
-  Plane_vector<double>
-      vector; ///< in the frame of `point.halfedge`: along it, and to the left of it
+  Surface_point point;    ///< the point
+  Unscaled_vector vector; ///< in the frame of `point.halfedge`: along it, and to the left of it
 };
 
 namespace internal {
@@ -64,7 +63,7 @@ std::optional<Tangent_vector> take_tangent(const Complex& complex, const Tangent
     return Tangent_vector{p->point, p->transfer(v.vector)};
   }
   const Geodesic_face face(complex, v.point.halfedge);
-  const Plane_vector<double> r = face.relative_to(corner, v.vector);
+  const Unscaled_vector r = face.relative_to(corner, v.vector);
   const double length = std::hypot(r[0], r[1]), angle = std::atan2(r[1], r[0]);
   const auto turned = walk(face.side[corner], angle);
   if (turned && !turned->is_blocked()) return at_start(*turned, length);

@@ -74,7 +74,7 @@ public:
       const Tangent_vector axis = axis_on_input(v);
       std::complex<double>& z = result[copies_(v)];
       if (t_.is_inserted(v)) { // in a face, whose frame is the same for all
-        const Plane_vector<double> x = frames_.in_face(axis.point, at);
+        const Unscaled_vector x = frames_.in_face(axis.point, at);
         z = std::complex<double>(x[0], x[1]) *
             std::conj(std::complex<double>(axis.vector[0], axis.vector[1]));
       } else {

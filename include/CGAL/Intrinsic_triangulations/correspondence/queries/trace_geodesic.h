@@ -42,10 +42,10 @@ struct Geodesic {
 
 namespace internal {
 
-// `scale_exponent`: lengths on the complex are 2^scale_exponent times those of the user
-template <class Complex, class NP>
-Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_point& start,
-                      const Plane_vector<double>& direction, double length, const NP& np) {
+// over a model of `NumberedComplex`, for a length in the units of the input
+template <class Complex, class Units, class NP>
+Geodesic trace_on(const Complex& complex, const Surface_point& start,
+                  const Plane_vector<double, Units>& direction, double length, const NP& np) {
   using namespace tags;
   expect_names<maximum_faces, snaps_to_vertices>(np);
   const Trace_options d;
@@ -53,13 +53,13 @@ Geodesic trace_scaled(const Complex& complex, int scale_exponent, const Surface_
                               value_or<tags::snaps_to_vertices>(np, d.snaps_to_vertices)};
   std::vector<Geodesic_crossing> crossings;
   const Geodesic_end end = internal::trace_geodesic(
-      complex, start, direction, std::ldexp(length, scale_exponent), crossings, options);
+      complex, start, direction, std::ldexp(length, complex.scale_exponent()), crossings, options);
   Geodesic g{end.status,
              {start},
              end.direction,
-             std::ldexp(end.length, -scale_exponent),
-             std::ldexp(end.error, -scale_exponent),
-             direction};
+             std::ldexp(end.length, -complex.scale_exponent()),
+             std::ldexp(end.error, -complex.scale_exponent()),
+             {direction.x, direction.y}};
   g.points.reserve(crossings.size() + 2);
   for (const Geodesic_crossing& c : crossings)
     g.points.push_back({c.halfedge, {1 - c.parameter, c.parameter, 0}});
@@ -80,7 +80,7 @@ at the border.
 \param t the triangulation
 \param start a point of it
 \param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above;
-  the norm does not matter. At a vertex, a direction that points out of the face is measured around
+  the norm does not matter, nor do its units. At a vertex, a direction that points out of the face is measured around
   the vertex from the nearer side.
 \param length the length to go, in the units of the input
 \param np optional named parameters: - `maximum_faces(n)`: number of faces after which to give up.
@@ -89,12 +89,12 @@ at the border.
 \pre the direction is not zero
 \complexity linear in the number of crossings, and in the degrees of the vertices that are hit
 */
-template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>,
+          class Units = void>
 Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
-                        const Plane_vector<double>& direction, double length,
+                        const Plane_vector<double, Units>& direction, double length,
                         const NP& np = parameters::default_values()) {
-  return internal::trace_scaled(Intrinsic_view<Triangulation>(t), t.metric().scale_exponent(),
-                                start, direction, length, np);
+  return internal::trace_on(Intrinsic_view<Triangulation>(t), start, direction, length, np);
 }
 
 /*!
@@ -103,12 +103,12 @@ Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
 See `trace_geodesic()`; points are those of the input.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
-template <QueriedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+template <QueriedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>,
+          class Units = void>
 Geodesic trace_geodesic_on_input(const Triangulation& t, const Surface_point& start,
-                                 const Plane_vector<double>& direction, double length,
+                                 const Plane_vector<double, Units>& direction, double length,
                                  const NP& np = parameters::default_values()) {
-  return internal::trace_scaled(t.correspondence().input(), t.metric().scale_exponent(), start,
-                                direction, length, np);
+  return internal::trace_on(t.correspondence().input(), start, direction, length, np);
 }
 
 /*!
@@ -125,12 +125,12 @@ place of one.
 \throws Invalid_input if the start is in a polygon, or the mesh is another one
 */
 template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh,
-          NamedParameters NP = parameters::Parameters<>>
+          NamedParameters NP = parameters::Parameters<>, class Units = void>
   requires(!NamedParameters<Mesh>)
 Geodesic trace_geodesic(const Triangulation& t,
                         const Face_location<std::type_identity_t<Mesh>>& start,
-                        const Plane_vector<double>& direction, double length, const Mesh& mesh,
-                        const NP& np = parameters::default_values()) {
+                        const Plane_vector<double, Units>& direction, double length,
+                        const Mesh& mesh, const NP& np = parameters::default_values()) {
   return trace_geodesic_on_input(t, surface_point(t, start, mesh), direction, length, np);
 }
 

@@ -88,7 +88,7 @@ std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
     for (unsigned s = 0; s < 3; ++s) {
       const std::uint32_t beyond = face.side[s] ^ 1U;
       if (input.is_border(beyond) || !is_new(beyond)) continue;
-      const Plane_vector<double> along = face.relative_to(s, x);
+      const Unscaled_vector along = face.relative_to(s, x);
       faces.push_back({beyond, {-along[0], -along[1]}});
     }
   }
@@ -100,11 +100,10 @@ std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
 // of a face of the common subdivision best, in the frames of its intrinsic and its input face.
 // `points` are its places in space.
 template <class View, class Source>
-std::array<double, 3> face_vector_in_space(const View& view, const Input& input,
-                                           const Source& source, std::uint32_t h,
-                                           const Common_subdivision& s, std::size_t f,
-                                           const std::vector<std::array<double, 3>>& points,
-                                           const Plane_vector<double>& v) {
+std::array<double, 3>
+face_vector_in_space(const View& view, const Input& input, const Source& source, std::uint32_t h,
+                     const Common_subdivision& s, std::size_t f,
+                     const std::vector<std::array<double, 3>>& points, const Unscaled_vector& v) {
   using Complex = std::complex<double>;
   const std::array<double, 3> a = vector_in_space(input, {h, {1, 0}}, source),
                               b = vector_in_space(input, {h, {0, 1}}, source);
@@ -166,7 +165,7 @@ face_vectors_in_space(const Triangulation& t, const Tangent_field& field,
         centre.weights[k] += w[k] / static_cast<double>(end - begin);
     }
     const std::uint32_t input_face = t.input().names().faces.here(s.input_face[f]);
-    const Plane_vector<double> first = frames.in_face(centre, at, degree);
+    const Unscaled_vector first = frames.in_face(centre, at, degree);
     for (unsigned k = 0; k < degree; ++k) {
       const std::complex<double> z = std::complex<double>(first[0], first[1]) *
                                      std::polar(1., 2 * std::numbers::pi * k / degree);

@@ -76,8 +76,7 @@ Tangent_vector with_one_name(const Input& input, const Tangent_vector& v) {
   unsigned side = 0;
   for (; side < 3 && p.weights[2] != 0; ++side) p = turned(input, p);
   if (side == 3 || corner_of(p) < 3) return v;
-  const Plane_vector<double> along =
-      Geodesic_face(input, v.point.halfedge).relative_to(side, v.vector);
+  const Unscaled_vector along = Geodesic_face(input, v.point.halfedge).relative_to(side, v.vector);
   if (p.halfedge % 2 == 0 || input.is_border(p.halfedge ^ 1U)) return {p, along};
   return {{p.halfedge ^ 1U, {p.weights[1], p.weights[0], 0}}, {-along[0], -along[1]}};
 }
