@@ -42,8 +42,15 @@ int main(int argc, char* argv[]) {
   for (const auto w : vertices(mesh)) height.push_back(mesh.point(w).z());
   const auto labels = IT::insert_isolines(u, IT::isolines(u, height, levels));
   const IT::Cut_surface slices = IT::cut_along(u, labels); // a label is the level, plus one
+  const std::vector<double> heights = IT::values_at_vertices(slices, height); // of the slices
+  std::vector<double> of_corners; // of the mesh, as texture coordinates may be
+  for (const auto f : faces(mesh))
+    for (const auto w : vertices_around_face(halfedge(f, mesh), mesh))
+      of_corners.push_back(height[w]);
+  of_corners = IT::values_at_corners(slices, of_corners);
   //! [isolines]
-  std::cout << "along isolines: " << slices.number_of_components << " components\n";
+  std::cout << "along isolines: " << slices.number_of_components << " components, with heights at "
+            << heights.size() << " vertices and " << of_corners.size() << " corners\n";
   if (argc > 2) IT::write_cut_surface(argv[2], slices, IT::positions(slices, mesh));
   return slices.number_of_components > 1 ? 0 : 1;
 }

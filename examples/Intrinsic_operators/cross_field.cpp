@@ -3,6 +3,7 @@
 
 // Finds the smoothest field of crosses on a mesh, and counts its singularities: exactly.
 
+#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_triangulations.h>
@@ -31,10 +32,17 @@ int main(int argc, char* argv[]) {
   std::ptrdiff_t expected = 4 * IT::euler_characteristic(t.mesh());
   for (const auto& [halfedge, turns] : singularities.turns) expected += turns;
   //! [field]
+
+  //! [along]
+  const auto path = IT::Edge_path_finder(t)(IT::vertex_of_row(t, 0), IT::vertex_of_row(t, 40));
+  const IT::Direction_field along =
+      IT::smoothest_direction_field(t, 4, IT::directions_along_path(t, path));
+  //! [along]
   std::size_t count = 0;
   for (const int i : singularities.index) count += i != 0 ? 1 : 0;
   std::cout << vectors.size() << " crosses with " << count
             << " singularities, the sum of indices is " << singularities.sum()
-            << ", as it must be: " << expected << '\n';
+            << ", as it must be: " << expected << "; along a path of " << path.size()
+            << " edges the sum is " << IT::singularities(t, along).sum() << '\n';
   return singularities.sum() == expected ? 0 : 1;
 }

@@ -54,6 +54,15 @@ int main(int argc, char* argv[]) {
   const double energy = form.dot(IT::hodge_star_1(t).cwiseProduct(form));
   //! [gradient]
 
+  //! [forms]
+  const Eigen::VectorXd curl = // of the form about each face, by its area: zero
+      IT::hodge_star_2(t).cwiseProduct(IT::exterior_derivative_1(t) * form);
+  const Eigen::VectorXd laplacian = // at each vertex, by its area
+      (IT::exterior_derivative_0(t).transpose() * IT::hodge_star_1(t).cwiseProduct(form))
+          .cwiseQuotient(IT::hodge_star_0(t));
+  const Eigen::VectorXd curl_of_vectors = operators.curl(gradient); // zero inside
+  //! [forms]
+
   //! [transfer]
   const IT::Face_vector_transfer transfer(t, IT::common_subdivision(t));
   const std::vector<std::complex<double>> on_mesh =
@@ -67,6 +76,9 @@ int main(int argc, char* argv[]) {
   for (const std::complex<double>& v : on_mesh) greatest = std::max(greatest, std::abs(v));
   std::cout << "Dirichlet energy: " << energy << ", of the vectors: " << energy_of_vectors
             << "\nsources: " << divergence[0] << " at vertex 0"
-            << "\ngreatest gradient on the mesh: " << greatest << '\n';
+            << "\ngreatest gradient on the mesh: " << greatest
+            << "\ngreatest curl: " << curl.cwiseAbs().maxCoeff()
+            << ", of the vectors at vertex 0: " << curl_of_vectors[0]
+            << "\nLaplacian at vertex 0: " << laplacian[0] << '\n';
   return std::abs(energy - energy_of_vectors) > 1e-9 * energy;
 }
