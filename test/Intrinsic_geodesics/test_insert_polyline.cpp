@@ -177,76 +177,41 @@ TYPED_TEST(InsertPolyline, RunsAlongTheBorder) {
               boost::graph_traits<typename TypeParam::Mesh>::null_face());
 }
 
-template <class T>
-class InsertTracedPath : public ::testing::Test {};
-using Traced_triangulations = ::testing::Types<
-    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::Integer_coordinates>,
-    IT::Intrinsic_triangulation<Gluing_map, Exact, IT::No_correspondence>,
-    IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
-TYPED_TEST_SUITE(InsertTracedPath, Traced_triangulations);
-
-template <class T, class Random>
-IT::Geodesic random_geodesic(const T& t, double longest, Random& random) {
-  const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
-  Surface_point start = paths::random_point(t, random); // in a face, on an edge or at a vertex
-  const auto kind = random() % 3;
-  if (kind == 1) start.weights = {0, start.weights[0], 1 - start.weights[0]};
-  if (kind == 2) start.weights = {1, 0, 0};
-  const double angle = 2 * std::numbers::pi * uniform();
-  return trace_geodesic(t, start, {std::cos(angle), std::sin(angle)}, longest * uniform());
-}
-
-// Directions at random, so that no line meets itself but at one point or all along.
-TYPED_TEST(InsertTracedPath, OnDeltaComplexesIsAPathOfItsLength) {
-  std::mt19937 random(8);
-  for (const gallery::Surface& s : gallery::oriented()) {
-    if (s.expected.isolated_vertices > 0) continue;
-    for (unsigned i = 0; i < 40; ++i) {
-      TypeParam t(gallery::input(s));
-      const IT::Geodesic g = random_geodesic(t, i % 4 == 0 ? 30 : 4, random);
-      const auto path = insert_traced_path(t, g);
-      EXPECT_TRUE(IT::is_valid_delta_complex(t.mesh())) << s.name << ", line " << i;
-      EXPECT_EQ(path.status, Move_status::done) << s.name << ", line " << i;
-      EXPECT_NEAR(paths::length_of_path(t, path.halfedges), g.length, 1e-9 * (1 + g.length))
-          << s.name << ", line " << i;
-    }
-  }
-}
-
-// A line of slope 2/3 comes back to where it starts.
-TYPED_TEST(InsertTracedPath, ThatIsClosedOnATorusEndsWhereItStarts) {
-  for (const std::array<double, 3>& weights :
-       {std::array{1.0, 0.0, 0.0}, std::array{0.5, 0.25, 0.25}, std::array{0.5, 0.5, 0.0}}) {
-    TypeParam t(gallery::input(gallery::flat_torus(1, 1)));
-    const std::uint32_t h = t.numbers().halfedge(halfedge(t.numbers().face_at(0), t.mesh()));
-    const auto g = trace_geodesic(t, {h, weights}, {3, 2}, std::hypot(3, 2));
-    const auto path = insert_traced_path(t, g);
-    ASSERT_EQ(path.status, Move_status::done);
-    EXPECT_NEAR(paths::length_of_path(t, path.halfedges), std::hypot(3, 2), 1e-9);
-    EXPECT_EQ(source(path.halfedges.front(), t.mesh()), target(path.halfedges.back(), t.mesh()));
-  }
-}
-
-TYPED_TEST(InsertTracedPath, OnADelaunayTriangulationHasItsLength) {
+// The points of a traced geodesic are a polyline: as long, and straight.
+TYPED_TEST(InsertPolyline, ThroughThePointsOfAGeodesicHasItsLength) {
   std::mt19937 random(9);
+  const auto uniform = [&] { return (static_cast<double>(random()) + 0.5) / 0x1p32; };
   for (unsigned i = 0; i < 40; ++i) {
     const meshes::Mesh m = i % 2 == 0 ? meshes::potato(2, i) : meshes::rough_grid(6, i, 2);
-    TypeParam t(m.input());
-    flip_to_delaunay(t);
-    const IT::Geodesic g = random_geodesic(t, 20, random);
-    const auto path = insert_traced_path(t, g);
+    auto t = delaunay<TypeParam>(m.input());
+    Surface_point start = random_polyline(t.input(), 1, random)[0];
+    if (i % 3 == 1) start.weights = {0, start.weights[0], 1 - start.weights[0]};
+    if (i % 3 == 2) start.weights = {1, 0, 0};
+    const double angle = 2 * std::numbers::pi * uniform();
+    const IT::Geodesic g =
+        trace_geodesic_on_input(t, start, {std::cos(angle), std::sin(angle)}, 20 * uniform());
+    const auto path = insert_polyline(t, g.points);
     ASSERT_EQ(path.status, Move_status::done) << "line " << i;
     EXPECT_NEAR(paths::length_of_path(t, path.halfedges), g.length, 1e-9 * g.length)
         << "line " << i;
   }
 }
 
-TYPED_TEST(InsertTracedPath, OfNoLengthIsAPoint) {
-  TypeParam t(gallery::input(gallery::tetrahedron()));
-  const auto path = insert_traced_path(t, trace_geodesic(t, {0, {0.5, 0.25, 0.25}}, {1, 0}, 0));
-  EXPECT_EQ(path.status, Move_status::done);
-  EXPECT_TRUE(path.halfedges.empty());
-  EXPECT_EQ(num_vertices(t.mesh()), 5U);
+// A line of slope 2/3 comes back to where it starts.
+TYPED_TEST(InsertPolyline, ThroughTheClosedGeodesicOfATorusEndsWhereItStarts) {
+  for (const std::array<double, 3>& weights :
+       {std::array{1.0, 0.0, 0.0}, std::array{0.5, 0.25, 0.25}, std::array{0.5, 0.5, 0.0}}) {
+    auto t = delaunay<TypeParam>(gallery::input(gallery::flat_torus(3, 3)));
+    const std::uint32_t h = t.input().halfedge_of_face(0);
+    const double length = 3 * std::hypot(3, 2) * std::sqrt(t.input().squared_length(h / 2));
+    std::vector<Surface_point> points =
+        trace_geodesic_on_input(t, {h, weights}, {3, 2}, length).points;
+    points.back() = points.front(); // without rounding
+    const auto path = insert_polyline(t, points);
+    ASSERT_EQ(path.status, Move_status::done);
+    EXPECT_NEAR(paths::length_of_path(t, path.halfedges), length, 1e-9);
+    EXPECT_EQ(source(path.halfedges.front(), t.mesh()), target(path.halfedges.back(), t.mesh()));
+  }
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 
+#include "glue_back.h"
 #include "meshes.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ inline void expect_cut(const IT::Cut_surface& s, const meshes::Mesh& m, double l
 
 /// Checks the sides: labels agree across seams; sides glued inside of a face lie on no edge.
 inline void expect_sides(const IT::Cut_surface& s) {
-  const IT::Gluing back = IT::glue_back(s);
+  const IT::Gluing back = glue_back(s);
   IT::validate(back);
   for (std::uint32_t h = 0; h < back.glue.size(); ++h) {
     const std::uint32_t other = back.glue[h];

@@ -20,7 +20,7 @@ moves vertices, and whose predicates bound the shapes of faces.
 | operation | needs |
 |---|---|
 | \itf{delaunay_refine}, \itf{adaptive_refine} | `Session::insert_vertex`, `Session::split_edge`, `Session::remove_vertex`, `sign` |
-| \itf{insert_polyline}, \itf{insert_traced_path} | `Session::insert_vertex`, `Session::split_edge` |
+| \itf{insert_polyline} | `Session::insert_vertex`, `Session::split_edge` |
 | \itf{odt_optimize} | `Session::split_edge`, `Session::reposition_vertex` |
 | \itf{injective_harmonic_map} | `Session::split_edge` |
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include "gallery.h"
+#include "glue_back.h"
 #include "meshes.h"
 
 #include <gtest/gtest.h>
@@ -62,7 +63,7 @@ void expect_opened(const Gluing& g, const std::vector<char>& is_cut) {
     cuts += opens && h < p ? 1 : 0;
   }
   EXPECT_EQ(s.seams.size(), cuts);
-  const Gluing back = IT::glue_back(s);
+  const Gluing back = cuts::glue_back(s);
   EXPECT_EQ(back.origin, g.origin);
   EXPECT_EQ(back.glue, g.glue);
   EXPECT_EQ(back.number_of_vertices, g.number_of_vertices);

@@ -36,8 +36,6 @@ class Line_inserter {
   using View = Accurate_view<Triangulation>;
   using Walk = Geodesic_walk<View>;
   using Split = typename Growing_paths<Triangulation>::Split;
-  using Session = typename Triangulation::Session;
-  using Weights = std::array<double, 3>;
   using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
 
 public:
@@ -48,49 +46,26 @@ public:
   const Growing_paths<Triangulation>& paths() const { return paths_; }
   Growing_paths<Triangulation>& paths() { return paths_; }
 
-  // Finds or inserts the vertex where a line starts; `d` becomes the direction there.
-  Move_status start(const Surface_point& p, const Plane_vector<double>& direction,
-                    Corner_direction& d) {
-    const Geodesic_face face(view_, p.halfedge);
-    unsigned k = 0; // a weight that is zero becomes the last
-    while (k < 2 && p.weights[(k + 2) % 3] != 0) ++k;
-    const Surface_point q{face.side[k],
-                          {p.weights[k], p.weights[(k + 1) % 3], p.weights[(k + 2) % 3]}};
-    const Plane_vector<double> v = face.relative_to(k, direction);
-    if (q.weights[2] != 0) return start_in_face(q, v, d);
-    if (q.weights[0] != 0 && q.weights[1] != 0) return start_on_edge(q, v, d);
-    d = at_corner(Walk(view_, p, direction)); // a line that is blocked has no length
-    return Move_status::done;
-  }
-
-  // Turns a line of given length, in scaled units, into a path. It ends at vertex
-  // `target`, if given, which must be near its end. Also `not_traceable` if it crosses an edge that
-  // may not be split.
-  Move_status go(Corner_direction d, double length, std::uint32_t target = Gluing::none) {
+  // Turns a line of given length, in scaled units, into a path to vertex `target`, which must be
+  // near its end. Also `not_traceable` if it crosses an edge that may not be split.
+  Move_status go(Corner_direction d, double length, std::uint32_t target) {
     const double total = length;
-    const bool has_target = target != Gluing::none;
     Line_progress progress(total);
     for (; progress.may_go_on(length); progress.enter_face()) {
-      if (!has_target && length <= 0x1p-40 * total) return Move_status::done;
       if (!turn(view_, d, rounding)) return Move_status::border;
       Walk walk(view_, d);
       const typename Walk::Exit e =
           cross_flippable(walk, target, length, nearness * total, progress);
       if (is_at_target_) return Move_status::done;
       const bool on_border = view_.is_border(walk.halfedge(e) ^ 1U);
-      double error = on_border ? rounding * total : tolerance(walk, e);
-      if (has_target) error = std::min(error, nearness_at_end * total); // of a line in a needle
+      const double error = std::min(on_border ? rounding * total : tolerance(walk, e),
+                                    nearness_at_end * total); // of a line in a needle
       const bool ends = length <= e.distance + error;
-      if (has_target && (ends || is_at_vertex(walk, e)) &&
-          reaches(walk, target, length, nearness_at_end * total))
+      if ((ends || is_at_vertex(walk, e)) && reaches(walk, target, length, nearness_at_end * total))
         return Move_status::done;
-      if (ends)
-        return has_target ? reach_beyond(walk, target, length, nearness_at_end * total)
-                          : finish(walk.point(e, std::min(length, e.distance)));
+      if (ends) return reach_beyond(walk, target, length, nearness_at_end * total);
       length -= e.distance;
-      const Move_status s = pass(walk, e, has_target, d);
-      if (s == Move_status::border && !has_target && length <= rounding * total)
-        return Move_status::done;
+      const Move_status s = pass(walk, e, d);
       if (s != Move_status::done) return s;
     }
     return Move_status::not_traceable;
@@ -127,32 +102,6 @@ private:
     return {s.to_source, angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi};
   }
 
-  // ---- the start
-
-  Move_status start_on_edge(const Surface_point& p, const Plane_vector<double>& v,
-                            Corner_direction& d) {
-    const Split s = paths_.split(t_, p.halfedge, p.weights[1]);
-    d = from_split(s, p.weights[1], std::atan2(v[1], v[0]));
-    return s.status;
-  }
-
-  Move_status start_in_face(const Surface_point& p, const Plane_vector<double>& v,
-                            Corner_direction& d) {
-    const Geodesic_face face(view_, p.halfedge);
-    std::array<Plane_vector<double>, 3> corner;
-    for (unsigned k = 0; k < 3; ++k) corner[k] = face.to_corner(p.weights, k);
-    const auto length = [](const Plane_vector<double>& c) { return dot(c, c); };
-    const auto k = static_cast<unsigned>(
-        std::max_element(corner.begin(), corner.end(),
-                         [&](const auto& a, const auto& b) { return length(a) < length(b); }) -
-        corner.begin());
-    const Move_status status =
-        Session(t_).insert_vertex(t_.numbers().halfedge_at(p.halfedge), p.weights).status;
-    if (status == Move_status::done)
-      d = {last(face.side[k]), std::atan2(cross(corner[k], v), dot(corner[k], v))};
-    return status;
-  }
-
   // ---- on the way
 
   // Crosses edges that may be flipped, up to one that may not, a vertex, or the end of the line.
@@ -162,7 +111,7 @@ private:
     crossed_.clear();
     for (;; progress.enter_face()) {
       const typename Walk::Exit e = walk.exit();
-      is_at_target_ = target != Gluing::none && reaches(walk, target, length, distance);
+      is_at_target_ = reaches(walk, target, length, distance);
       const std::uint32_t h = walk.halfedge(e);
       if (is_at_target_ || !progress.may_go_on(length) || length <= e.distance ||
           is_at_vertex(walk, e) || view_.is_border(h ^ 1U) || !may_flip(h / 2))
@@ -180,8 +129,7 @@ private:
 
   // Goes to the exit of the face; `d` becomes the direction there. A line along the border may pass
   // vertices on it.
-  Move_status pass(Walk& walk, const typename Walk::Exit& e, bool may_follow_border,
-                   Corner_direction& d) {
+  Move_status pass(Walk& walk, const typename Walk::Exit& e, Corner_direction& d) {
     const std::uint32_t h = walk.halfedge(e);
     if (is_at_vertex(walk, e)) {
       const unsigned corner = e.target_weight <= e.source_weight ? e.side : (e.side + 1) % 3;
@@ -189,8 +137,7 @@ private:
       const bool is_inside = beyond.pass_vertex(corner);
       append_line_to(walk, corner);
       if (is_inside) d = at_corner(beyond);
-      const bool goes_on =
-          is_inside || (may_follow_border && is_straight_at(paths_.last() ^ 1U, d));
+      const bool goes_on = is_inside || is_straight_at(paths_.last() ^ 1U, d);
       return goes_on ? Move_status::done : Move_status::border;
     }
     if (view_.is_border(h ^ 1U)) return Move_status::border;
@@ -299,41 +246,6 @@ private:
   static double distance_from_side(const Walk& walk, unsigned k, double length) {
     const Plane_vector<double> a = walk.relative_corner(k), b = walk.relative_corner((k + 1) % 3);
     return std::abs((b[0] - a[0]) * a[1] - (b[1] - a[1]) * (a[0] - length)) / walk.face().length[k];
-  }
-
-  // Ends in the face of a corner where the line comes from.
-  Move_status finish(const Surface_point& end) {
-    const Geodesic_face face(view_, end.halfedge);
-    const Weights w = without_rounding(face, end.weights);
-    const auto& side = face.side;
-    if (w[1] == 0 && w[2] == 0) return Move_status::done;
-    if (w[0] == 0 && (w[1] == 0 || w[2] == 0)) {
-      append(w[2] == 0 ? side[0] : side[2] ^ 1U);
-      return Move_status::done;
-    }
-    if (w[0] != 0 && w[1] != 0 && w[2] != 0) {
-      const Move_status status =
-          Session(t_).insert_vertex(t_.numbers().halfedge_at(side[0]), w).status;
-      if (status == Move_status::done) append(last(side[0]) ^ 1U);
-      return status;
-    }
-    const unsigned k = w[0] == 0 ? 1 : w[2] == 0 ? 0 : 2; // the side
-    const Split s = paths_.split(t_, side[k], w[(k + 1) % 3]);
-    if (s.status == Move_status::done)
-      append((k == 0 ? s.to_source : k == 1 ? s.to_apex : s.to_target) ^ 1U);
-    return s.status;
-  }
-
-  Weights without_rounding(const Geodesic_face& face, Weights w) const {
-    const double twice_area = view_.quadruple_area(view_.face(face.side[0])) / 2;
-    double sum = 0;
-    for (unsigned k = 0; k < 3; ++k) {
-      const double side = face.length[(k + 1) % 3]; // opposite of the corner
-      if (w[k] * twice_area <= side * tolerance(side)) w[k] = 0;
-      sum += w[k];
-    }
-    for (double& x : w) x /= sum;
-    return w;
   }
 
   Triangulation& t_;

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -29,49 +28,16 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief is a path of edges through inserted vertices.
+\brief is a path of edges through inserted vertices, the segments of a polyline.
 \tparam Triangulation the type of the triangulation
 */
 template <RefinableTriangulation Triangulation>
-struct Inserted_path {
+struct Inserted_polyline {
   /// `done`, or the reason why a vertex was not inserted; `border`: a line leads beyond it;
   /// `not_traceable`: by rounding, a line misses its end.
   Move_status status = Move_status::done;
   /// The halfedges, in order; if the status is not `done`, as far as the path goes.
   std::vector<typename Triangulation::halfedge_descriptor> halfedges;
-};
-
-/*!
-\brief turns a traced geodesic into a path of edges of the triangulation.
-
-It inserts vertices at the start and the end, if there are none, and on every edge that the geodesic
-crosses, also its own. It traces the geodesic again, from vertex to vertex, so the geodesic may
-cross an edge any number of times. The path goes through vertices that it meets up to rounding. It
-changes halfedges of earlier paths that it crosses: insert all paths before you add them to a
-`Curve_network`.
-\tparam Triangulation a model of `RefinableTriangulation`
-\param t the triangulation
-\param geodesic the result of `trace_geodesic()` for `t`, unchanged since then
-\return the path. The triangulation rounds each new vertex, so a path in exact arithmetic bends a
-little. If an insertion fails, earlier vertices stay
-\complexity linear in the number of crossings, and that of the insertions
-*/
-template <RefinableTriangulation Triangulation>
-Inserted_path<Triangulation> insert_traced_path(Triangulation& t, const Geodesic& geodesic) {
-  internal::Line_inserter<Triangulation> inserter(t);
-  Corner_direction d{};
-  Move_status status = inserter.start(geodesic.points.front(), geodesic.start_direction, d);
-  if (status == Move_status::done)
-    status = inserter.go(d, std::ldexp(geodesic.length, t.metric().scale_exponent()));
-  return {status, inserter.paths().halfedges(t)};
-}
-
-/*!
-\brief is a polyline whose points are vertices and whose segments are paths of edges.
-\tparam Triangulation the type of the triangulation
-*/
-template <RefinableTriangulation Triangulation>
-struct Inserted_polyline : Inserted_path<Triangulation> {
   /// The vertex at each given point.
   std::vector<typename Triangulation::vertex_descriptor> vertices;
 };
@@ -103,15 +69,21 @@ std::optional<Corner_direction> direction_at_vertex(const Triangulation& t, std:
 /*!
 \brief turns a polyline on the input into a path of edges of the triangulation.
 
-It finds or inserts vertices at the points, then inserts each segment like `insert_traced_path()`. A
-polyline may cross itself, and pass a point again if its coordinates are the same.
+It finds or inserts vertices at the points, and inserts one wherever a segment crosses an edge, also
+that of an earlier segment: the polyline may cross itself and any edge again. It passes a point
+again if the coordinates are the same. The path goes through vertices that a segment meets up to
+rounding. It changes halfedges of earlier paths that it crosses: insert all before you add them to a
+`Curve_network`. The triangulation rounds each new vertex, so a path in exact arithmetic bends a
+little.
 \tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
 \param t the triangulation
 \param points points of the input; `surface_point()` finds those of the user's mesh. Consecutive
-points share a face: the polyline has a point on each edge that it crosses
+points share a face: the polyline has a point on each edge of the input that it crosses, as those of
+`trace_geodesic_on_input()` do
 \return the path, and the vertices at the points. If an insertion fails, earlier vertices stay
 \throws Invalid_input if two consecutive points have no common face; then nothing is inserted
-\complexity see `insert_point()` and `insert_traced_path()`
+\complexity that of `insert_point()` for each point, linear in the number of crossings, and that of
+the insertions
 */
 template <RefinableTriangulation Triangulation>
 Inserted_polyline<Triangulation> insert_polyline(Triangulation& t,

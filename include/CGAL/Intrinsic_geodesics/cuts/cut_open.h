@@ -50,14 +50,6 @@ surface need not be orientable.
 Opened_surface cut_open(const Gluing& g, const std::vector<char>& is_cut);
 
 /*!
-\brief glues a surface back together: the inverse of `cut_open()`.
-\param s the surface
-\return the surface before the cut
-\complexity linear
-*/
-Gluing glue_back(const Opened_surface& s);
-
-/*!
 \brief is an intrinsic triangulation that was cut open along edges.
 */
 struct Opened_triangulation : Opened_surface {

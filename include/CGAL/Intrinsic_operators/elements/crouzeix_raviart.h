@@ -73,20 +73,6 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Triang
   return internal::edge_connection_laplacian(internal::face_table(t));
 }
 
-/*!
-\brief computes the mass matrix of Crouzeix and Raviart: a third of the areas of the faces at each
-edge. It is diagonal without lumping: hat functions of edges are orthogonal.
-\tparam Triangulation a model of `NumberedTriangulation`
-\param t the triangulation
-\return the diagonal, by numbers of edges, in units of area of the input
-\complexity linear
-*/
-template <NumberedTriangulation Triangulation>
-Eigen::VectorXd edge_mass(const Triangulation& t) {
-  const internal::Face_table table = internal::face_table(t);
-  return internal::edge_areas(table) * std::ldexp(1.0, -2 * table.scale_exponent);
-}
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_OPERATORS_ELEMENTS_CROUZEIX_RAVIART_H

@@ -140,8 +140,6 @@ public:
   /// returns Q^T M_S Q, the mass matrix of the target triangulation, with ones for vertices without
   /// area.
   const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_; }
-  /// returns Q^T M_S P: integrals of products of functions there and here.
-  const Eigen::SparseMatrix<double>& cross_mass_matrix() const { return cross_; }
 
 private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -179,7 +177,7 @@ private:
   }
 
   Matrix mass_;
-  Matrix cross_;
+  Matrix cross_; // Q^T M_S P: integrals of products of functions there and here
   std::optional<Laplacian_factorization> solver_;
 };
 

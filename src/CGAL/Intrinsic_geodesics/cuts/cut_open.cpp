@@ -82,19 +82,4 @@ Opened_surface cut_open(const Gluing& g, const std::vector<char>& is_cut) {
   return s;
 }
 
-Gluing glue_back(const Opened_surface& s) {
-  Gluing g = s.gluing;
-  for (std::uint32_t& v : g.origin) v = s.original_vertex[v];
-  g.number_of_vertices = 0;
-  while (g.number_of_vertices < s.original_vertex.size() &&
-         s.original_vertex[g.number_of_vertices] == g.number_of_vertices)
-    ++g.number_of_vertices;
-  for (const auto& [h, entry] : s.seams) {
-    const std::uint32_t p = Gluing::partner(entry);
-    g.glue[h] = entry;
-    g.glue[p] = Gluing::is_reversed(entry) ? Gluing::reversed(h) : h;
-  }
-  return g;
-}
-
 } // namespace CGAL::Intrinsic_triangulations

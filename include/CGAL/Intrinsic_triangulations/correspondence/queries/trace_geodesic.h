@@ -35,9 +35,6 @@ struct Geodesic {
   double length = 0;
   /// First-order bound on the error of the end, in the units of the input.
   double error = 0;
-  /// Vector along it at its start, as it was given, in the frame of the halfedge of the first
-  /// point.
-  Plane_vector<double> start_direction{1, 0};
 };
 
 namespace internal {
@@ -58,8 +55,7 @@ Geodesic trace_on(const Complex& complex, const Surface_point& start,
              {start},
              end.direction,
              std::ldexp(end.length, -complex.scale_exponent()),
-             std::ldexp(end.error, -complex.scale_exponent()),
-             {direction.x, direction.y}};
+             std::ldexp(end.error, -complex.scale_exponent())};
   g.points.reserve(crossings.size() + 2);
   for (const Geodesic_crossing& c : crossings)
     g.points.push_back({c.halfedge, {1 - c.parameter, c.parameter, 0}});
@@ -77,11 +73,12 @@ It is straight inside faces and across edges, continues straightest at an interi
 at the border.
 \tparam Triangulation a model of `NumberedTriangulation`
 \tparam NP a chain of named parameters
+\tparam Units any type, see `Plane_vector`
 \param t the triangulation
 \param start a point of it
 \param direction in the frame of `start.halfedge`, which runs along the x-axis with its face above;
-  the norm does not matter, nor do its units. At a vertex, a direction that points out of the face is measured around
-  the vertex from the nearer side.
+  norm and units do not matter. At a vertex, a direction that points out of the face is measured
+  around the vertex from the nearer side.
 \param length the length to go, in the units of the input
 \param np optional named parameters: - `maximum_faces(n)`: number of faces after which to give up.
   Default: 2^22. - `snaps_to_vertices(b)`: whether a line that meets a vertex up to rounding goes
@@ -102,6 +99,7 @@ Geodesic trace_geodesic(const Triangulation& t, const Surface_point& start,
 
 See `trace_geodesic()`; points are those of the input.
 \tparam Triangulation a model of `CorrespondingTriangulation`
+\tparam Units any type, see `Plane_vector`
 */
 template <QueriedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>,
           class Units = void>
