@@ -5,16 +5,14 @@
 #
 #     awk -f page_text.awk PAGE > what doxygen reads
 #
-# - A line that is a link to an example and one of its parts, `[name.cpp: part](path/name.cpp)`, becomes that code.
 # - A heading and a line `<a id="label"></a>` below it become a heading with that label.
 # - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
-# - Links to examples, [name.cpp](path/name.cpp), become references to their pages.
+# - Links to examples, [name.cpp](path/name.cpp) or [name.cpp: part](path/name.cpp), become references to their pages.
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
 # - Links to sources, [source.cpp](path/source.cpp), become their text.
 # - Links to headers by the name of the file, [header.h](path/header.h), become that name.
 # - Links of user_manual.md to pages, not to sections, make them parts of it, which the tree at the side shows below it.
 # - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
-# - The line that says how to build the manual is left out.
 #
 # Lines keep their numbers.
 
@@ -42,7 +40,11 @@ function reference(text, target,    label, name) {
     if (sub(/\(\)$/, "", name)) return "\\itf{" name "}"
     return "\\itc{" name "}"
   }
-  if (target ~ /^\.\.\/\.\.\/examples\/.*\.cpp$/ && text ~ /^[a-z0-9_]+\.cpp$/) return "\\ref " text
+  if (target ~ /^\.\.\/\.\.\/examples\/.*\.cpp$/) {
+    name = target
+    sub(/^.*\//, "", name)
+    return "\\ref " name " \"" text "\""
+  }
   label = ""
   if (target ~ /^Concepts\/[A-Za-z]+\.h$/) {
     label = target
@@ -133,12 +135,6 @@ is_held && /^<a id="[a-z0-9_]+"><\/a>$/ {
   is_held = 1
   next
 }
-/^\[[a-z0-9_]+\.cpp: [^]]+\]\([^)]+\)$/ {
-  sub(/^\[/, "\\snippet ")
-  sub(/\.cpp: /, ".cpp ")
-  sub(/\]\(.*$/, "")
-}
-/^> On a git host / { $0 = "" }
 $0 == "<!-- [TOC] -->" { $0 = "[TOC]" }
 {
   flush()

@@ -113,7 +113,7 @@ class Checker:
     def defect(self, file, link):
         """Why a link of a file leads nowhere, or None."""
         if DOXYGEN.match(link):
-            return "no link on a git host: write one, [name.cpp: part](path), see doc/page_text.awk"
+            return "not understood by a git host: see test/check_snippets.py for code, doc/page_text.awk for links"
         parts = urllib.parse.urlsplit(link)
         if parts.scheme in DYNAMIC:
             return None

@@ -47,7 +47,7 @@ class Links(unittest.TestCase):
         self.assert_one(self.html('<a href="next.html#gone">x</a>', next=""), "no such anchor")
 
     def test_code_that_a_git_host_does_not_show(self):
-        self.assert_one(self.markdown("\\snippet a.cpp part\n"), "no link", "[name.cpp: part]")
+        self.assert_one(self.markdown("\\snippet a.cpp part\n"), "git host", "check_snippets.py")
         self.assert_one(self.markdown("[gone.cpp: part](gone.cpp)\n"), "no such file")
         self.assertEqual([], self.markdown("    \\snippet a.cpp part\n`\\snippet`\n"))
 

@@ -24,9 +24,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 int main(int argc, char* argv[]) {
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/part.off", mesh)) return 1;
-  //! [build]
   IT::Corresponding_triangulation t(mesh); // exact, with integer coordinates
-  //! [build]
   IT::flip_to_delaunay(t);
   t.insert_vertex(*halfedges(t.mesh()).begin(), {0.2, 0.3, 0.5});
 
