@@ -11,16 +11,18 @@
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
 # - Links to sources, [source.cpp](path/source.cpp), become their text.
 # - Links to headers by the name of the file, [header.h](path/header.h), become that name.
-# - Links of user_manual.md to pages, not to sections, make them parts of it, which the tree at the side shows below it.
+# - Links of user_manual.md to pages, not to sections, and those of command_line.md to commands, make them parts of it,
+#   which the tree at the side shows below it.
 # - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
 #
 # Lines keep their numbers.
 
-# whether a link of the user manual, file.md#label, is to a page: its label is on the second line
+# whether a link, file.md#label, is to a part of this page: its label is on the second line there
 function is_part(target,    file, label, line) {
-  if (FILENAME !~ /\/user_manual\.md$/ || target !~ /^[a-z_]+\.md#/) return 0
+  if (!(FILENAME ~ /\/user_manual\.md$/ && target ~ /^[a-z_]+\.md#/) &&
+      !(FILENAME ~ /\/command_line\.md$/ && target ~ /^command_[a-z]+\.md#/)) return 0
   file = FILENAME
-  sub(/user_manual\.md$/, target, file)
+  sub(/[a-z_]+\.md$/, target, file)
   label = file
   sub(/#.*$/, "", file)
   sub(/^.*#/, "", label)
