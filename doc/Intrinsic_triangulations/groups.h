@@ -1,8 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Read by doxygen only: the topics of the reference manual, in the order in which it lists them.
-// doc/group_header.awk says which header belongs to which topic.
+// The topics of the reference manual, in the order in which it lists them, for doxygen,
+// doc/group_header.awk and doc/list_members.py. A line `Headers:` above a topic names folders and
+// headers that belong to it, relative to include/CGAL/Intrinsic_triangulations/ or include/CGAL/. The
+// longest name that the path of a header starts with decides; others, the owners of a triangulation,
+// belong to `ref_owner`.
 
 /*!
 \defgroup page_reference Reference manual
@@ -35,6 +38,8 @@ operations), [FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.
 BGL). *An instance of* a class template is that template with any arguments.
 */
 
+// Headers: connectivity/Invalid_input.h connectivity/Status.h connectivity/parameters.h
+// Headers: triangulation/Session.h triangulation/Surface_point.h
 /*!
 \defgroup ref_owner Triangulations
 \ingroup page_reference
@@ -45,6 +50,7 @@ Begin with \itc{Intrinsic_triangulation}, or with \itc{Corresponding_triangulati
 results on the input.
 */
 
+// Headers: domains/ input/
 /*!
 \defgroup ref_input Input
 \ingroup page_reference
@@ -52,24 +58,28 @@ results on the input.
 of degenerate faces.
 */
 
+// Headers: exact/Predicate_statistics.h metric/
 /*!
 \defgroup ref_arithmetic Arithmetic
 \ingroup page_reference
 \brief Traits: exact, floating point, with a tolerance; how predicates were decided.
 */
 
+// Headers: retriangulation/covers/restore_input_edges.h retriangulation/delaunay/
 /*!
 \defgroup ref_delaunay Flips and quality
 \ingroup page_reference
 \brief Flips to Delaunay, tests, the certificate; angles and aspect ratios.
 */
 
+// Headers: triangulation/measures.h
 /*!
 \defgroup ref_measures Measures
 \ingroup page_reference
 \brief Area, curvature and weights of a surface, its vertices and edges.
 */
 
+// Headers: retriangulation/optimization/ retriangulation/refinement/
 /*!
 \defgroup ref_refinement Refinement and optimization
 \ingroup page_reference
@@ -77,30 +87,40 @@ of degenerate faces.
 Delaunay triangulation.
 */
 
+// Headers: input/metric_scaling/
 /*!
 \defgroup ref_metrics Other metrics
 \ingroup page_reference
 \brief New lengths for old edges.
 */
 
+// Headers: correspondence/ correspondence/models/Explicit_crossings.h
+// Headers: correspondence/models/Integer_coordinates.h correspondence/models/No_correspondence.h
+// Headers: correspondence/models/Signposts.h
 /*!
 \defgroup ref_correspondence Correspondence
 \ingroup page_reference
 \brief Where points and edges of one triangulation are on the other.
 */
 
+// Headers: correspondence/queries/common_subdivision.h correspondence/subdivision/
 /*!
 \defgroup ref_subdivision Common subdivision
 \ingroup page_reference
 \brief Both triangulations in one polygon mesh.
 */
 
+// Headers: correspondence/queries/Vertex_frames.h correspondence/queries/Vertex_sectors.h
+// Headers: correspondence/queries/tangent.h correspondence/queries/tangent_field.h
+// Headers: correspondence/queries/trace_geodesic.h correspondence/queries/vector_field.h
+// Headers: tracing/trace_geodesic.h
 /*!
 \defgroup ref_tracing Geodesics and tangent vectors
 \ingroup page_reference
 \brief Straight lines on either triangulation; vectors and fields on the other one.
 */
 
+// Headers: Intrinsic_geodesics/
 /*!
 \defgroup ref_curves Geodesic curves
 \ingroup page_reference
@@ -108,18 +128,22 @@ Delaunay triangulation.
 the geodesics between points.
 */
 
+// Headers: Intrinsic_operators/
 /*!
 \defgroup ref_operators Operators
 \ingroup page_reference
 \brief Matrices, solvers, estimates of errors, and transfer. They need Eigen.
 */
 
+// Headers: Intrinsic_operators/distance/ Intrinsic_operators/editing/ Intrinsic_operators/maps/
+// Headers: Intrinsic_operators/parametrization/ Intrinsic_operators/vectors/
 /*!
 \defgroup ref_applications Applications
 \ingroup page_reference
 \brief Distances by heat, vectors, maps to the plane, editing. They need Eigen.
 */
 
+// Headers: IO/
 /*!
 \defgroup ref_io Files
 \ingroup page_reference
@@ -128,36 +152,58 @@ the geodesics between points.
 These pages describe the files: \ref page_file_format, \ref page_output_formats, \ref page_viewer.
 */
 
+// Headers: connectivity/
 /*!
 \defgroup ref_connectivity Connectivity
 \ingroup page_reference
 \brief Triangles that are glued together, from meshes and to meshes; topology, orientation.
 */
 
+// Headers: formulas/
 /*!
 \defgroup ref_formulas Formulas
 \ingroup page_reference
 \brief The course's Appendix A and §2.3, in forms that lose nothing on needles and caps.
 */
 
+// Headers: IO/support/ Intrinsic_operators/operators/Connection_graph.h
+// Headers: Intrinsic_operators/operators/symmetric_assembly.h
+// Headers: Intrinsic_operators/vectors/Direction_problem.h
+// Headers: Intrinsic_operators/vectors/Heat_transport.h Intrinsic_operators/vectors/Point_frames.h
+// Headers: connectivity/moves.h domains/Delaunay_star.h domains/triangulate_polygons.h
+// Headers: domains/tufted_cover.h input/Input_metric.h input/Polygon_shaper.h
+// Headers: input/initial_values.h input/position_on_face.h input/renumbering.h input/scaling.h
+// Headers: input/triangulate_face_graph.h retriangulation/covers/
+// Headers: retriangulation/delaunay/Delaunay_flipper.h retriangulation/optimization/Odt_optimizer.h
+// Headers: retriangulation/optimization/Planar_star.h
+// Headers: retriangulation/refinement/Constrained_segments.h
+// Headers: retriangulation/refinement/Delaunay_refiner.h
+// Headers: retriangulation/refinement/Refinement_moves.h
+// Headers: retriangulation/refinement/Refinement_test.h retriangulation/refinement/dijkstra_ball.h
+// Headers: retriangulation/refinement/locate_circumcenter.h triangulation/
 /*!
 \defgroup ref_inside Inside moves, algorithms and files
 \ingroup page_reference
 \brief Records of moves, which correspondences read; parts of refinement; buffers.
 */
 
+// Headers: correspondence/Intrinsic_view.h correspondence/Sheets.h correspondence/curves/
+// Headers: correspondence/models/
 /*!
 \defgroup ref_inside_correspondence Inside correspondences
 \ingroup page_reference
 \brief Curves as integers, their crossings, both triangulations by numbers.
 */
 
+// Headers: tracing/
 /*!
 \defgroup ref_inside_tracing Inside geodesics
 \ingroup page_reference
 \brief Directions at vertices, geodesics step by step.
 */
 
+// Headers: exact/ formulas/Expression_steps.h formulas/Recorded_expression.h
+// Headers: formulas/nonnegative_intervals.h metric/Enclosed_values.h
 /*!
 \defgroup ref_exact Inside exact arithmetic
 \ingroup page_reference
@@ -177,12 +223,14 @@ These pages describe the files: \ref page_file_format, \ref page_output_formats,
 | all other zeros | \itc{Field_proof} |
 */
 
+// Headers: exact/unfolding/
 /*!
 \defgroup ref_unfolding Inside unfolding
 \ingroup page_reference
 \brief The input triangles under a diamond or a face, and the flips that made it.
 */
 
+// Headers: exact/numbers/
 /*!
 \defgroup ref_numbers Inside numbers
 \ingroup page_reference
