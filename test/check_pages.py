@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Says which pages of the manual break its rules: pages are short but for code, the lists of pages name them, and they
-name the course that they cite."""
+"""Says which pages of the manual break its rules. They are short, not counting code; the lists of
+pages name them; they give the title of the course that they cite; each public concept has one; and
+the files in the table of walks have the names that it says."""
 
 import pathlib
 import re
@@ -16,6 +17,7 @@ MOST_WORDS = 2400
 # Looked up, not read.
 LONG = ("measurements",)
 CODE = re.compile(r"^```cpp$.*?^```$", re.MULTILINE | re.DOTALL)
+INTERNAL = re.compile(r"^namespace (?:\S*::)?internal \{$.*?^\} // namespace (?:\S*::)?internal$", re.MULTILINE | re.DOTALL)
 TITLE = "Geometry Processing with Intrinsic Triangulations"
 
 
@@ -31,6 +33,34 @@ def defects(name, text, listed):
         yield f"cites the course before it gives its title, {TITLE}"
 
 
+def walk_defects():
+    """What the table of walks names, in a file where it is not."""
+    text = (FOLDER / "extending.md").read_text(encoding="utf-8")
+    table = text.partition('<a id="where_things_are"></a>')[2].partition("\n## ")[0]
+    walks = re.findall(r"^\| (?!what|-)(.*) \|$", table, re.MULTILINE)
+    for walk in walks:
+        what, *files = walk.split(" | ")
+        for path, says in re.findall(r"\]\(([^)#]+)[^)]*\)([^|\]]*)", " ".join(files)):
+            file = (FOLDER / path).resolve()
+            words = file.read_text(encoding="utf-8") if file.exists() else ""
+            for name in re.findall(r"`(\w+)(?:\(\))?`", says):
+                if not re.search(rf"\b{name}\b", words):
+                    yield f"doc/Intrinsic_triangulations/extending.md: {what}: there is no {name} in {path}"
+    if not walks:
+        yield "doc/Intrinsic_triangulations/extending.md has no table of walks"
+
+
+def concept_defects():
+    """Which public concepts have no page of their own, and which pages no concept."""
+    concepts = set()
+    for header in (ROOT / "include").rglob("*.h"):
+        text = INTERNAL.sub("", header.read_text(encoding="utf-8"))
+        concepts.update(re.findall(r"^concept (\w+)", text, re.MULTILINE))
+    pages = {page.stem for page in (FOLDER / "Concepts").glob("*.h")}
+    for name in sorted(concepts ^ pages):
+        yield f"{name} is a concept {'without' if name in concepts else 'no more, but has'} a page in Concepts/"
+
+
 def main():
     listed = {*LISTS, "README"}
     for page in LISTS:
@@ -39,6 +69,7 @@ def main():
     pages["README"] = ROOT / "README.md"
     errors = [f"{page.relative_to(ROOT)} {defect}" for name, page in pages.items()
               for defect in defects(name, page.read_text(encoding="utf-8"), listed)]
+    errors += [*walk_defects(), *concept_defects()]
     print(*errors, f"{len(pages)} pages, {len(errors)} defects", sep="\n")
     return 1 if errors else 0
 

@@ -211,11 +211,11 @@ These pages describe the files: \ref page_file_format, \ref page_output_formats,
 
 | step | where |
 |---|---|
-| the question | expressions such as \itc{Delaunay_expression}, models of \itc{DiamondExpression} |
+| the question | expressions such as \itc{Delaunay_expression}, models of \ref ::DiamondExpression |
 | the record of its steps, to evaluate it beyond intervals of doubles | \itc{Recorded_diamond_expression}, \itc{Recorded_face_expression} |
 | what decides, in which order | \itc{Exact_ladder}, Exact_ladder.cpp |
 | the figure that it decides on | \itc{Unfolded_diamond}: input triangles under a diamond; \itc{Replayed_faces}: flips that made faces |
-| the interface of a proof | \itc{Question}, \itc{ProofOf} |
+| the interface of a proof | \itc{Question}, \ref ::ProofOf |
 | two input faces, in integers of fixed size | `Input_integers_proof`, of the sources |
 | diamonds in one plane | \itc{Flat_proof} |
 | cylinders and prisms | \itc{Prism_proof}, \itc{Prism_in_field_proof} |

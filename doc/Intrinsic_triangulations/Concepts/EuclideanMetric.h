@@ -58,10 +58,7 @@ public:
   typedef unspecified_type FT;
   /*!
   \brief returns the sign of an expression in the values of a diamond.
-  \tparam Expression a model of the C++20 concept \itc{DiamondExpression}: a functor with a template
-    `operator()(const Diamond_values<Number>&)` that uses field operations only, such as
-    \itc{Delaunay_expression},
-    \itc{Convexity_at_source_expression}, \itc{Convexity_at_target_expression}
+  \tparam Expression a model of \ref ::DiamondExpression, such as \itc{Delaunay_expression}
   */
   template <class Expression>
   CGAL::Sign sign(const CGAL::Intrinsic_triangulations::Diamond& d,
@@ -76,8 +73,7 @@ public:
   compute_flip_to_zero_area(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /*!
   \brief returns the sign of an expression in the values of faces.
-  \tparam Expression a model of the C++20 concept \itc{FaceExpression}: a functor with a template
-    `operator()(std::span<const Face_values<Number>>)` that uses field operations only
+  \tparam Expression a model of \ref ::FaceExpression
   */
   template <class Expression>
   CGAL::Sign sign(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces,

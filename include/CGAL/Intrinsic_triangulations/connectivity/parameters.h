@@ -234,7 +234,11 @@ constexpr void expect_names(const Named_function_parameters<T, Tag, Base>& np) {
 
 } // namespace internal
 
-/// \brief requires named parameters: a chain of `parameters` or of `CGAL::parameters`.
+/*!
+\brief requires named parameters: a chain of `parameters` or of `CGAL::parameters`.
+
+Syntax of \ref ::NamedParameters, which describes its meaning.
+*/
 template <class T>
 concept NamedParameters = internal::is_named_parameters<T>;
 

@@ -121,6 +121,8 @@ private:
 
 /*!
 \brief requires an expression in the values of a diamond.
+
+Syntax of \ref ::DiamondExpression, which describes its meaning.
 */
 template <class Expression>
 concept DiamondExpression = requires(const Expression& e,
@@ -132,6 +134,8 @@ concept DiamondExpression = requires(const Expression& e,
 
 /*!
 \brief requires an expression in the values of a span of faces.
+
+Syntax of \ref ::FaceExpression, which describes its meaning.
 */
 template <class Expression>
 concept FaceExpression = requires(const Expression& e,

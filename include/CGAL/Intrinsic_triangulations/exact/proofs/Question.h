@@ -55,7 +55,7 @@ constexpr Answer to_answer(Sign s) {
 /*!
 \brief requires a functor that answers questions of one kind.
 
-The ladder skips a proof if the call with a question does not compile.
+Syntax of \ref ::ProofOf, which describes its meaning.
 */
 template <class Proof, class Asked>
 concept ProofOf = requires(Proof& proof, const Asked& question) {
