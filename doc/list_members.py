@@ -27,13 +27,37 @@ links lead to the headers, which describe parameters, results and costs. The
 [user manual](Intrinsic_triangulations/user_manual.md) says what to use for which task.
 """
 PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators")
-GROUP = re.compile(r'^  group\["([^"]+)"\]\s*= "(\w+)"$', re.MULTILINE)
+GROUPS = ROOT / "doc" / "Intrinsic_triangulations" / "groups.h"
+# The lines of a topic that name its headers, and the name of the topic.
+GROUP = re.compile(r"((?:^// Headers: .*\n)+)/\*!\n\\defgroup (\w+)", re.MULTILINE)
 TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief (.*?)(?=\n\n|\n\*/)", re.DOTALL)
 INTERNAL = re.compile(r"^namespace internal \{$.*?^\} // namespace internal$", re.MULTILINE | re.DOTALL)
-# A comment of an entity in a namespace: others are indented.
-ENTITY = re.compile(r"^(?:/\*!\n\\brief (.*?)\*/\n|((?:/// [^\n]*\n)+))(?!#|$)(.*?)(?:\{|;)", re.MULTILINE | re.DOTALL)
+# A comment of an entity in a namespace: others are indented. What follows is its declaration.
+ENTITY = re.compile(r"^(?:/\*!\n\\brief (.*?)\*/\n|((?:/// [^\n]*\n)+))(?!#|$)", re.MULTILINE | re.DOTALL)
+CLOSED = {"<": ">", "(": ")", "{": "}"}
 TYPE = re.compile(r"^(?:class|struct|enum class|concept|using)\s+(\w+)", re.MULTILINE)
 INCLUDED = re.compile(r"#include <CGAL/([\w/.]+)>")
+
+
+def after_brackets(text):
+    """What follows the bracket that a text begins with, and all in it."""
+    depth = 0
+    for i, letter in enumerate(text):
+        depth += (letter == text[0]) - (letter == CLOSED[text[0]] and text[i - 1] != "-")
+        if not depth:
+            return text[i + 1:].lstrip()
+    return ""
+
+
+def without_template(text):
+    """A declaration without template parameters and their requirements."""
+    if text.startswith("template"):
+        text = after_brackets(text.removeprefix("template").lstrip())
+    while found := re.match(r"requires\b\s*|[|&]{2}\s*", text):
+        text = re.sub(r"^!?[\w:]*\s*", "", text[found.end():])
+        while text[:1] in CLOSED:
+            text = after_brackets(text)
+    return text
 
 
 def without_brackets(text):
@@ -49,8 +73,6 @@ def name_of(declaration):
     bare = without_brackets(declaration)
     if found := TYPE.search(re.sub(r"\[\[.*?\]\]", "", bare)):
         return found[1]
-    bare = re.sub(r"\brequires\s*\([^()]*(?:\([^()]*\)[^()]*)*\)", "", bare)
-    bare = re.sub(r"\brequires\s+[\w:]+(\s*&&\s*[\w:]+)*\n", "", bare)
     found = re.search(r"(\w+)\s*\(", bare)
     return f"{found[1]}()" if found else None
 
@@ -66,25 +88,41 @@ def brief(comment):
 
 def topics():
     """The topics that programs use, in their order: their names, titles and briefs."""
-    text = (ROOT / "doc/Intrinsic_triangulations/groups.h").read_text(encoding="utf-8")
+    text = GROUPS.read_text(encoding="utf-8")
     return [(name, title, " ".join(text.split())) for name, title, text in TOPIC.findall(text)
             if not title.startswith("Inside") and name != "ref_concepts"]
 
 
+def short_path(header):
+    return header.relative_to(INCLUDE).as_posix().removeprefix("Intrinsic_triangulations/")
+
+
+def groups_of_names():
+    """The topic of each folder and header that groups.h names."""
+    result = {name: topic for names, topic in GROUP.findall(GROUPS.read_text(encoding="utf-8"))
+              for name in names.replace("// Headers:", "").split()}
+    paths = [short_path(header) for header in INCLUDE.rglob("*.h")]
+    if gone := [name for name in result if not any(path.startswith(name) for path in paths)]:
+        sys.exit(f"doc/Intrinsic_triangulations/groups.h names no header by {', '.join(gone)}")
+    return result
+
+
 def topic_of(header, groups):
-    path = header.relative_to(INCLUDE).as_posix().removeprefix("Intrinsic_triangulations/")
+    path = short_path(header)
     fitting = [prefix for prefix in groups if path.startswith(prefix)]
     return groups[max(fitting, key=len)] if fitting else "ref_owner"
 
 
 def members():
     """For each topic the names, headers and briefs."""
-    groups = dict(GROUP.findall((ROOT / "doc/group_header.awk").read_text(encoding="utf-8")))
+    groups = groups_of_names()
     result = collections.defaultdict(dict)
     for header in sorted(INCLUDE.rglob("*.h"), key=lambda h: h.name.lower()):
         topic = topic_of(header, groups)
         text = INTERNAL.sub("", header.read_text(encoding="utf-8"))
-        for long, short, declaration in ENTITY.findall(text):
+        for found in ENTITY.finditer(text):
+            long, short = found.groups("")
+            declaration = re.split("[{;]", without_template(text[found.end():]), maxsplit=1)[0]
             if "\\cond" not in long + short and (name := name_of(declaration)):
                 result[topic].setdefault((name, header), brief(long or short.replace("/// ", "")))
     return result

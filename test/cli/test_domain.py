@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faces that make no mesh: which surface is made of them, and that results have the rows of the file."""
+"""Faces that do not form a manifold: which surface is made of them, and that results have the rows of the file."""
 
 import math
 import os

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Builds a Laplacian on faces that make no mesh: three meet at an edge, and a border edge faces an
+// Builds a Laplacian on faces that do not form a manifold: three meet at an edge, and a border edge faces an
 // obtuse angle.
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>

@@ -126,8 +126,8 @@ The function is linear in each face. All decisions are comparisons of a value wi
 exact: a vertex is *above* if its value is at least the level, else *below*. A line crosses just the
 edges between a vertex below and one above, each once, and has one piece in each face with both. So
 it is closed, or ends on the border, and no piece dangles, also where vertices or edges are on the
-level: there consecutive points coincide, and a line may shrink to a vertex, a greatest one on the
-level.
+level: there consecutive points coincide. The line of a level that is the largest value near a
+vertex has no length: all its points are the vertex.
 
 Infinite values, as distances where a search did not arrive, are above or below all levels. A line
 passes between them and finite values through the finite vertex.

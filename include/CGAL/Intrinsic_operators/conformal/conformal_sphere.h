@@ -51,7 +51,7 @@ struct Conformal_sphere {
 
 namespace internal {
 
-// Lays a surface that is flat but for a pole out on the sphere.
+// Lays a surface that is flat except at a pole out on the sphere.
 // \param pole, areas by vertices
 using Sphere_projector =
     std::function<Sphere_layout(std::uint32_t pole, std::span<const double> areas)>;

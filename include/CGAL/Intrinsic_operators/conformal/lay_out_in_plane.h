@@ -18,7 +18,7 @@
 
 /*!
 \file
-Layouts in the plane of surfaces that are flat but for cones: the surface is cut to disks through
+Layouts in the plane of surfaces that are flat except at cones: the surface is cut to disks through
 all cones, and each disk is developed, triangle after triangle.
 */
 
@@ -59,7 +59,7 @@ struct Flat_layout {
 };
 
 /*!
-\brief lays a surface that is flat but for cones out in the plane.
+\brief lays a surface that is flat except at cones out in the plane.
 
 The surface is cut by `cut_to_disk()`, through all cones. Directions of triangles follow from one to
 the next, breadth first; places are then those of least squares, for the differences of sides in the

@@ -89,7 +89,7 @@ struct Uniformization {
   std::optional<Conformal_sphere> sphere{};     ///< of a sphere
   std::optional<std::complex<double>> period{}; ///< of a torus
   std::optional<Scaled_layout> layout{};        ///< none of a sphere
-  std::string no_layout;                        ///< why there is no layout though it was wanted
+  std::string no_layout;                        ///< why there is no layout, if it was asked for
 
   /// returns the rows of vertices with prescribed angles that are no full turns.
   std::vector<std::uint32_t> cones() const;

@@ -144,8 +144,9 @@ void find_crossings_of_spoke(unsigned k, const std::array<std::uint32_t, 3>& sid
 }
 
 /*!
-\brief keeps the input halfedges that each intrinsic edge crosses, see `Explicit_crossings`, or
-nothing, as long as that is faster. Its owner has the normal coordinates and announces moves.
+\brief keeps the input halfedges that each intrinsic edge crosses, see `Explicit_crossings`, once
+following curves has taken as long as storing them (see `decide()`); nothing before. Its owner has
+the normal coordinates and announces moves.
 */
 class Kept_crossings {
 public:

@@ -87,7 +87,7 @@ struct Exact_memory {
   bool are_weighed = false;     // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
 
-  // follows moves: later results must not depend on queries before them
+  // follows moves: forgets what queries stored, so that they cannot change later results
   void after(const Flip& move) {
     forget();
     if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);

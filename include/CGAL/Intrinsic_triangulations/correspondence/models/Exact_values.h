@@ -73,8 +73,8 @@ public:
   }
 
   // Calls a function with the number of each face and intervals that contain its values, computed
-  // in at least `bits` bits; stored intervals already are the result of flips in 53. Returns the
-  // bits.
+  // in at least `bits` bits: 106 or more if flips are repeated, since repeating them in doubles
+  // would only give the stored intervals again. Returns the bits.
   template <class Visit>
   unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
                               const Visit& visit) const {

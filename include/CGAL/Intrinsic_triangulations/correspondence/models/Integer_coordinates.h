@@ -48,7 +48,7 @@ public:
 
   /// constructs no coordinates.
   Integer_coordinates();
-  /// copies. Like what follows, compiled once: members are many
+  /// copies. This function and the next four are defined in a source: inlined, they are long.
   Integer_coordinates(const Integer_coordinates&);
   /// moves.
   Integer_coordinates(Integer_coordinates&&);
