@@ -13,11 +13,13 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "doc" / "Intrinsic_triangulations"
 # doc/CMakeLists.txt takes pages and their order from these.
 LISTS = ("user_manual", "command_line", "index")
+WALKS = "extending.md"
 MOST_WORDS = 2400
 # Looked up, not read.
 LONG = ("measurements",)
 CODE = re.compile(r"^```cpp$.*?^```$", re.MULTILINE | re.DOTALL)
-INTERNAL = re.compile(r"^namespace (?:\S*::)?internal \{$.*?^\} // namespace (?:\S*::)?internal$", re.MULTILINE | re.DOTALL)
+INTERNAL = re.compile(r"^namespace (?:\S*::)?internal \{$.*?^\} // namespace (?:\S*::)?internal$",
+                      re.MULTILINE | re.DOTALL)
 TITLE = "Geometry Processing with Intrinsic Triangulations"
 
 
@@ -35,7 +37,7 @@ def defects(name, text, listed):
 
 def walk_defects():
     """What the table of walks names, in a file where it is not."""
-    text = (FOLDER / "extending.md").read_text(encoding="utf-8")
+    text = (FOLDER / WALKS).read_text(encoding="utf-8")
     table = text.partition('<a id="where_things_are"></a>')[2].partition("\n## ")[0]
     walks = re.findall(r"^\| (?!what|-)(.*) \|$", table, re.MULTILINE)
     for walk in walks:
@@ -45,9 +47,9 @@ def walk_defects():
             words = file.read_text(encoding="utf-8") if file.exists() else ""
             for name in re.findall(r"`(\w+)(?:\(\))?`", says):
                 if not re.search(rf"\b{name}\b", words):
-                    yield f"doc/Intrinsic_triangulations/extending.md: {what}: there is no {name} in {path}"
+                    yield f"{WALKS}: {what}: there is no {name} in {path}"
     if not walks:
-        yield "doc/Intrinsic_triangulations/extending.md has no table of walks"
+        yield f"{WALKS} has no table of walks"
 
 
 def concept_defects():
@@ -58,13 +60,15 @@ def concept_defects():
         concepts.update(re.findall(r"^concept (\w+)", text, re.MULTILINE))
     pages = {page.stem for page in (FOLDER / "Concepts").glob("*.h")}
     for name in sorted(concepts ^ pages):
-        yield f"{name} is a concept {'without' if name in concepts else 'no more, but has'} a page in Concepts/"
+        how = "without" if name in concepts else "no more, but has"
+        yield f"{name} is a concept {how} a page in Concepts/"
 
 
 def main():
     listed = {*LISTS, "README"}
     for page in LISTS:
-        listed.update(re.findall(r"\(([a-z_]+)\.md#", (FOLDER / f"{page}.md").read_text(encoding="utf-8")))
+        text = (FOLDER / f"{page}.md").read_text(encoding="utf-8")
+        listed.update(re.findall(r"\(([a-z_]+)\.md#", text))
     pages = {page.stem: page for page in sorted(FOLDER.glob("*.md"))}
     pages["README"] = ROOT / "README.md"
     errors = [f"{page.relative_to(ROOT)} {defect}" for name, page in pages.items()

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the code that the manual quotes with the examples, which the tests run.
 
-    check_snippets.py            # says which quotes differ, and which parts of examples nothing quotes
+    check_snippets.py            # says which quotes differ, and which parts of examples lack one
     check_snippets.py --write    # writes the quotes
 
 A quote is a link, `[name.cpp: part, other part](path/name.cpp)`, alone on a line, with a block of
@@ -25,14 +25,16 @@ MARK = re.compile(r"^ *//! \[(.*)\]\n", re.MULTILINE)
 def part_of(file, name):
     """The lines of a file between two lines `//! [name]`, without other such lines."""
     mark = rf"^ *//! \[{re.escape(name)}\]\n"
-    found = re.search(mark + "(.*?)" + mark, file.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    text = file.read_text(encoding="utf-8")
+    found = re.search(mark + "(.*?)" + mark, text, re.MULTILINE | re.DOTALL)
     if not found:
         raise ValueError(f"{file.relative_to(ROOT)} has no part [{name}]")
     return textwrap.dedent(MARK.sub("", found[1])).strip("\n") + "\n"
 
 
 def checked(page, write, quoted):
-    """Yields what is wrong with the quotes of a page, which become right with `write`; adds their parts to `quoted`."""
+    """Yields what is wrong with the quotes of a page, which become right with `write`; adds their
+    parts to `quoted`."""
     text = page.read_text(encoding="utf-8")
     differ = []
 
@@ -60,7 +62,8 @@ def main():
     quoted = set()
     errors = [error for page in sorted((ROOT / "doc" / "Intrinsic_triangulations").glob("*.md"))
               for error in checked(page, write, quoted)]
-    for file in sorted([*(ROOT / "examples").rglob("*.cpp"), *(ROOT / "src/intrinsic").rglob("*.cpp")]):
+    for file in sorted(file for folder in ("examples", "src/intrinsic")
+                       for file in (ROOT / folder).rglob("*.cpp")):
         for part in sorted(set(MARK.findall(file.read_text(encoding="utf-8")))):
             if (file, part) not in quoted:
                 errors.append(f"{file.relative_to(ROOT)}: nothing quotes [{part}]")

@@ -1,13 +1,19 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages of the manual about commands name the options that the program has, and no others."""
+"""The pages of the manual about commands name the options that the program has, and no others, and
+their examples show what it writes."""
 
+import os
 import pathlib
 import re
+import shutil
+import subprocess
 
 from cli_support import Cli_test, main
 
-MANUAL = pathlib.Path(__file__).resolve().parents[2] / "doc" / "Intrinsic_triangulations"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MANUAL = ROOT / "doc" / "Intrinsic_triangulations"
+NUMBER = re.compile(r"(?<![\w.-])-?\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.-])")
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 # What every command has, and the page of a command never says.
 EVERYWHERE = {"--help", "--version"}
@@ -26,6 +32,20 @@ def promised(text):
 
 def links(text):
     return set(re.findall(r"\(command_([a-z]+)\.md#", text)) - {"statistics"}
+
+
+def shell_blocks(text):
+    """The blocks of commands and output, as lists of lines."""
+    for block in re.findall(r"^ {4}\$ .*\n(?: {4}.*\n)*", text, re.MULTILINE):
+        yield [line[4:] for line in block.splitlines()]
+
+
+def agrees(shown, line):
+    """Whether a line of an example is the program's. Numbers may differ by a percent, counts by ten:
+    another compiler or mathematical library may round differently."""
+    return NUMBER.sub("#", shown) == NUMBER.sub("#", line) and all(
+        abs(float(a) - float(b)) <= max(0.01 * abs(float(b)), 10 if a.isdigit() else 0)
+        for a, b in zip(NUMBER.findall(shown), NUMBER.findall(line)))
 
 
 class Manual(Cli_test):
@@ -63,6 +83,33 @@ class Manual(Cli_test):
         for common in ("options", "statistics", *options):
             self.assertEqual(set(), set(OPTION.findall(page(common))) - everything
                              - {"--build", "--target"}, common)
+
+    def output(self, command):
+        """What a command line of the manual writes to standard output."""
+        path = os.pathsep.join([os.path.dirname(os.path.abspath(self.program)), os.environ["PATH"]])
+        run = subprocess.run(command, shell=True, cwd=self.directory, capture_output=True, text=True,
+                             env={**os.environ, "PATH": path}, timeout=60)
+        self.assertEqual(0, run.returncode, command + "\n" + run.stderr)
+        return run.stdout.splitlines()
+
+    def test_examples_show_what_the_program_writes(self):
+        shutil.copy(ROOT / "examples" / "data" / "part.off", self.directory)
+        for file in sorted(MANUAL.glob("command_*.md")):
+            for block in shell_blocks(file.read_text(encoding="utf-8")):
+                written, lines = [], []
+                for line in block:
+                    if line.startswith("$ "):
+                        written = self.output(line[2:])
+                    elif line != "...":
+                        lines.append(line)
+                if not lines:
+                    continue
+                self.assertIn(lines[0], written, file.name)
+                begin = written.index(lines[0])
+                for shown, line in zip(lines, written[begin:]):
+                    shown, line = shown.rstrip(","), line.rstrip(",")
+                    self.assertTrue(agrees(shown, line),
+                                    f"{file.name} shows {shown}, the program writes {line}")
 
 
 if __name__ == "__main__":
