@@ -53,7 +53,7 @@ def walk_defects():
 
 
 def concept_defects():
-    """Which public concepts have no page of their own, and which pages no concept."""
+    """Which public concepts have no page of their own, or no misuse that must not compile."""
     concepts = set()
     for header in (ROOT / "include").rglob("*.h"):
         text = INTERNAL.sub("", header.read_text(encoding="utf-8"))
@@ -62,6 +62,9 @@ def concept_defects():
     for name in sorted(concepts ^ pages):
         how = "without" if name in concepts else "no more, but has"
         yield f"{name} is a concept {how} a page in Concepts/"
+    cases = (ROOT / "test" / "compile_fail" / "concepts.cpp").read_text(encoding="utf-8")
+    for name in sorted(concepts - set(re.findall(r"^namespace case_(\w+)", cases, re.MULTILINE))):
+        yield f"{name} is a concept without a case in test/compile_fail/concepts.cpp"
 
 
 def main():

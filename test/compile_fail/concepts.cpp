@@ -23,8 +23,11 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/mirrored.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
+#include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
@@ -38,6 +41,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 using namespace CGAL::Intrinsic_triangulations;
@@ -61,6 +65,18 @@ void misuse(const Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, 
   edge_crossings(t, t.correspondence());
 }
 } // namespace case_CurveCoordinates
+
+namespace case_DiamondExpression {
+// An expression in faces is not one in a diamond.
+// error: satisfaction of .DiamondExpression<
+void misuse() { recorded(Wedge_cosine_expression()); }
+} // namespace case_DiamondExpression
+
+namespace case_FaceExpression {
+// An expression in a diamond is not one in faces.
+// error: satisfaction of .FaceExpression<
+void misuse() { Recorded_face_expression(Delaunay_expression(), 2); }
+} // namespace case_FaceExpression
 
 namespace case_FaceNorm {
 // A norm is of a vector in a face, not of a vector alone.
@@ -173,6 +189,12 @@ namespace case_MutableDeltaComplex {
 void misuse(Intrinsic_triangulation<Gluing, Euclidean_traits<double>>*);
 } // namespace case_MutableDeltaComplex
 
+namespace case_NamedParameters {
+// A word names no option.
+// error: satisfaction of .NamedParameters<
+void misuse(Intrinsic_triangulation<>& t, const std::string& word) { delaunay_refine(t, word); }
+} // namespace case_NamedParameters
+
 namespace case_NormalCoordinates {
 // A list of numbers is not read by edges.
 // error: satisfaction of .NormalCoordinates<
@@ -205,6 +227,16 @@ void misuse(const std::vector<std::array<int, 3>>& faces) {
 }
 } // namespace case_PointRange
 
+namespace case_ProofOf {
+// Reflections prove zeros of diamonds, not of faces.
+// error: satisfaction of .ProofOf<
+template <class Asked, ProofOf<Asked> Proof>
+void use(Proof&) {}
+void misuse(Mirrored_proof& proof) {
+  use<Question<Unfolded_faces, Recorded_face_expression>>(proof);
+}
+} // namespace case_ProofOf
+
 namespace case_QueriedTriangulation {
 // A mesh is on no other surface.
 // error: satisfaction of .QueriedTriangulation<
@@ -235,6 +267,12 @@ namespace case_RefinableTriangulation {
 void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
 } // namespace case_RefinableTriangulation
 
+namespace case_RingNumber {
+// Words have sums, but no products.
+// error: satisfaction of .RingNumber<
+void misuse(const std::string& word) { squared_quadruple_area(word, word, word); }
+} // namespace case_RingNumber
+
 namespace case_ScalableSurface {
 // A soup of triangles has no metric between its faces.
 // error: satisfaction of .ScalableSurface<
@@ -257,6 +295,14 @@ namespace case_TriangleRange {
 // error: satisfaction of .TriangleRange<
 void misuse() { gluing_from_triangles(3, std::vector<int>{0, 1, 2}); }
 } // namespace case_TriangleRange
+
+namespace case_TriangulationWithMetric {
+// A triangulation that stores no lengths has no metric to scale.
+// error: satisfaction of .TriangulationWithMetric<
+template <TriangulationWithMetric Triangulation>
+void use(const Triangulation&) {}
+void misuse(const Integer_only_triangulation<>& t) { use(t); }
+} // namespace case_TriangulationWithMetric
 
 namespace case_VertexFactors {
 // A factor is of a vertex, not of a face.
