@@ -51,8 +51,8 @@ struct Vector_sources {
 
 // Makes the logarithms of a vertex at least as long as chords in space; a logarithm without
 // direction becomes unknown. Of the copies of a vertex, the nearest one stays the nearest.
-// \param at positions of vertices, possibly unknown \param first the first copy of the vertex of each
-// copy; empty: there is one of each \param unit that of positions, in the unit of the logarithms
+// \param at positions of vertices, possibly unknown \param first the first copy of the vertex of
+// each copy; empty: there is one of each \param unit that of positions, in that of the logarithms
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,
                         const std::vector<std::uint32_t>& first, std::size_t source, double unit,
                         std::vector<std::complex<double>>& log);

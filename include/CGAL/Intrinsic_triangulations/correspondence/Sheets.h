@@ -73,8 +73,8 @@ public:
   // \complexity linear
   bool has_branches() const;
 
-  // Marks one of the front and the back of each face: as far as no seam and no change of sides comes
-  // between, on one sheet with their neighbours, and on the front of the first one by name.
+  // Marks one of the front and the back of each face: the front of the first one by name, and on
+  // from there to neighbours, but not over seams.
   // \complexity linear
   std::vector<char> one_sheet() const;
 

@@ -67,7 +67,7 @@ Traced_isoline Lines_on_surface::part(const Traced_isoline& line, std::size_t be
   return result;
 }
 
-// Cuts a line where two pieces meet at an end. `is_end` is called with the number of the second one.
+// Cuts a line between pieces. `is_end` is called with the number of the second one of two.
 template <class Is_end>
 std::vector<Traced_isoline> Lines_on_surface::split(const Traced_isoline& line,
                                                     const Is_end& is_end) const {

@@ -140,8 +140,8 @@ private:
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
   }
 
-  // The corners of the triangles at the sources of their sides, rounded. Triangles without area, and
-  // lengths that break the triangle inequality by rounding, have the angles 0 or pi.
+  // The corners of the triangles at the sources of their sides, rounded. Triangles without area,
+  // and lengths that break the triangle inequality by rounding, have the angles 0 or pi.
   std::vector<Double_cover::Corner> corners() const {
     std::vector<Double_cover::Corner> result;
     result.reserve(faces_.origin.size());

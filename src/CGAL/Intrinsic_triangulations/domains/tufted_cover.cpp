@@ -97,8 +97,8 @@ Double_cover::number_umbrellas(std::vector<std::uint32_t>& umbrella) const {
   return row;
 }
 
-// By vertices, then as copies are ordered: by their measures up to rounding, so that equal ones stay
-// as they are.
+// By vertices, then as copies are ordered: by their measures up to rounding, so that equal ones
+// stay as they are.
 std::vector<std::uint32_t> Double_cover::order_umbrellas(const std::vector<std::uint32_t>& row,
                                                          const std::vector<std::uint32_t>& umbrella,
                                                          const std::vector<Corner>& corners) const {
