@@ -29,9 +29,9 @@ Takes the lines on a double cover to the surface under it, which has each of the
 
 Lines come in pairs that the exchange of front and back maps to each other, away from the seams of
 the cover. So lines are cut where they cross a seam; of two sections that are one line on the
-surface, the one stays that has its greater part on one chosen sheet. A section that is its own image, as a
-line twice around a Moebius strip, is cut where it leaves the chosen sheet. Equal sections need not
-be flipped alike: only their lengths on the sheets are compared.
+surface, the one stays that has its greater part on one chosen sheet. A section that is its own
+image, as a line twice around a Moebius strip, is cut where it leaves the chosen sheet. Both need
+not be flipped alike: only their lengths on the sheets are compared.
 */
 class Lines_on_surface {
 public:

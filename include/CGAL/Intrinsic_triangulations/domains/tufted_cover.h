@@ -69,8 +69,8 @@ public:
   };
 
   // Splits every vertex into copies, one per umbrella, in the order of vertices; those without
-  // faces stay. The first copy is the one with the largest angle, and the longest sides opposite to it:
-  // vectors at the vertex are in its tangent plane, in whichever order faces are given.
+  // faces stay. The first copy is the one with the largest angle, and the longest sides opposite
+  // to it: vectors at the vertex are in its tangent plane, in whichever order faces are given.
   // \param corners of the faces, at the source of each side
   Gluing take(std::vector<std::uint32_t>& row_of_vertex, const std::vector<Corner>& corners);
 
