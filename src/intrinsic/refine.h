@@ -161,22 +161,24 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
   expect_accurate(result.inaccuracy, options);
   json["seconds"]["refine"] = watch.lap();
   const IT::Refinement_counts& counts = result.counts;
+  // negative if more vertices of an earlier refinement, or of curves, were removed
+  const auto inserted = static_cast<std::int64_t>(counts.inserted_vertices());
   std::array<std::size_t, 4> reasons{};
   for (const auto& u : result.unsatisfied) ++reasons[static_cast<std::size_t>(u.reason)];
   if (result.status == IT::Status::stalled)
     progress.warn(options.input + ": no vertex could be inserted for " +
-                  std::to_string(reasons[2]) + " faces that do not meet the criteria: " +
-                  (t.input().names().sheets > 1 ? "copies of it come too close to other vertices"
-                                                : "rounding hides its place"));
+                  std::to_string(reasons[2]) +
+                  " faces that do not meet the criteria: rounding hides its place");
   json["refine"] = {{"status", name(result.status)},
                     {"asked_angle_deg", options.refinement.minimum_angle},
-                    {"insertions", counts.inserted_vertices()},
+                    {"insertions", inserted},
                     {"points", t.number_of_vertices() - t.input().number_of_rows()},
                     {"circumcenters", counts.circumcenters},
                     {"segment_splits", counts.segment_splits},
                     {"removals", counts.removals},
                     {"flips", counts.flips},
                     {"refused", counts.refused},
+                    {"without_copies", counts.without_copies},
                     {"min_angle_deg", minimum_angle_without(t, {})},
                     {"satisfied_min_angle_deg", minimum_angle_without(t, result.unsatisfied)},
                     {"unsatisfied_faces", result.unsatisfied.size()},
@@ -193,7 +195,8 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
       json["refine"]["max_relative_edge_length"] = longest;
     }
   if (options.odt_length > 0)
-    optimize(t, constrained, options, counts.inserted_vertices(), json, progress);
+    optimize(t, constrained, options,
+             static_cast<std::uint64_t>(std::max<std::int64_t>(inserted, 0)), json, progress);
 }
 
 } // namespace program

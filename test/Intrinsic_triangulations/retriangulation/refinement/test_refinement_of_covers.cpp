@@ -36,7 +36,8 @@
 #include <utility>
 #include <vector>
 
-// That refinement inserts one vertex of the user's surface at a time: its copies on all sheets, in one row.
+// That refinement inserts one vertex of the user's surface at a time: its copies on all sheets, in
+// one row, or a vertex alone where copies have no room.
 
 namespace {
 
@@ -100,17 +101,22 @@ double size_of(const Mesh& m) {
   return size;
 }
 
+// \param without_copies how many rows may lack copies
 template <class T>
-void expect_rows_are_places(const T& t, const Mesh& m, Domain_kind kind, const std::string& name) {
+void expect_rows_are_places(const T& t, const Mesh& m, Domain_kind kind, const std::string& name,
+                            std::uint64_t without_copies = 0) {
   std::map<Place, std::vector<std::uint32_t>> rows;
   for (const auto v : vertices(t.mesh()))
     if (t.is_inserted(v)) rows[place(t, v)].push_back(t.input_vertex(v));
   std::set<std::uint32_t> all;
+  std::uint64_t incomplete = 0;
   for (const auto& [p, of_copies] : rows) {
-    EXPECT_EQ(of_copies.size(), expected_copies(m, p, kind)) << name;
+    EXPECT_LE(of_copies.size(), expected_copies(m, p, kind)) << name;
+    incomplete += of_copies.size() < expected_copies(m, p, kind) ? 1 : 0;
     EXPECT_EQ(std::ranges::count(of_copies, of_copies[0]), std::ssize(of_copies)) << name;
     all.insert(of_copies[0]);
   }
+  EXPECT_LE(incomplete, without_copies) << name;
   EXPECT_EQ(all.size(), rows.size()) << name;
   EXPECT_EQ(t.number_of_vertices(), m.points.size() + rows.size()) << name;
   if (!all.empty()) {
@@ -120,22 +126,19 @@ void expect_rows_are_places(const T& t, const Mesh& m, Domain_kind kind, const s
 }
 
 // The angle asked for everywhere but where it is said not to be. Where many faces meet at all
-// edges, copies leave no place for a vertex now and then.
+// edges, copies have no room now and then.
 template <class Result>
 void expect_good(const Exact& t, const Result& r, double angle, const std::string& name) {
   std::set<std::uint32_t> unsatisfied;
-  std::size_t refused = 0;
   for (const auto& u : r.unsatisfied) {
     unsatisfied.insert(t.index(u.face));
     EXPECT_NE(u.reason, IT::Unsatisfied_reason::stopped) << name;
-    refused += u.reason == IT::Unsatisfied_reason::refused ? 1 : 0;
+    EXPECT_NE(u.reason, IT::Unsatisfied_reason::refused) << name;
   }
-  EXPECT_TRUE(r.status == IT::Status::done || (refused > 0 && r.status == IT::Status::stalled))
-      << name;
+  EXPECT_EQ(r.status, IT::Status::done) << name;
   if (name.find("soup") == std::string::npos && name != "another one") {
-    EXPECT_EQ(refused + r.counts.refused, 0U) << name;
+    EXPECT_EQ(r.counts.without_copies + r.counts.refused, 0U) << name;
   }
-  EXPECT_LE(refused, num_faces(t.mesh()) / 10) << name;
   for (const auto f : faces(t.mesh()))
     EXPECT_TRUE(unsatisfied.count(t.index(f)) != 0 || properties::least_angle(t, f) >= angle - 1e-9)
         << name;
@@ -153,7 +156,7 @@ TEST(Refinement_of_covers, inserts_all_copies_of_a_point_in_one_row) {
                 t.input().number_of_vertices() + r.counts.inserted_vertices())
           << name;
       EXPECT_NEAR(IT::lumped_mass_matrix(t).sum(), meshes::area(m), 1e-9 * meshes::area(m)) << name;
-      expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
+      expect_rows_are_places(t, m, Domain_kind::tufted_cover, name, r.counts.without_copies);
     }
 }
 
@@ -164,7 +167,7 @@ TEST(Refinement_of_covers, finds_copies_on_seams_of_thin_faces) {
     Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
     const auto r = IT::delaunay_refine(t, parameters::maximum_insertions(30000));
     expect_good(t, r, 25, name);
-    expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
+    expect_rows_are_places(t, m, Domain_kind::tufted_cover, name, r.counts.without_copies);
   }
 }
 
@@ -247,7 +250,7 @@ TEST(Refinement_of_covers, needs_about_as_many_points_as_the_sheets_alone) {
     expect_good(t, r, 25, name);
     EXPECT_TRUE(IT::is_delaunay(t)) << name;
     const std::size_t n = t.number_of_vertices() - m.points.size(), sheets = points_of_sheets(m);
-    EXPECT_LE(n, 4 * sheets + 20) << name;
+    EXPECT_LE(n, 2 * sheets + 20) << name;
     points += n;
     of_sheets += sheets;
   }
@@ -286,14 +289,16 @@ TEST(Refinement_of_covers, tells_rows_at_every_step) {
     SCOPED_TRACE(name);
     Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
     Row_visitor visitor;
-    IT::delaunay_refine(
+    const auto r = IT::delaunay_refine(
         t, parameters::maximum_circumradius(0.2 * size_of(m)).visitor(std::ref(visitor)));
     EXPECT_GT(visitor.checks, 3U);
     Exact copy(t);
     EXPECT_EQ(copy.number_of_vertices(), t.number_of_vertices());
-    IT::delaunay_refine(copy, parameters::maximum_circumradius(0.15 * size_of(m)));
-    expect_rows_are_places(copy, m, Domain_kind::tufted_cover, "copy");
-    expect_rows_are_places(t, m, Domain_kind::tufted_cover, "original");
+    const auto s = IT::delaunay_refine(copy, parameters::maximum_circumradius(0.15 * size_of(m)));
+    const std::uint64_t alone = r.counts.without_copies;
+    expect_rows_are_places(copy, m, Domain_kind::tufted_cover, "copy",
+                           alone + s.counts.without_copies);
+    expect_rows_are_places(t, m, Domain_kind::tufted_cover, "original", alone);
   }
 }
 
@@ -301,8 +306,9 @@ TEST(Refinement_of_covers, puts_edges_back_that_flips_have_taken_off_seams) {
   for (const auto& [name, m] : soups_of_all_kinds()) {
     Exact t(IT::make_domain(soups::soup(m), Domain_kind::tufted_cover).input);
     IT::flip_to_delaunay(t);
-    expect_good(t, IT::delaunay_refine(t), 25, name);
-    expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
+    const auto r = IT::delaunay_refine(t);
+    expect_good(t, r, 25, name);
+    expect_rows_are_places(t, m, Domain_kind::tufted_cover, name, r.counts.without_copies);
   }
 }
 

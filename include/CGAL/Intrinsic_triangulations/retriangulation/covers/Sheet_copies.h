@@ -36,7 +36,7 @@ public:
   static bool is_seam(std::uint32_t) { return false; }
   static std::vector<Surface_point> missing(std::uint32_t) { return {}; }
   template <class Is_segment>
-  static bool keep_distance(std::uint32_t, double, const Is_segment&) {
+  static bool has_room(const Surface_point&, double, const Is_segment&) {
     return true;
   }
   static void note(std::uint32_t) {}
@@ -44,7 +44,7 @@ public:
   static void join(const std::vector<std::uint32_t>&) {}
   static std::vector<std::uint32_t> take(std::uint32_t vertex) { return {vertex}; }
   template <class Session>
-  static std::uint64_t restore_seams(Session&) {
+  static std::uint64_t restore_seams(Session&, const std::vector<char>&) {
     return 0;
   }
 };
@@ -68,11 +68,12 @@ public:
   // that
   bool exist() const { return sheets_.has_value() && places() != nullptr; }
 
-  // Flips away the edges that cross a seam, usually all of them. \return how many flips that took
+  // Flips away the edges that cross a seam, usually all of them, except where one that is to be
+  // kept, by its number, crosses it. \return how many flips that took
   template <class Session>
-  std::uint64_t restore_seams(Session& session) {
+  std::uint64_t restore_seams(Session& session, const std::vector<char>& is_kept) {
     if (!exist()) return 0;
-    Input_edge_restorer restore(t_, session, *places());
+    Input_edge_restorer restore(t_, session, *places(), is_kept);
     for (std::uint32_t e = 0; e < is_seam_.size() && exist(); ++e)
       if (is_seam_[e] != 0) restore(2 * e);
     return restore.flips();
@@ -90,14 +91,12 @@ public:
     return exist() ? sheets_->others(places()->location(vertex)) : std::vector<Surface_point>();
   }
 
-  // Whether the copies of a vertex, before their insertion, keep a given squared distance from the
-  // vertices of their faces and of the neighbouring faces, but not beyond segments.
+  // Whether a copy of a vertex, before its insertion, keeps a given squared distance from the
+  // vertices of its face and of the neighbouring faces, but not beyond segments.
   template <class Is_segment>
-  bool keep_distance(std::uint32_t vertex, double distance, const Is_segment& is_segment) const {
-    return std::ranges::all_of(missing(vertex), [&](const Surface_point& place) {
-      const std::vector<Surface_point> found = locate(place);
-      return found.empty() || keeps_distance(found.front(), distance, is_segment);
-    });
+  bool has_room(const Surface_point& place, double distance, const Is_segment& is_segment) const {
+    const std::vector<Surface_point> found = locate(place);
+    return found.empty() || keeps_distance(found.front(), distance, is_segment);
   }
 
   // notes a vertex that was inserted, if it is on a seam

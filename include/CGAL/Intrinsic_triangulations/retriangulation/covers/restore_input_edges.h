@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,9 +39,11 @@ class Input_edge_restorer {
   using Crossed = std::vector<typename Triangulation::halfedge_descriptor>;
 
 public:
-  Input_edge_restorer(const Triangulation& t, Session& session, const Coordinates& coordinates)
-      : t_(t), session_(session), coordinates_(coordinates), flip_wedge_(t, session, nullptr),
-        flip_to_segment_(t, session, flip_wedge_) {}
+  // never flips edges that are to be kept: nonzero by their numbers, empty if none is
+  Input_edge_restorer(const Triangulation& t, Session& session, const Coordinates& coordinates,
+                      const std::vector<char>& is_kept = {})
+      : t_(t), session_(session), coordinates_(coordinates), is_kept_(is_kept),
+        flip_wedge_(t, session, nullptr), flip_to_segment_(t, session, flip_wedge_) {}
 
   std::uint64_t flips() const { return result_.flips; }
 
@@ -56,6 +59,8 @@ public:
       if (crossed.empty()) {
         vertex = view.target(start->halfedge);
         if (!coordinates_.is_inserted(vertex)) return true;
+      } else if (cross_kept(crossed)) {
+        return false;
       } else if (!pass_faces_once(t_, std::array{crossed})) {
         if (!flip_off(view, vertex, x, crossed)) return false;
       } else if (flip_to_segment_(crossed, std::numeric_limits<std::uint64_t>::max(), result_,
@@ -78,6 +83,12 @@ private:
     return crossed;
   }
 
+  bool cross_kept(const Crossed& crossed) const {
+    return !is_kept_.empty() && std::ranges::any_of(crossed, [this](const auto h) {
+      return is_kept_[t_.numbers().halfedge(h) / 2] != 0;
+    });
+  }
+
   // Flips one edge so that the part of x from a vertex crosses fewer edges; if it crosses a face
   // twice, there may be no such flip.
   bool flip_off(const Intrinsic_view<Triangulation>& view, std::uint32_t vertex, std::uint32_t x,
@@ -96,6 +107,7 @@ private:
   const Triangulation& t_;
   Session& session_;
   const Coordinates& coordinates_;
+  std::vector<char> is_kept_;
   Wedge_flipper<Triangulation> flip_wedge_;
   Segment_flipper<Triangulation> flip_to_segment_;
   Shortening_result result_;

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refusals.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 
@@ -23,6 +22,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <type_traits>
@@ -65,9 +65,11 @@ On a cover, copies must keep it, too. Exchanging sheets is an isometry of the co
 seams, see `Sheets`, and maps vertices to vertices: unless seams are crossed, a copy is as far from
 other vertices as the circumcenter. Seams that make wide angles with each other are segments: splits
 do not lead from one to the next without end (Ruppert). Seams with small angles between them are
-crossed like other edges, since neither belongs to the user's surface. There the distances of copies
-are measured, and a vertex is inserted only where all copies keep theirs, or, where no such place is
-found, a fraction of it: see `Refusals`.
+crossed like other edges, since neither belongs to the user's surface, and a constrained edge may be
+on one sheet only. So the distances of copies are measured: they are inserted only where all of them
+keep theirs. Where no such place is found, the circumcenter is inserted without its copies when all
+other faces are done. So every vertex, copy or not, keeps the distance that Chew's argument needs,
+and refinement ends as if there were no copies.
 */
 template <class Triangulation, class Visitor>
 class Delaunay_refiner {
@@ -76,6 +78,7 @@ class Delaunay_refiner {
   using Face = typename Triangulation::face_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Insertion = typename Moves::Insertion;
+  using Corners = std::array<std::uint32_t, 3>; // of a face, in order
 
 public:
   using Result = Refinement_result<Face>;
@@ -116,8 +119,8 @@ private:
     const Halfedge h = halfedge(f, mesh_), n = next(h, mesh_), l = next(n, mesh_);
     return {t_.index(source(h, mesh_)), t_.index(source(n, mesh_)), t_.index(source(l, mesh_))};
   }
-  std::array<std::uint32_t, 3> corners(Face f) const {
-    std::array<std::uint32_t, 3> result = corners_of_sides(f);
+  Corners corners(Face f) const {
+    Corners result = corners_of_sides(f);
     std::ranges::sort(result);
     return result;
   }
@@ -144,7 +147,7 @@ private:
       const std::uint32_t i = t_.index(f);
       if (!state_.queue.begin_check(i)) continue; // seen
       if (!state_.is_going_on || ((++checks_ & 0x3fffU) == 0 && !ask_visitor())) continue;
-      if (state(f) == Face_state::bad && refusals_.count(corners(f)) == 0)
+      if (state(f) == Face_state::bad && refusals(corners(f)) == 0)
         state_.queue.push(i, priority(f));
       else
         state_.queue.remove(i);
@@ -156,21 +159,26 @@ private:
   void refine(std::uint32_t f) {
     if (!may_insert()) return;
     // in thin faces lengths and area may be too inaccurate to agree
-    const std::array<std::uint32_t, 3> face = corners(t_.numbers().face_at(f));
+    const Corners face = corners(t_.numbers().face_at(f));
     const bool is_done =
         refine(f, view_) || (state_.touched.empty() && refine(f, Accurate_view<Triangulation>(t_)));
     if (!is_done) {
       ++state_.result.counts.refused;
-      refusals_.add(face);
+      ++refusals_[face];
     }
     if (split_encroached()) check_touched();
   }
 
-  // On a cover, queues faces again whose vertices were refused. Whether there are any.
+  int refusals(const Corners& face) const {
+    const auto found = refusals_.find(face);
+    return found == refusals_.end() ? 0 : found->second;
+  }
+
+  // On a cover, queues the bad faces again, for vertices without copies. Whether there are any.
   bool queue_refused() {
     if (!state_.is_going_on || !moves_.has_copies()) return false;
     for (const Face f : faces(mesh_))
-      if (refusals_.is_worth_trying(corners(f)) && state(f) == Face_state::bad)
+      if (refusals(corners(f)) < 2 && state(f) == Face_state::bad)
         state_.queue.push(t_.index(f), priority(f));
     return !state_.queue.empty();
   }
@@ -190,29 +198,27 @@ private:
   }
 
   // Inserts a circumcenter. On a cover a copy may be close to other vertices: then other points of
-  // a disk about the circumcenter are tried.
+  // a disk about the circumcenter are tried, and in the end the circumcenter alone.
   template <class Complex>
   bool insert_near(const Face_values<double>& v, std::uint32_t h, const Surface_point& center,
                    const Complex& view) {
     const auto is_kept = [this](std::uint32_t g) { return moves_.segments().is_segment(g / 2); };
-    const std::array<std::uint32_t, 3> bad = corners(face(descriptor(h), mesh_));
-    const int halvings = refusals_.halvings(bad);
-    const double least = std::ldexp(least_distance(v, test_.is_thin(v)), -2 * refusals_.count(bad)),
+    if (moves_.has_copies() && refusals(corners(face(descriptor(h), mesh_))) > 0)
+      return moves_.insert_alone(center);
+    const double least = least_distance(v, test_.is_thin(v)),
                  radius = std::sqrt(squared_circumradius(v)),
                  offset = std::min(radius / 2, radius - std::sqrt(least));
     Insertion found = Insertion::not_here;
-    std::vector<std::uint32_t> all; // the vertex and its copies
     for (const double wanted : {std::max(least, radius * radius / 4), least}) {
-      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted, all);
+      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted);
       for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
         const double angle = k * 2 * std::numbers::pi / number_of_tries;
         const Located_circumcenter c = locate_circumcenter(
             view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
         if (c.kind == Located_circumcenter::Kind::point)
-          found = moves_.insert(c.point, least, wanted, all);
+          found = moves_.insert(c.point, least, wanted);
       }
     }
-    if (found == Insertion::done) refusals_.inherit(all, halvings);
     return found == Insertion::done;
   }
 
@@ -225,15 +231,17 @@ private:
   void split_between(Face f, Halfedge segment) {
     const Face_values<double> v = approximation(f);
     const double longest = *std::max_element(v.squared_lengths.begin(), v.squared_lengths.end());
-    if (view_.squared_length(number(segment) / 2) < (1 - 0x1p-10) * longest) {
-      ++state_.result.counts.refused;
-      return;
-    }
-    refusals_.forget(); // vertices near it are removed
+    const bool is_long = view_.squared_length(number(segment) / 2) >= (1 - 0x1p-10) * longest;
     const std::uint32_t i = t_.index(f);
     // before the split: changed edges are checked again, removed ones dropped
     state_.queue.push(i, priority(f));
-    if (!moves_.split(segment)) state_.queue.remove(i);
+    if (is_long && moves_.split(segment)) {
+      refusals_.clear(); // vertices near it are removed
+      return;
+    }
+    state_.queue.remove(i);
+    ++refusals_[corners(f)];
+    if (!is_long) ++state_.result.counts.refused;
   }
 
   bool may_insert() {
@@ -300,7 +308,7 @@ private:
   Refinement_state<Triangulation> state_;
   Moves moves_;
   Refinement_test test_;
-  Refusals refusals_;
+  std::map<Corners, int> refusals_; // how often no vertex could be inserted for a face
   Visitor& visitor_;
   Proof_watch watch_{[this] { return visitor_.progress(state_.result.counts); }};
   Refinement_order order_;

@@ -84,7 +84,7 @@ public:
 
   // \param is_kept which edges, by number, are constrained; empty: none
   void find_segments(const std::vector<char>& is_kept) {
-    state_.result.counts.flips += copies_.restore_seams(session_);
+    state_.result.counts.flips += copies_.restore_seams(session_, is_kept);
     for (const auto e : edges(mesh_)) {
       const Halfedge h = halfedge(e, mesh_);
       const bool is_constrained = !is_kept.empty() && is_kept[number(h) / 2] != 0;
@@ -112,18 +112,16 @@ public:
 
   // Inserts a vertex and its copies if they keep the least distance, squared, from others.
   // \param wanted the distance of copies, if known before their insertion
-  // \param all becomes the vertex and its copies
-  Insertion insert(const Surface_point& p, double least, double wanted,
-                   std::vector<std::uint32_t>& all) {
+  Insertion insert(const Surface_point& p, double least, double wanted) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
-    const auto is_kept = [this](std::uint32_t h) { return segments_.is_segment(h / 2); };
-    if (is_in_face && !copies_.keep_distance(t_.index(n.vertex), wanted, is_kept) &&
+    const auto has_room = [&](const Surface_point& place) { return this->has_room(place, wanted); };
+    if (is_in_face && !std::ranges::all_of(copies_.missing(t_.index(n.vertex)), has_room) &&
         session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
     start_from(n.vertex);
-    all = {t_.index(n.vertex)};
+    std::vector<std::uint32_t> all{t_.index(n.vertex)};
     if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
           return keeps_distance(t_, t_.numbers().vertex_at(v), least);
         })))
@@ -136,22 +134,38 @@ public:
     flip();
     return Insertion::refused;
   }
-  // splits a segment and its copies, and removes vertices near them; false if the triangulation
-  // refuses
+  // inserts a vertex without its copies; false if the triangulation refuses
+  bool insert_alone(const Surface_point& p) {
+    const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
+    if (n.status != Move_status::done) return false;
+    ++state_.result.counts.without_copies;
+    start_from(n.vertex);
+    flip();
+    return true;
+  }
+  // Splits a segment and those under it, and removes vertices near them; false if the triangulation
+  // refuses. Where there is no segment on another sheet, as for constrained edges, copies are
+  // inserted if they are as far from other vertices as the ends of the parts from each other.
   bool split(Halfedge h) {
     if (is_border(h)) h = opposite(h, mesh_);
-    const double length = std::sqrt(view_.squared_length(number(h) / 2));
-    const std::optional<Vertex> v =
-        split_at(h, segments_.split_parameter(view_, number(h)), std::nullopt);
+    const double length = std::sqrt(view_.squared_length(number(h) / 2)),
+                 parameter = segments_.split_parameter(view_, number(h));
+    const std::optional<Vertex> v = split_at(h, parameter, std::nullopt);
     if (!v) return false;
     std::vector<std::uint32_t> all{t_.index(*v)};
-    if (!insert_copies(all)) {
-      ++state_.result.counts.refused;
-      // those in faces may be removed below
-      std::erase_if(all, [this](std::uint32_t i) { return removable_.contains(i); });
-    }
+    std::vector<Surface_point> places = copies_.missing(all.front());
+    std::erase_if(places, [&](const Surface_point& place) {
+      const std::optional<Vertex> copy = split_copy(place);
+      if (copy) all.push_back(t_.index(*copy));
+      return copy.has_value();
+    });
     for (std::size_t i = 0; i < all.size() && flip(); ++i)
       remove_near(t_.numbers().vertex_at(all[i]), length);
+    const double least = length * std::min(parameter, 1 - parameter);
+    std::erase_if(places, [&](const Surface_point& place) {
+      return has_room(place, (1 - 0x1p-10) * least * least) && insert_copy(place) && flip();
+    });
+    if (!places.empty()) ++state_.result.counts.without_copies;
     return true;
   }
 
@@ -200,6 +214,15 @@ private:
 
   void touch(Face f) { state_.touched.push_back(f); }
 
+  bool is_on_segment(const Surface_point& p) const {
+    return p.weights[2] == 0 && segments_.is_segment(p.halfedge / 2);
+  }
+  // whether a copy keeps a squared distance from other vertices
+  bool has_room(const Surface_point& place, double distance) const {
+    return copies_.has_room(place, distance,
+                            [this](std::uint32_t h) { return segments_.is_segment(h / 2); });
+  }
+
   // such a copy stays: without it the parts of the segment would not be edges
   bool is_on_segment(Vertex v) const {
     bool is_on_one = false;
@@ -221,13 +244,17 @@ private:
       if (!v) return false;
       all.push_back(t_.index(*v));
     }
-    if (all.size() == 1) return true;
-    copies_.join(all);
-    const bool are_free =
-        std::ranges::all_of(all, [this](std::uint32_t v) { return removable_.contains(v); });
-    if (!are_free)
-      for (const std::uint32_t v : all) removable_.erase(v);
+    if (all.size() > 1) copies_.join(all);
     return true;
+  }
+
+  // on the segment where it is, if there is one
+  std::optional<Vertex> split_copy(const Surface_point& place) {
+    if constexpr (Knows_places<Triangulation>) {
+      for (const Surface_point& p : copies_.locate(place))
+        if (is_on_segment(p)) return split_at(descriptor(p.halfedge), p.weights[1], place);
+    }
+    return std::nullopt;
   }
 
   // in the first face of those where it may be
@@ -241,7 +268,7 @@ private:
 
   std::optional<Vertex> insert_copy_at(const Surface_point& p, const Surface_point& place) {
     const Halfedge h = descriptor(p.halfedge);
-    if (p.weights[2] == 0 && is_segment(h)) return split_at(h, p.weights[1], place);
+    if (is_on_segment(p)) return split_at(h, p.weights[1], place);
     const auto n = session_.insert_copy(h, p.weights, place);
     if (n.status != Move_status::done) return std::nullopt;
     start_from(n.vertex);
@@ -290,6 +317,7 @@ private:
     for (const std::uint32_t w : dijkstra_ball(view_, t_.index(v), radius)) {
       if (!removable_.contains(w)) continue;
       for (const std::uint32_t copy : copies_.take(w)) {
+        if (!removable_.contains(copy)) continue; // on a segment
         remove(t_.numbers().vertex_at(copy));
         if (!flip()) return; // now: edges that wait may be removed next
       }
@@ -314,12 +342,8 @@ private:
     }
     ++state_.result.counts.removals;
     removable_.erase(number_of_v);
-    state_.touched.erase(std::remove_if(state_.touched.begin(), state_.touched.end(),
-                                        [&](Face f) {
-                                          return std::find(old.begin(), old.end(), t_.index(f)) !=
-                                                 old.end();
-                                        }),
-                         state_.touched.end());
+    std::erase_if(state_.touched,
+                  [&](Face f) { return std::ranges::find(old, t_.index(f)) != old.end(); });
     for (const std::uint32_t f : old) state_.queue.remove(f);
     // the faces of a polygon that was a star: two less than the star had
     if (!rim.empty() && old.size() > 2)

@@ -37,16 +37,14 @@ enum class Refinement_order {
   first_come, ///< the one that waits longest: neighbours in turn, in time linear in the insertions
   largest_first, ///< that of the largest circumradius: some per cent fewer vertices; all over the
                  ///< mesh, which is slow for millions of them
-  worst_first ///< that of the smallest angle
+  worst_first    ///< that of the smallest angle
 };
 
 /// Why a face does not meet the criteria.
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused,     ///< no vertex could be inserted. On a cover, its copies come too close to other
-               ///< vertices, for instance where faces meet at a small angle; elsewhere rounding
-               ///< hides its place
+  refused,     ///< no vertex could be inserted: rounding hides its place
   stopped      ///< refinement was stopped before
 };
 
@@ -75,8 +73,11 @@ struct Refinement_counts {
   std::uint64_t flips = 0;
   /// Insertions and removals that were refused.
   std::uint64_t refused = 0;
+  /// Insertions on a cover without all copies, which would have been too close to other vertices.
+  std::uint64_t without_copies = 0;
 
-  /// returns how many vertices there are more than before.
+  /// returns how many vertices there are more than before, modulo 2^64: fewer if vertices of an
+  /// earlier refinement were removed.
   std::uint64_t inserted_vertices() const { return circumcenters + segment_splits - removals; }
 };
 

@@ -32,10 +32,11 @@ lengths and topology are checked at the end: the status is `inaccurate` if round
 
 On a cover (see `make_domain()`), the copies of a vertex on all sheets are inserted together and
 share a row of matrices, if the triangulation stores the places of vertices,
-`Intrinsic_triangulation::places()`. Seams, the edges with one face of the user or more than two,
-are `conforming` segments where they make angles of at least 60 degrees; flips restore them first.
-If refinement stops early, they are flipped like others: whatever the status, every edge that is not
-constrained is locally Delaunay.
+`Intrinsic_triangulation::places()`. Where copies would come too close to other vertices, a vertex
+is inserted without them (`Refinement_counts::without_copies`). Seams, the edges with one face of
+the user or more than two, are `conforming` segments where they make angles of at least 60 degrees
+and no constrained edge crosses them; flips restore them first. If refinement stops early, they are
+flipped like others: whatever the status, every edge that is not constrained is locally Delaunay.
 
 \tparam Triangulation a model of `RefinableTriangulation`
 \tparam NP a chain of named parameters
