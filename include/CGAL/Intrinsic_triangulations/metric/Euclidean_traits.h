@@ -175,9 +175,8 @@ public:
     Vertex_move_values<FT> n;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto side = [&](std::size_t l) { return squared_length_[s.sides[(k + l) % 3]]; };
-      n.squared_lengths[k] =
-          squared_distance_from_corner(side(0), side(1), side(2), area, FT(weights[(k + 1) % 3]),
-                                       FT(weights[(k + 2) % 3]));
+      n.squared_lengths[k] = squared_distance_from_corner(
+          side(0), side(1), side(2), area, FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
       n.quadruple_areas[k] = FT(weights[(k + 2) % 3]) * area;
       if (!is_length(n.squared_lengths[k])) return std::nullopt;
     }
@@ -202,8 +201,7 @@ public:
   \brief computes the values at a vertex inserted on a border edge.
   \param s its star, of which the whole edge `ip`, `jk`, `ki` and the whole face `f` are there
   \param parameter weight of `j`
-  \return the values as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip; nothing if a
-  length would be zero or infinite
+  \return the values as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip; or nothing
   */
   std::optional<Vertex_move_values<FT>> compute_insertion(const Border_star& s,
                                                           double parameter) const {
@@ -218,12 +216,10 @@ public:
 
   /// stores the values at a vertex inserted on a border edge.
   void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) {
-    const auto& [l, a] = values;
-    store(squared_length_, s.ip, l[0]);
-    store(squared_length_, s.pj, l[1]);
-    store(squared_length_, s.pk, l[2]);
-    store(quadruple_area_, s.f, a[2]);
-    store(quadruple_area_, s.g, a[1]);
+    const std::array edges{s.ip, s.pj, s.pk};
+    for (std::size_t k = 0; k < 3; ++k) store(squared_length_, edges[k], values.squared_lengths[k]);
+    store(quadruple_area_, s.f, values.quadruple_areas[2]);
+    store(quadruple_area_, s.g, values.quadruple_areas[1]);
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.

@@ -75,7 +75,7 @@ class Mover {
 
 public:
   using Insertion = typename Triangulation::Insertion;
-  // the old values of an insertion: of the whole face and of its first side, and of the flip of that
+  // the old values of an insertion: of the whole face, of its first side, and of the flip of that
   struct Before_insertion {
     Before_flip_of<Metric> whole, flip;
   };

@@ -221,9 +221,8 @@ public:
                         insertion_.normal[2]); // parts of the border edge have no crossings
   }
 
-  /// announces the removal of a vertex of degree three.
-  /// \return whether curves run straight through the face without the vertex. Inexact arithmetic
-  /// may violate this
+  /// announces the removal of a vertex of degree three. \return whether curves run straight through
+  /// the face without the vertex; inexact arithmetic may violate this
   template <class Triangulation>
   bool before(const Triangulation&, const Removal_from_face& move) {
     return can_do_without_vertex(normals(move.sides), normals(move.spokes),
@@ -244,8 +243,7 @@ public:
     }
     if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
     for (const std::uint32_t s : to) normal_[s / 2] = 0;
-    if (kept_)
-      for (const std::uint32_t s : to) kept_.clear(s / 2);
+    for (std::size_t k = 0; kept_ && k < 3; ++k) kept_.clear(to[k] / 2);
   }
 
   /// announces the removal of a vertex from the border. \return as for a removal from a face

@@ -10,8 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/Sheet_copies.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_state.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -27,25 +26,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// The work that waits for refinement, and its result so far.
-template <class Triangulation>
-struct Refinement_state {
-  using Face = typename Triangulation::face_descriptor;
-  using Halfedge = typename Triangulation::halfedge_descriptor;
-
-  Face_queue queue;                 // faces that are bad
-  std::vector<Face> touched;        // those that changed
-  std::vector<Halfedge> encroached; // segments that may not be Delaunay
-  bool is_going_on = true;
-  Refinement_result<Face> result;
-
-  // sets the status of the result; returns false
-  bool stop(Status status) {
-    result.status = status;
-    return is_going_on = false;
-  }
-};
 
 /*!
 Inserts and removes vertices of a triangulation that is being refined, with their copies on the
@@ -65,7 +45,6 @@ class Refinement_moves {
   using State = Refinement_state<Triangulation>;
 
 public:
-  // The result of an insertion.
   enum class Insertion {
     done,     // it is there, with its copies
     not_here, // a copy would come too close to other vertices: nothing has changed
@@ -97,8 +76,7 @@ public:
       if (t_.is_inserted(v) && !is_on_segment(v)) removable_.insert(t_.index(v));
   }
 
-  // an edge that may not be Delaunay
-  void suspect(Halfedge h) { flipper_.push(h); }
+  void suspect(Halfedge h) { flipper_.push(h); } // an edge that may not be Delaunay
 
   // Flips until all waiting edges are Delaunay; calls `may_go_on` before every check.
   template <class May_go_on>
@@ -213,7 +191,6 @@ private:
   }
 
   void touch(Face f) { state_.touched.push_back(f); }
-
   bool is_on_segment(const Surface_point& p) const {
     return p.weights[2] == 0 && segments_.is_segment(p.halfedge / 2);
   }
@@ -239,11 +216,11 @@ private:
 
   // Inserts the copies of a vertex, all or as many as can be; whether these are all.
   bool insert_copies(std::vector<std::uint32_t>& all) {
-    for (const Surface_point& place : copies_.missing(all.front())) {
-      const std::optional<Vertex> v = insert_copy(place);
-      if (!v) return false;
-      all.push_back(t_.index(*v));
-    }
+    for (const Surface_point& place : copies_.missing(all.front()))
+      if (const std::optional<Vertex> v = insert_copy(place))
+        all.push_back(t_.index(*v));
+      else
+        return false;
     if (all.size() > 1) copies_.join(all);
     return true;
   }
