@@ -15,11 +15,11 @@
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 

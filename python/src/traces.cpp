@@ -35,7 +35,6 @@ namespace python {
 
 namespace {
 
-using Plane_vector = IT::Plane_vector<double>;
 /// A vector in space, or in the tangent plane of the point.
 using Direction = std::variant<std::complex<double>, Space_vector>;
 

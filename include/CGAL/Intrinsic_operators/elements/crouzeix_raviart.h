@@ -12,7 +12,6 @@
 #include <Eigen/SparseCore>
 
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstdint>
 
