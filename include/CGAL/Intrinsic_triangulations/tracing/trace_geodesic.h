@@ -104,7 +104,7 @@ Geodesic_end finish_walk(const Complex& complex, Geodesic_walk<Complex> walk, do
 // Traces a geodesic from a point, in a direction in the frame of `start.halfedge`, over a model of
 // `NumberedComplex` in its units. Appends the crossed edges to `crossings`; a geodesic through a
 // vertex crosses the edge where it leaves the face, with parameter 0 or 1.
-template <NumberedComplex Complex, class Units>
+template <NumberedComplex Complex, class Units = void>
 Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
                             const Plane_vector<double, Units>& direction, double length,
                             std::vector<Geodesic_crossing>& crossings,
