@@ -155,8 +155,7 @@ public:
     quadruple_area_[d.g] = n.area_g;
   }
 
-  /// The old values of a flip.
-  using Before_flip = Flipped;
+  using Before_flip = Flipped; ///< The old values of a flip.
   /// returns what a flip of the edge will replace.
   Before_flip before_flip(const Diamond& d) const {
     return {squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]};
@@ -172,7 +171,7 @@ public:
   std::optional<Vertex_move_values<FT>>
   compute_insertion(const Vertex_star& s, const std::array<double, 3>& weights) const {
     const FT area = quadruple_area_[s.faces[0]];
-    Vertex_move_values<FT> n;
+    Vertex_move_values<FT> n{};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto side = [&](std::size_t l) { return squared_length_[s.sides[(k + l) % 3]]; };
       n.squared_lengths[k] = squared_distance_from_corner(
@@ -182,7 +181,6 @@ public:
     }
     return n;
   }
-
   /// stores the values at a vertex inserted in a face.
   void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -213,7 +211,6 @@ public:
     if (!is_length(pk) || !is_length(ip) || !is_length(pj)) return std::nullopt;
     return Vertex_move_values<FT>{{ip, pj, pk}, {FT(0), rest * area, t * area}};
   }
-
   /// stores the values at a vertex inserted on a border edge.
   void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) {
     const std::array edges{s.ip, s.pj, s.pk};

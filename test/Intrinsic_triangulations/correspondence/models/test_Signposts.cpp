@@ -110,13 +110,13 @@ void expect_round_trips(const Placed<T>& s, int count, double tolerance) {
     double a = uniform(), b = uniform();
     if (a + b > 1) a = 1 - a, b = 1 - b;
     const Surface_point p{input.halfedge_of_face(f), {1 - a - b, a, b}};
-    const Vector v{0.6, 0.8};
+    const IT::Unscaled_vector v{0.6, 0.8};
     const auto there = IT::tangent_to_intrinsic(s.t, {p, v});
     ASSERT_TRUE(there);
     const auto back = IT::tangent_to_input(s.t, *there);
     ASSERT_TRUE(back);
     ASSERT_LE(distance(s.position(p), s.position(back->point)), tolerance) << i;
-    const Vector w = back->vector;
+    const IT::Unscaled_vector w = back->vector;
     if (back->point.halfedge == p.halfedge) {
       EXPECT_NEAR(w[0], v[0], 10 * tolerance);
       EXPECT_NEAR(w[1], v[1], 10 * tolerance);

@@ -228,7 +228,6 @@ public:
     return can_do_without_vertex(normals(move.sides), normals(move.spokes),
                                  roundabout_[move.spokes[0] ^ 1U] != Gluing::none);
   }
-
   /// follows the removal of a vertex of degree three.
   template <class Triangulation>
   void after(const Triangulation&, const Removal_from_face& move) {
@@ -252,7 +251,6 @@ public:
     const Normals sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
     return can_do_without_vertex(sides, {-1, -1, normal_[move.pk / 2]}, true);
   }
-
   /// follows the removal of a vertex from the border.
   template <class Triangulation>
   void after(const Triangulation&, const Removal_from_border& move) {
