@@ -17,7 +17,7 @@ namespace {
 
 namespace internal = CGAL::Intrinsic_triangulations::internal;
 
-constexpr std::size_t most_levels = 10000;
+constexpr std::size_t most_levels = 10000; // more is a mistake, as of a length for a number
 
 std::optional<std::size_t> number_of_levels(std::string_view text) {
   std::size_t count = 0;

@@ -18,7 +18,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 // Integers below are exact as doubles, too.
 std::optional<std::int64_t> positive_integer(std::string_view word) {
-  constexpr std::int64_t most = std::int64_t{1} << 50;
+  constexpr std::int64_t most = std::int64_t{1} << 50; // also eight times one
   std::int64_t n = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
   if (error != std::errc() || end != word.data() + word.size() || n < 1 || n > most)

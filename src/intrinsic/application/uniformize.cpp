@@ -90,6 +90,7 @@ IT::Uniformize_options asked_options(const Uniformize_options& asked, Progress& 
     return progress.show("solving", std::to_string(p.iteration) + " iterations");
   };
   options.before_layout = [&progress](std::uint64_t crossings) { // each needs up to a kilobyte
+    // up to a gigabyte in all
     constexpr std::uint64_t many = 1'000'000;
     if (crossings >= many)
       progress.warn("edges cross at " + std::to_string(crossings) +

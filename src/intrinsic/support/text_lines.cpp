@@ -77,7 +77,7 @@ void Number_table::refuse(std::size_t row, const std::string& what) const {
 }
 
 Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what) {
-  constexpr std::size_t most_columns = 10000;
+  constexpr std::size_t most_columns = 10000; // more is a file without line ends
   Text_lines lines(path);
   Number_table table;
   table.path = path;

@@ -70,7 +70,8 @@ public:
   }
 
 private:
-  // Bound for rounding of angles, and of parts of a line, at its ends.
+  // Bound for rounding of angles, and of parts of a line, at its ends: the root of 2^-52, which is
+  // the error of angles near 0 and pi that are found from lengths.
   static constexpr double rounding = 0x1p-26;
   // The part of a line by which it may miss its target.
   static constexpr double nearness = 0x1p-16;

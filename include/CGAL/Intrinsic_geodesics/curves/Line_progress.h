@@ -28,6 +28,7 @@ public:
 
 private:
   static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
+  // A line that passes close to a vertex crosses half of its faces in no length: up to so many.
   static constexpr std::size_t maximum_faces_of_part = std::size_t{1} << 12U;
 
   double part_, rest_at_part_; // the length in which there must be progress; what was left then

@@ -68,6 +68,7 @@ public:
   }
 
 private:
+  // Blocks never move: growing copies nothing, and at most one, of 256 KiB, is in part empty.
   static constexpr std::uint32_t block_size = 1U << 13U;
   static constexpr std::uint32_t largest = 0xffffffffU;
   static constexpr double units = largest;

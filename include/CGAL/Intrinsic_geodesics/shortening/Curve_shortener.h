@@ -70,7 +70,7 @@ class Curve_shortener {
   using Network = Curve_network<Triangulation>;
   using Side = Joint_side<Triangulation>;
   static constexpr std::uint32_t none = Curve_segments::none;
-  static constexpr double rank_beyond_pi = 2.001;
+  static constexpr double rank_beyond_pi = 2.001; // by a milliradian; it only orders sides
 
 public:
   Curve_shortener(Network& network, Session& session, Flip_log<Triangulation>* log)

@@ -106,6 +106,7 @@ private:
   // Sorts entries by rows and adds up those of the same row, in their order. \return the end of the
   // result
   static Iterator merge(Iterator begin, Iterator end) {
+    // up to there, insertion takes 0.4 to 0.7 of the time (measured), which grows with the square
     constexpr std::ptrdiff_t few = 24;
     if (end - begin > few)
       std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.row < b.row; });

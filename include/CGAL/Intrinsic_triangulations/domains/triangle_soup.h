@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGLE_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TRIANGLE_SOUP_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangulate_polygons.h>
@@ -75,8 +76,9 @@ public:
   Polygon_soup finish_polygons();
 
 private:
-  static constexpr std::size_t maximal_vertices = 4294967294U;
-  static constexpr std::size_t maximal_triangles = 715827881U;
+  // numbers of vertices are below `Gluing::none`, those of halfedges leave a bit for reversed ones
+  static constexpr std::size_t maximal_vertices = Gluing::none - 1;
+  static constexpr std::size_t maximal_triangles = Gluing::reversed_bit / 3 - 1;
 
   static std::string name(std::size_t f) { return "face " + std::to_string(f); }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -85,7 +86,7 @@ public:
 private:
   static constexpr std::size_t maximal_faces = std::is_same_v<FT, Ball<Mpfr_number>>
                                                    ? thresholds::remembered_faces
-                                                   : std::size_t(1) << 31;
+                                                   : std::numeric_limits<std::size_t>::max();
 
   // in the order of their first use: faces that are unfolded together are near each other
   std::deque<Face> faces_;

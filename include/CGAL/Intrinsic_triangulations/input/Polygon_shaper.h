@@ -75,6 +75,7 @@ public:
   bool triangulate_delaunay(std::vector<Triangle>& result) const;
 
 private:
+  // The time grows with the cube of the sides: 0.2 seconds for a knot of so many.
   static constexpr std::size_t maximal_sides = 512;
 
   // the area of a triangle; infinite if it must be upright and is not

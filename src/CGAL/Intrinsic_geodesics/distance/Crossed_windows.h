@@ -56,7 +56,7 @@ public:
   bool is_covered(const Distance_field& field, std::uint32_t side, const Window& w, double length) {
     std::vector<Window>& seen = seen_[key(side, field.root(w.source))];
     const Squared_rays rays(w);
-    constexpr double rounding = 0x1p-46;
+    constexpr double rounding = 4 * window_distance_tolerance; // squares, of two windows
     const bool is_covered = std::ranges::any_of(seen, [&](const Window& other) {
       return other.begin <= w.begin + rounding * length && other.end >= w.end - rounding * length &&
              other.squared_distance(w.begin) <= rays.begin * (1 + rounding) &&

@@ -233,7 +233,7 @@ void Window_propagation::finish(std::uint32_t v) {
 // On a cover, paths go on from any copy of a vertex. Where that gains no more than rounding makes,
 // they stay on their side.
 void Window_propagation::reach_copies(std::uint32_t v) {
-  constexpr double least = 1 - 1e-12;
+  constexpr double least = 1 - 1e-12; // rounding of 9000 sums, one for each vertex on a path
   const double distance = field_.vertices[v].distance;
   for (std::uint32_t w = table_.next_copy[v]; w != v; w = table_.next_copy[w])
     if (distance < field_.vertices[w].distance * least)

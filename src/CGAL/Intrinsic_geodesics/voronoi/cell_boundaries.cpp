@@ -185,7 +185,7 @@ Cell_partition cell_boundaries(const Distance_field& field,
 }
 
 double default_cell_tolerance(const Corner_table& table) {
-  constexpr double share = 1e-3;
+  constexpr double share = 1e-3; // documented; below a pixel if edges have fewer than a thousand
   double sum = 0;
   std::size_t sides = 0;
   for (const Face_corner& c : table.corners) {

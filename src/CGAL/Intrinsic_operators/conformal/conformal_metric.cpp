@@ -231,7 +231,8 @@ void Conformal_newton::balance() {
 // An error of a unit in the last place of a factor changes u by twice as much, and angles by that
 // times the weights of the edges at the vertex, which needles make large.
 bool Conformal_newton::is_rounding() const {
-  constexpr double near = 1e-8; // of good triangles, in radians
+  // of good triangles, in radians: a step squares it, which leaves less than rounding
+  constexpr double near = 1e-8;
   constexpr double unit = 0x1p-52;
   return (excess_.cwiseAbs() - 2 * unit * system_->weights()).maxCoeff() <= near;
 }

@@ -70,7 +70,7 @@ std::array<std::complex<double>, 2> reduced(std::array<std::complex<double>, 2> 
     b -= times * a;
   }
   if (std::imag(b / a) < 0) b = -b;
-  constexpr double slack = 1e-9;
+  constexpr double slack = 1e-9; // among bases as short, as of a square, rounding must not choose
   if (std::real(b / a) < -0.5 + slack) b += a;
   if (const auto p = b / a; std::abs(p) < 1 + slack && std::real(p) < 0)
     basis = {b, -a}; // turned by a quarter in the basis: -1 / p

@@ -203,7 +203,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
 // By handles if that is faster; also if the matrix is not definite and memory suffices.
 void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
                                             const Eigen::VectorXd& mass) {
-  constexpr std::size_t few = 64, many = 2000, numbers = 100000000;
+  constexpr std::size_t few = 64, many = 2000;
+  constexpr std::size_t numbers = 100000000; // by handles and rows: 800 MB
   std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);
   // the product leaves out rows without mass, which should be harmonic
   const bool is_laplacian =

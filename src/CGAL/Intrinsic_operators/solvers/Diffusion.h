@@ -59,7 +59,7 @@ bool is_at_least(const Scalar& x, double least) {
 // - step * level[r]).
 template <class Scalar>
 struct Heat {
-  static constexpr int step = 800;
+  static constexpr int step = 800; // leaves 2^222 above the least normal double, for products
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   explicit Heat(Vector v) : value(std::move(v)), level(static_cast<std::size_t>(value.size()), 0) {}

@@ -118,7 +118,7 @@ static void insert_pair(Eigenpairs& pairs, double value, const Eigen::VectorXd& 
 // only: on a symmetric surface it misses some. It finds them after the others are taken out.
 static void find_missed_pairs(Eigenpairs& pairs, Shifted_inverse& inverse,
                               const Spectra::SparseSymMatProd<double>& mass, double shift) {
-  constexpr double equal = 1 - 1e-9;
+  constexpr double equal = 1 - 1e-9; // ten times the larger tolerance above
   for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
     inverse.take_out(pairs, shift);
     const Eigenpairs next = lanczos_eigenpairs(inverse, mass, 1, shift);

@@ -58,7 +58,7 @@ struct Tangent_axes {
 // In the plane that fits points of this covariance best: eigenvectors of the largest eigenvalues,
 // by Jacobi's method, which squares the error with every round.
 static Tangent_axes tangent_axes(Symmetric_matrix_3 covariance) {
-  constexpr double tie = 0x1p-20;
+  constexpr double tie = 0x1p-20; // above rounding, if coordinates are 2^20 distances, too
   Symmetric_matrix_3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int round = 0; round < 8; ++round)
     for (const auto& [p, q] : {std::pair(0U, 1U), {0U, 2U}, {1U, 2U}})
@@ -199,7 +199,7 @@ private:
     return m;
   }
 
-  static constexpr double same = 0x1p-30; // relative, of squared distances
+  static constexpr double same = 0x1p-30; // as ties of `Delaunay_star`, of squared distances
 
   const std::vector<Point>& points_;
   const std::vector<std::uint32_t>& names_;

@@ -141,7 +141,9 @@ public:
 private:
   // distance of points of a side from it, in units of the height of the face
   static constexpr double nearness = 0x1p-40;
-  // distance up to which they, and points that rounding puts outside, are moved into the face
+  // Distance up to which they, and points that rounding puts outside, are moved into the face: a
+  // sixteenth of rounding in single precision; in thin faces at most the largest power of two below
+  // a third, the distance of the barycenter from all sides.
   static constexpr double usual_farthest = 0x1p-28, farthest_of_all = 0x1p-2;
 
   // in a thin face 2^-44 of the longest side

@@ -66,6 +66,8 @@ private:
   static constexpr double full_angle = 6.283185307179586476925;
   // Angles are accurate to a few units in the last place for each face, unless it is a needle.
   static constexpr double angle_tolerance = 1e-6;
+  // Weights below are zero, as those of circumcenters (`on_edge`): far above rounding, and far
+  // below the least step.
   static constexpr double on_spoke = 0x1p-30;
 
   std::vector<std::uint32_t> spokes_;

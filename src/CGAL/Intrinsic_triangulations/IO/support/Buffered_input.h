@@ -154,6 +154,7 @@ public:
   std::size_t line_number() const { return line_number_; }
 
 private:
+  // the buffer grows with the line: binary files, read as text, must not fill the memory
   static constexpr std::size_t longest_line = std::size_t(1) << 26;
 
   void begin_text() {
