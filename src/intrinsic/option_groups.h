@@ -22,6 +22,8 @@ CLI::Validator file_of(std::vector<Contents> offered);
 /// them with their extensions.
 CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
                                const std::vector<Contents>& offered);
+/// adds a page that shows something.
+void add_view_option(CLI::App& command, Options& options, const std::string& what);
 
 /// adds the input, and the options of all commands.
 void add_common_options(CLI::App& command, Options& options);
@@ -31,8 +33,9 @@ void add_constraint_options(CLI::App& command, Options& options);
 void add_metric_option(CLI::App& command, Options& options);
 /// adds the criteria of `refine`.
 void add_refinement_options(CLI::App& command, Options& options);
-/// adds adaptive refinement, which replaces all criteria but the least angle.
-void add_adaptive_options(CLI::App& command, Options& options);
+/// adds adaptive refinement, which replaces all criteria but the least angle; the vertex it is about
+/// may be named by another option.
+void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex = true);
 /// adds matrices besides the Laplacian.
 void add_matrix_options(CLI::App& command, Options& options);
 /// adds the correspondence, and the files that need it.
