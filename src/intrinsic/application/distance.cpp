@@ -8,6 +8,7 @@
 #include "../support/Range.h"
 #include "../support/progress.h"
 #include "Column_writer.h"
+#include "Distance_columns.h"
 #include "application.h"
 #include "vertex_sets.h"
 
@@ -19,7 +20,6 @@
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
-#include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
@@ -30,12 +30,10 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <ostream>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -43,7 +41,6 @@ namespace program {
 
 namespace {
 
-using Vertices = std::vector<IT::Gluing_map::Vertex>;
 using Curve = std::vector<IT::Gluing_map::Halfedge>;
 using Places = std::span<const std::vector<IT::Place>>;
 
@@ -228,74 +225,6 @@ Computed cells_of_sets(const Triangulation& t, const Application_options& o) {
   add_cells(search, set_of_source, o, computed);
   return computed;
 }
-
-// Shows how many parts of a batch are done, which may be a part of a larger one.
-struct Batch_progress {
-  Progress& line;
-  std::size_t before = 0, after = 0; // parts that are not in this batch
-
-  bool progress(std::size_t done, std::size_t all) {
-    line.show("solving",
-              std::to_string(before + done) + " of " + std::to_string(before + all + after));
-    return true;
-  }
-};
-
-// Distances from sources to all vertices, by their rows.
-template <class Triangulation>
-class Distance_columns {
-public:
-  Distance_columns(const Triangulation& t, const Application_options& o, Progress& progress)
-      : t_(t), options_(o), progress_(progress), twins_(t) {
-    if (o.distance == "heat") heat_.emplace(t, IT::parameters::time_factor(o.time_factor));
-  }
-
-  // Finds a column for each set, many at a time, and calls a function with its number and it, one
-  // after another. Returns whether all searches arrived.
-  template <class Take>
-  IT::Status for_each(std::span<const Vertices> sets, const Take& take) const {
-    constexpr std::size_t most_numbers = std::size_t{1} << 25; // 256 MiB in memory at a time
-    const std::size_t rows = t_.number_of_vertices();
-    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t step = std::max(most_numbers / rows, threads);
-    std::vector<double> block;
-    IT::Status status = IT::Status::done;
-    for (std::size_t i = 0; i < sets.size(); i += step) {
-      const auto part = sets.subspan(i, std::min(step, sets.size() - i));
-      block.resize(part.size() * rows);
-      const Batch_progress progress{progress_, i, sets.size() - i - part.size()};
-      if (const IT::Status s = find(part, block, progress); s != IT::Status::done) status = s;
-      for (std::size_t k = 0; k < part.size(); ++k) {
-        const auto column = std::span(block).subspan(k * rows, rows);
-        twins_.copy(column);
-        take(i + k, std::span<const double>(column));
-      }
-    }
-    return status;
-  }
-
-  // adds the time of the flow
-  void report(Json& json) const {
-    if (heat_) json["time"] = heat_->time();
-  }
-
-private:
-  IT::Status find(std::span<const Vertices> sets, std::span<double> out,
-                  const Batch_progress& progress) const {
-    if (heat_) return IT::heat_distances(*heat_, sets, out, IT::parameters::visitor(progress));
-    return IT::polyhedral_distances(
-        t_, sets, out,
-        IT::parameters::maximum_distance(
-            options_.maximum_distance.value_or(std::numeric_limits<double>::infinity()))
-            .visitor(progress));
-  }
-
-  const Triangulation& t_;
-  const Application_options& options_;
-  Progress& progress_;
-  IT::Twin_points twins_;
-  std::optional<IT::Heat_distance<Triangulation>> heat_;
-};
 
 // Writes the distances of the vertices of the file, a column for each set of sources.
 template <class Triangulation>

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Drawn_results.h"
+#include "../support/Number_rows.h"
+#include "../view.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace program {
+
+namespace {
+
+// The first two functions, without vertices at which the map is torn.
+std::vector<std::array<double, 2>> drawn_texture(const Computed& computed,
+                                                 const Eigen::SparseMatrix<double>& interpolation) {
+  std::vector<std::array<double, 2>> texture(static_cast<std::size_t>(interpolation.rows()));
+  for (std::size_t c = 0; c < 2; ++c) {
+    Eigen::VectorXd values = computed.functions[c].values.head(interpolation.cols());
+    for (Eigen::Index i = 0; i < values.size() && !computed.is_torn.empty(); ++i)
+      if (computed.is_torn[static_cast<std::size_t>(i)] != 0)
+        values[i] = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::VectorXd places = interpolation * values;
+    for (std::size_t v = 0; v < texture.size(); ++v)
+      texture[v][c] = places[static_cast<Eigen::Index>(v)];
+  }
+  return texture;
+}
+
+} // namespace
+
+void expect_writable_results(const Options& options) {
+  if (is_mesh_output(options) && options.application.on == "intrinsic")
+    throw std::runtime_error(
+        options.output +
+        ": faces of the intrinsic triangulation bend over edges of the mesh; write "
+        "the common subdivision with --on subdivision, or values to a file .txt");
+}
+
+void write_functions(std::ostream& out, const Computed& computed,
+                     const std::vector<std::vector<Point>>& axes, Eigen::Index rows,
+                     const Cut& cut) {
+  Number_rows numbers(out);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (const Function& f : computed.functions) numbers.put(f.values[i]);
+    for (Eigen::Index c = 0; c < computed.displacements.cols(); ++c)
+      numbers.put(computed.displacements(i, c));
+    if (computed.directions) {
+      const std::uint32_t copy = computed.directions->of_row[static_cast<std::size_t>(i)];
+      const bool is_vertex = copy != IT::Gluing::none;
+      const std::complex<double> z = is_vertex ? computed.directions->vectors[copy] : 0;
+      numbers.put(z.real());
+      numbers.put(z.imag());
+      for (const std::vector<Point>& axis : axes)
+        for (const double x : is_vertex ? axis[copy] : Point{0, 0, 0}) numbers.put(x);
+    }
+    if (cut.is_cut()) { // inserted vertices are no copies of any
+      const auto v = static_cast<std::size_t>(i);
+      numbers.put(v < cut.original_vertex.size() ? cut.original_vertex[v] : -1.);
+    }
+    numbers.end_row();
+  }
+}
+
+Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
+                   const Eigen::SparseMatrix<double>& interpolation) {
+  Drawn_results results{std::move(drawn), {}};
+  if (computed.is_map) results.texture = drawn_texture(computed, interpolation);
+  for (const Function& f : computed.functions)
+    results.fields.push_back(
+        {f.name, Eigen::VectorXd(interpolation * f.values.head(interpolation.cols()))});
+  if (computed.displacements.size() == 0) return results;
+  const Eigen::MatrixXd d = interpolation * computed.displacements.topRows(interpolation.cols());
+  for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
+    for (std::size_t c = 0; c < 3; ++c)
+      results.drawn.points[v][c] += d(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(c));
+  return results;
+}
+
+void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
+                        const Cut& cut, const Options& options, const Json& json) {
+  Viewed viewed;
+  const std::vector<IT::Polyline> lines =
+      cut.is_cut() ? cut.seams : direction_lines(results.directions, results.drawn);
+  viewed.curves = lines;
+  viewed.marks = computed.marks.points;
+  viewed.marks_name = computed.marks.name;
+  viewed.isolines = computed.isolines;
+  viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
+  if (computed.directions) viewed.curve_width = 1.5;
+  viewed.fields = results.fields;
+  viewed.shown_field = computed.is_map ? results.fields.size() : computed.shown;
+  viewed.texture = results.texture;
+  write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
+}
+
+void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options& options,
+                    const Json& json, Output_files& files) {
+  constexpr std::array<std::string_view, 1> without_corners{"vtp"};
+  const Surface_with_fields& opened = laid_out.opened;
+  if (!options.view.empty()) {
+    Viewed viewed;
+    viewed.is_plain = true;
+    viewed.curves = laid_out.seams;
+    viewed.marks = marks.points;
+    viewed.marks_name = marks.name;
+    std::vector<IT::Subdivision_field> shown;
+    for (const IT::Subdivision_field& field : opened.fields)
+      if (field.is_function()) shown.push_back(field);
+    std::vector<std::array<double, 2>> texture;
+    for (std::size_t v = 0; v < opened.points.size(); ++v)
+      texture.push_back({shown[0].values[v], shown[1].values[v]});
+    viewed.fields = shown;
+    viewed.shown_field = shown.size(); // none
+    viewed.texture = texture;
+    viewed.is_disk = laid_out.is_disk;
+    files.write(options.view, [&](std::ostream& out) {
+      write_view(out, opened.s, opened.points, options, json, viewed);
+    });
+  }
+  if (!is_mesh_output(options)) return;
+  const Surface_with_fields& written =
+      IT::has_extension(options.output, without_corners) ? opened : laid_out.closed;
+  files.write(options.output, [&](std::ostream& out) {
+    IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
+                                 written.s, written.points, written.fields);
+  });
+}
+
+} // namespace program
