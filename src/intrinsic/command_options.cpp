@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "geodesic/asked_curves.h"
+#include "asked_curves.h"
 #include "levels.h"
 #include "option_groups.h"
 #include "support/file_formats.h"

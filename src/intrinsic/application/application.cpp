@@ -3,7 +3,7 @@
 
 #include "application.h"
 #include "../delaunay.h"
-#include "../geodesic/asked_curves.h"
+#include "../asked_curves.h"
 #include "../support/naming_file.h"
 #include "cut.h"
 #include "write_results.h"

@@ -9,7 +9,7 @@
 #include "../options.h"
 #include "../support/file_formats.h"
 #include "../support/naming_file.h"
-#include "asked_curves.h"
+#include "../asked_curves.h"
 
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_geodesics/compiled.h>

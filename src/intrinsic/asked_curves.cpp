@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "asked_curves.h"
-#include "../support/text_lines.h"
+#include "support/text_lines.h"
 
 #include <algorithm>
 #include <array>

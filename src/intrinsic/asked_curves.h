@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_GEODESIC_ASKED_CURVES_H
-#define INTRINSIC_GEODESIC_ASKED_CURVES_H
+#ifndef INTRINSIC_ASKED_CURVES_H
+#define INTRINSIC_ASKED_CURVES_H
 
-#include "../options.h"
+#include "options.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 
@@ -54,4 +54,4 @@ std::vector<Asked_curve> asked_points(const Options& options, std::size_t vertic
 
 } // namespace program
 
-#endif // INTRINSIC_GEODESIC_ASKED_CURVES_H
+#endif // INTRINSIC_ASKED_CURVES_H
