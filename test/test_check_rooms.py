@@ -136,6 +136,26 @@ class Rooms(unittest.TestCase):
         self.assertEqual(self.errors({**texts, f"../src/{name}": header(name)}), [])
         self.assert_one_error("of a higher room", {**texts, f"../src/{name}": header(name, path("high/inner/b.h"))})
 
+    def test_the_program_keeps_to_rooms_and_sizes(self):
+        program, module = (f"../{folder}" for folder in (check_rooms.PROGRAM, check_rooms.MODULE))
+        good = {f"{program}/README.md": "## `support/`\n## The first program: `./`\n## `late/`\n",
+                f"{program}/support/a.h": "", f"{program}/b.cpp": '#include "support/a.h"\n',
+                f"{program}/late/c.h": '#include "../support/a.h"\n', f"{module}/d.h": "",
+                f"{module}/e.cpp": '#include "d.h"\n'}
+        self.assertEqual(self.errors(good), [])
+        for name, text, expected in (
+                (f"{program}/b.cpp", '#include "late/c.h"\n', "of a higher room"),
+                (f"{program}/support/a.h", '#include "../late/c.h"\n', "of a higher room"),
+                (f"{program}/b.cpp", '#include "none.h"\n', "does not exist"),
+                (f"{program}/other/f.cpp", "", "lies in no room"),
+                (f"{program}/b.cpp", "//\n" * 351, "has 351 lines"),
+                (f"{module}/e.cpp", "//\n" * 351, "has 351 lines"),
+                (f"{module}/d.h", "//" + "x" * 99 + "\n", "more than 100 columns"),
+                (f"{module}/e.cpp", '#include "../../src/intrinsic/late/c.h"\n', "never needs the program")):
+            with self.subTest(name=name, expected=expected):
+                self.assert_one_error(expected, {**good, name: text})
+        self.assertEqual(self.errors({**good, f"{program}/b.cpp": "//\n" * 350}), [])
+
     def test_a_room_must_not_be_named_twice(self):
         with self.assertRaises(ValueError):
             self.errors({}, README + "## `low/`\n")

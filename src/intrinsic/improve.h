@@ -22,8 +22,8 @@
 
 namespace program {
 
-/// Inserts the vertices that a command needs into a triangulation that is done otherwise. It returns
-/// whether there were any.
+/// Inserts the vertices that a command needs into a triangulation that is done otherwise.
+/// It returns whether there were any.
 using Insertion = std::function<bool()>;
 
 /// inserts vertices, and flips to Delaunay again, if options say so.

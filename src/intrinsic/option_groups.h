@@ -33,8 +33,8 @@ void add_constraint_options(CLI::App& command, Options& options);
 void add_metric_option(CLI::App& command, Options& options);
 /// adds the criteria of `refine`.
 void add_refinement_options(CLI::App& command, Options& options);
-/// adds adaptive refinement, which replaces all criteria but the least angle; the vertex it is about
-/// may be named by another option.
+/// adds adaptive refinement, which replaces all criteria but the least angle; the vertex that it is
+/// about may be named by another option.
 void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex = true);
 /// adds matrices besides the Laplacian.
 void add_matrix_options(CLI::App& command, Options& options);
