@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "application.h"
-#include "../delaunay.h"
 #include "../asked_curves.h"
+#include "../delaunay.h"
 #include "../support/naming_file.h"
 #include "cut.h"
 #include "write_results.h"
