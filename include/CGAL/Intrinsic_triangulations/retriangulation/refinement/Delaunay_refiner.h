@@ -207,17 +207,15 @@ private:
       return moves_.insert_alone(center);
     const double least = least_distance(v, test_.is_thin(v)),
                  radius = std::sqrt(squared_circumradius(v)),
+                 wanted = std::max(least, radius * radius / 4),
                  offset = std::min(radius / 2, radius - std::sqrt(least));
-    Insertion found = Insertion::not_here;
-    for (const double wanted : {std::max(least, radius * radius / 4), least}) {
-      if (found == Insertion::not_here) found = moves_.insert(center, least, wanted);
-      for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
-        const double angle = k * 2 * std::numbers::pi / number_of_tries;
-        const Located_circumcenter c = locate_circumcenter(
-            view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
-        if (c.kind == Located_circumcenter::Kind::point)
-          found = moves_.insert(c.point, least, wanted);
-      }
+    Insertion found = moves_.insert(center, least, wanted);
+    for (int k = 0; k < number_of_tries && found == Insertion::not_here; ++k) {
+      const double angle = k * 2 * std::numbers::pi / number_of_tries;
+      const Located_circumcenter c = locate_circumcenter(
+          view, h, is_kept, {offset * std::cos(angle), offset * std::sin(angle)});
+      if (c.kind == Located_circumcenter::Kind::point)
+        found = moves_.insert(c.point, least, wanted);
     }
     return found == Insertion::done;
   }

@@ -101,7 +101,7 @@ public:
     start_from(n.vertex);
     std::vector<std::uint32_t> all{t_.index(n.vertex)};
     if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
-          return keeps_distance(t_, t_.numbers().vertex_at(v), least);
+          return keeps_distance(t_, t_.numbers().vertex_at(v), least, v == all.front());
         })))
       return Insertion::done;
     copies_.take(all.front());

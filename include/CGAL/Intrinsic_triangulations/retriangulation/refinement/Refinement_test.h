@@ -262,15 +262,17 @@ faces_inside(const Triangulation& t,
   return found;
 }
 
-// Whether a vertex has no neighbour nearer than a distance, squared, in scaled units. Edges from it
-// to itself may be shorter, about vertices of small angle.
+// Whether a vertex has no neighbour nearer than a distance, squared, in scaled units. Edges from a
+// circumcenter to itself may be shorter, about vertices of small angle; those from its copies may
+// not, or points about one such vertex would lead to points about the next.
 template <class Triangulation>
 bool keeps_distance(const Triangulation& t, typename Triangulation::vertex_descriptor v,
-                    double squared) {
+                    double squared, bool may_have_loops) {
   bool keeps = true;
   for_each_outgoing(v, t.mesh(), [&](auto h) {
-    keeps = keeps && (target(h, t.mesh()) == v || t.metric().approximate_squared_length(
-                                                      t.numbers().halfedge(h) / 2) >= squared);
+    const bool is_loop = target(h, t.mesh()) == v;
+    keeps = keeps && ((is_loop && may_have_loops) || t.metric().approximate_squared_length(
+                                                         t.numbers().halfedge(h) / 2) >= squared);
   });
   return keeps;
 }
