@@ -9,10 +9,12 @@
 #include "support/file_formats.h"
 #include "time_limit.h"
 
+#include <array>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -248,6 +250,40 @@ void add_study(CLI::App& app, Options& options, Command& chosen) {
   });
 }
 
+// In the order of the help.
+constexpr std::array add_commands{add_delaunay,   add_refine,    add_laplacian, add_transfer,
+                                  add_geodesic,   add_cut,       add_distance,  add_parametrize,
+                                  add_uniformize, add_transport, add_logmap,    add_field,
+                                  add_eigen,      add_edit,      add_info,      add_study};
+
+// What is wrong with the options of a command, in itself or together with others; empty: nothing.
+std::string misuse_of(Command chosen, const Options& options) {
+  std::string misuse = program::misuse(options);
+  using Misuse = std::string (*)(const Options&);
+  for (const auto& [command, its_misuse] :
+       {std::pair<Command, Misuse>(program::run_geodesic, program::geodesic_misuse),
+        std::pair<Command, Misuse>(program::run_cut, program::cut_misuse),
+        std::pair<Command, Misuse>(program::run_distance, program::distance_misuse),
+        std::pair<Command, Misuse>(program::run_parametrize, program::parametrize_misuse),
+        std::pair<Command, Misuse>(program::run_field, program::field_misuse)})
+    if (misuse.empty() && chosen == command) misuse = its_misuse(options);
+  return misuse;
+}
+
+// Reports what is wrong with the command line, or prints the help; returns the exit code.
+int report_parse_error(const CLI::App& app, const CLI::ParseError& e, int argc, char** argv) {
+  if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
+    std::cerr << "intrinsic: there is no command \""
+              << program::legible(argv[1], program::longest_argument)
+              << "\"; use delaunay, refine, laplacian, transfer, geodesic, cut, distance, "
+                 "parametrize, uniformize, transport, logmap, "
+                 "field, eigen, edit, info or "
+                 "study, or --help\n";
+    return program::misused;
+  }
+  return app.exit(e) == 0 ? 0 : program::misused;
+}
+
 int run(int argc, char** argv) {
   Options options;
   for (int i = 1; i < argc; ++i) options.arguments.emplace_back(argv[i]);
@@ -259,43 +295,13 @@ int run(int argc, char** argv) {
   app.failure_message([](const CLI::App* a, const CLI::Error& e) {
     return program::legible(CLI::FailureMessage::simple(a, e), program::longest_argument);
   });
-  add_delaunay(app, options, chosen);
-  add_refine(app, options, chosen);
-  add_laplacian(app, options, chosen);
-  add_transfer(app, options, chosen);
-  add_geodesic(app, options, chosen);
-  add_cut(app, options, chosen);
-  add_distance(app, options, chosen);
-  add_parametrize(app, options, chosen);
-  add_uniformize(app, options, chosen);
-  add_transport(app, options, chosen);
-  add_logmap(app, options, chosen);
-  add_field(app, options, chosen);
-  add_eigen(app, options, chosen);
-  add_edit(app, options, chosen);
-  add_info(app, options, chosen);
-  add_study(app, options, chosen);
+  for (const auto add : add_commands) add(app, options, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
-      std::cerr << "intrinsic: there is no command \""
-                << program::legible(argv[1], program::longest_argument)
-                << "\"; use delaunay, refine, laplacian, transfer, geodesic, cut, distance, "
-                   "parametrize, uniformize, transport, logmap, "
-                   "field, eigen, edit, info or "
-                   "study, or --help\n";
-      return program::misused;
-    }
-    return app.exit(e) == 0 ? 0 : program::misused;
+    return report_parse_error(app, e, argc, argv);
   }
-  std::string misuse = program::misuse(options);
-  if (misuse.empty() && chosen == program::run_geodesic) misuse = program::geodesic_misuse(options);
-  if (misuse.empty() && chosen == program::run_cut) misuse = program::cut_misuse(options);
-  if (misuse.empty() && chosen == program::run_distance) misuse = program::distance_misuse(options);
-  if (misuse.empty() && chosen == program::run_parametrize)
-    misuse = program::parametrize_misuse(options);
-  if (misuse.empty() && chosen == program::run_field) misuse = program::field_misuse(options);
+  const std::string misuse = misuse_of(chosen, options);
   if (!misuse.empty()) {
     std::cerr << "intrinsic: " << misuse << '\n';
     return program::misused;
