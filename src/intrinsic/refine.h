@@ -137,6 +137,18 @@ double minimum_angle_without(
   return least;
 }
 
+/// reports the longest side of a face relative to the sizes that were asked for, if there are any.
+template <class Triangulation>
+void report_longest_side(const Triangulation& t, const Sizes& sizes, Json& json) {
+  if constexpr (Triangulation::has_correspondence)
+    if (!sizes.empty()) {
+      double longest = 0;
+      for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+        longest = std::max(longest, sizes.longest_side(t, f));
+      json["refine"]["max_relative_edge_length"] = longest;
+    }
+}
+
 /// refines the triangulation and reports it.
 template <class Triangulation, class Constrained>
 void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const Options& options,
@@ -187,13 +199,7 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
                       {"small_angle", reasons[1]},
                       {"refused", reasons[2]},
                       {"stopped", reasons[3]}}}};
-  if constexpr (Triangulation::has_correspondence)
-    if (!visitor.sizes.empty()) {
-      double longest = 0;
-      for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
-        longest = std::max(longest, visitor.sizes.longest_side(t, f));
-      json["refine"]["max_relative_edge_length"] = longest;
-    }
+  report_longest_side(t, visitor.sizes, json);
   if (options.odt_length > 0)
     optimize(t, constrained, options,
              static_cast<std::uint64_t>(std::max<std::int64_t>(inserted, 0)), json, progress);
