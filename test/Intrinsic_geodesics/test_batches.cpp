@@ -97,7 +97,9 @@ TEST(Batches_of_distances, a_visitor_sees_progress_and_ends_the_batch) {
   const auto sets = sets_of(t, 20);
   std::vector<double> out(t.number_of_vertices() * sets.size(), -1);
   Visitor patient{{}, 100}, hasty{{}, 3};
-  EXPECT_EQ(IT::polyhedral_distances(t, sets, std::span(out), parameters::visitor(std::ref(hasty))),
+  // one thread: others could be done with all sets before the visitor is asked
+  EXPECT_EQ(IT::polyhedral_distances(t, sets, std::span(out),
+                                     parameters::number_of_threads(1).visitor(std::ref(hasty))),
             IT::Status::cancelled);
   EXPECT_EQ(hasty.seen, (std::vector<std::size_t>{1, 2, 3}));
   EXPECT_EQ(out.back(), -1); // not reached

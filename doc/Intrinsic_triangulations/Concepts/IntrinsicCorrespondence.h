@@ -38,9 +38,9 @@ Every move runs in one order. The triangulation makes a record of it, and comput
 flip. It passes the record to `before()` of the correspondence, which may refuse. Connectivity and
 metric change. Then the triangulation passes the record to `after()`. Both calls get the same
 record, except that new elements are `Gluing::none` before an insertion. The triangulation does not
-announce a move that connectivity or convexity forbids. It may announce a move and then not make it,
-because an inexact number type cannot hold the result or another observer refuses: then the next
-call announces another move. With exact traits the record of an insertion names the place on the input that defines the
+announce a move that connectivity or convexity forbids. It may announce an insertion and then not
+make it, because an inexact number type cannot hold the result: then the next call announces another
+move. With exact traits the record of an insertion names the place on the input that defines the
 vertex, unless the correspondence finds this place, as \itc{Integer_coordinates} does.
 
 To insert a vertex on an inner edge, the triangulation inserts it in a face, at distance zero from
@@ -54,9 +54,9 @@ the side, and then flips the side. To remove it, it goes in the opposite order.
 | `flip_edge()`, \itf{flip_to_delaunay} | \itc{Flip} |
 | `undo_flip()`, \itc{Flip_log}, \itc{Geodesic_finder} | \itc{Flip}, whose `km` is the opposite of `ij` when it is taken back; the answer of `before()` does not matter |
 | `insert_vertex()`, in a face | \itc{Insertion_in_face} |
-| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused; then the answer of `before()` does not matter |
+| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused |
 | the same on the border | \itc{Insertion_on_border} |
-| `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border}; if one is refused, the flips are taken back as by `undo_flip()` |
+| `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border} |
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, if the model takes it and the metric can do it |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
@@ -71,8 +71,7 @@ derives from \itc{No_correspondence} inherits one that does nothing.
 
 - After `start()` and after every `after()` the model describes the triangulation that it was called
   with.
-- Whatever a `before()` returns, nothing has changed, not in the model either: the model follows a
-  move in `after()`.
+- If a `before()` returns false, nothing has changed, not in the model either.
 
 \cgalHeading{Complexity}
 

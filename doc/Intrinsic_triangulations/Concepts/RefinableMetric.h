@@ -30,8 +30,8 @@ Two kinds of models differ in the functions for insertions:
 
 | operation | needs |
 |---|---|
-| `insert_vertex()`, `split_edge()` | `compute_insertion` if the metric measures insertions, `insert_in_face`, `insert_in_border_edge`, and the others to take them back |
-| `remove_vertex()` | `remove_from_face`, `remove_from_border_edge`; `before_flip` and `undo_flip` of \ref ::IntrinsicMetric, to take back what a refused move has made |
+| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge` of either kind, and the others to take them back |
+| `remove_vertex()` | `remove_from_face`, `remove_from_border_edge` |
 | `reposition_vertex()` | all of these; `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does, and the correspondence takes \itc{Move_in_star} |
 
 \cgalHeading{Invariants}
@@ -48,33 +48,39 @@ public:
   /// Number type of stored values.
   typedef unspecified_type FT;
   /*!
-  \brief computes the values at a vertex inserted in a face, if the metric measures insertions.
-  \param s the star of the vertex, of which the sides and the first face, the whole one, are there
-  \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
-  \return the values; nothing if the number type cannot represent them
-  */
-  std::optional<CGAL::Intrinsic_triangulations::Vertex_move_values<FT>>
-  compute_insertion(const CGAL::Intrinsic_triangulations::Vertex_star& s,
-                    const std::array<double, 3>& weights) const;
-  /*!
-  \brief computes the values at a vertex inserted on a border edge, if the metric measures
+  \brief computes the values at a vertex inserted in a face, and stores them, if the metric measures
   insertions.
-  \param s the star of the vertex, of which `ip`, `jk`, `ki` and `f`, the whole ones, are there
-  \param parameter weight of `j`
-  \return the values as if the vertex were in the face: of ip, jp, kp, and of ijp, jkp, kip; nothing
-    if the number type cannot represent them
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
+    one are stored
+  \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
+  \return whether it was done; if not, nothing has changed
   */
-  std::optional<CGAL::Intrinsic_triangulations::Vertex_move_values<FT>>
-  compute_insertion(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter) const;
-  /// stores the values at a vertex inserted in a face.
-  void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
-                      const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
-  /// stores the values at a vertex inserted on a border edge, given as if it were in the face.
-  void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
-                             const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+  bool insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
+                      const std::array<double, 3>& weights);
   /// stores the values of a face from which a vertex is removed, in place of the first face of the
   /// star.
   void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
+  /*!
+  \brief computes the values at a vertex inserted on a border edge, and stores them, if the metric
+  measures insertions.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+    edge and face
+  \param parameter weight of `j`
+  \return whether it was done; if not, nothing has changed
+  */
+  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter);
   /// stores the values of a border edge and its face from which a vertex is removed.
   void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
+  /// stores the values at a vertex inserted in a face, if the metric is defined by places.
+  void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
+                      const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+  /*!
+  \brief stores the values at a vertex inserted on a border edge, if the metric is defined by
+  places.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+    edge and face
+  \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
+  */
+  void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
+                             const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
 };

@@ -155,7 +155,8 @@ public:
     quadruple_area_[d.g] = n.area_g;
   }
 
-  using Before_flip = Flipped; ///< The old values of a flip.
+  /// The old values of a flip.
+  using Before_flip = Flipped;
   /// returns what a flip of the edge will replace.
   Before_flip before_flip(const Diamond& d) const {
     return {squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]};
@@ -163,30 +164,26 @@ public:
   /// stores values that a flip has replaced.
   void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
   /*!
-  \brief computes the values at a vertex inserted in a face.
-  \param s its star, of which the sides and the whole face, the first one, are there
+  \brief computes the values at a vertex inserted in a face, and stores them.
+  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
+  one are stored
   \param weights barycentric coordinates of the vertex
-  \return the values; nothing if a length would be zero or infinite
+  \return whether it was done: refused if a length would be zero or infinite
   */
-  std::optional<Vertex_move_values<FT>>
-  compute_insertion(const Vertex_star& s, const std::array<double, 3>& weights) const {
+  bool insert_in_face(const Vertex_star& s, const std::array<double, 3>& weights) {
     const FT area = quadruple_area_[s.faces[0]];
-    Vertex_move_values<FT> n{};
+    std::array<FT, 3> spoke;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto side = [&](std::size_t l) { return squared_length_[s.sides[(k + l) % 3]]; };
-      n.squared_lengths[k] = squared_distance_from_corner(
-          side(0), side(1), side(2), area, FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
-      n.quadruple_areas[k] = FT(weights[(k + 2) % 3]) * area;
-      if (!is_length(n.squared_lengths[k])) return std::nullopt;
+      spoke[k] = squared_distance_from_corner(side(0), side(1), side(2), area,
+                                              FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
+      if (!is_length(spoke[k])) return false;
     }
-    return n;
-  }
-  /// stores the values at a vertex inserted in a face.
-  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) {
     for (std::size_t k = 0; k < 3; ++k) {
-      store(squared_length_, s.spokes[k], values.squared_lengths[k]);
-      store(quadruple_area_, s.faces[k], values.quadruple_areas[k]);
+      store(squared_length_, s.spokes[k], spoke[k]);
+      store(quadruple_area_, s.faces[k], FT(weights[(k + 2) % 3]) * area);
     }
+    return true;
   }
 
   /// stores the values of a face from which a vertex is removed.
@@ -196,27 +193,25 @@ public:
   }
 
   /*!
-  \brief computes the values at a vertex inserted on a border edge.
-  \param s its star, of which the whole edge `ip`, `jk`, `ki` and the whole face `f` are there
+  \brief computes the values at a vertex inserted on a border edge, and stores them.
+  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
+  edge and face
   \param parameter weight of `j`
-  \return the values as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip; or nothing
+  \return whether it was done: refused if a length would be zero or infinite
   */
-  std::optional<Vertex_move_values<FT>> compute_insertion(const Border_star& s,
-                                                          double parameter) const {
+  bool insert_in_border_edge(const Border_star& s, double parameter) {
     const FT ij = squared_length_[s.ip], area = quadruple_area_[s.f], t(parameter);
     const FT rest = FT(1) - t;
     const FT pk = squared_distance_from_corner(squared_length_[s.ki], ij, squared_length_[s.jk],
                                                area, rest, t);
     const FT ip = t * t * ij, pj = rest * rest * ij;
-    if (!is_length(pk) || !is_length(ip) || !is_length(pj)) return std::nullopt;
-    return Vertex_move_values<FT>{{ip, pj, pk}, {FT(0), rest * area, t * area}};
-  }
-  /// stores the values at a vertex inserted on a border edge.
-  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) {
-    const std::array edges{s.ip, s.pj, s.pk};
-    for (std::size_t k = 0; k < 3; ++k) store(squared_length_, edges[k], values.squared_lengths[k]);
-    store(quadruple_area_, s.f, values.quadruple_areas[2]);
-    store(quadruple_area_, s.g, values.quadruple_areas[1]);
+    if (!is_length(pk) || !is_length(ip) || !is_length(pj)) return false;
+    store(squared_length_, s.ip, ip);
+    store(squared_length_, s.pj, pj);
+    store(squared_length_, s.pk, pk);
+    store(quadruple_area_, s.f, t * area);
+    store(quadruple_area_, s.g, rest * area);
+    return true;
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.

@@ -60,9 +60,8 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
 }
 
 // The elementary moves of a triangulation. Each makes its record, computes the values, announces
-// itself to all observers, changes connectivity and metric, and notifies the observers. Nothing
-// changes before all have agreed. Moves that consist of others take those back, if a later one is
-// refused: observers are told, not asked.
+// itself to the correspondence, changes connectivity and metric, and notifies the correspondence. A
+// refused move changes nothing.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
@@ -75,10 +74,6 @@ class Mover {
 
 public:
   using Insertion = typename Triangulation::Insertion;
-  // the old values of an insertion: of the whole face, of its first side, and of the flip of that
-  struct Before_insertion {
-    Before_flip_of<Metric> whole, flip;
-  };
 
   explicit Mover(Triangulation& t)
       : t_(t), mesh_(t.mesh_), number_(t.number_), metric_(t.metric_),
@@ -174,69 +169,50 @@ public:
   }
 
   // \param place on the input, if known; the weights approximate it
-  // \param before is set to the values that it replaces
-  Insertion insert(Halfedge h, const Weights& weights, const Wanted& place,
-                   Before_insertion& before) {
-    return weights[2] == 0 ? insert_on_edge(h, weights, place, before)
-                           : insert_in_face(h, weights, place, before);
-  }
   Insertion insert(Halfedge h, const Weights& weights, const Wanted& place = {}) {
-    Before_insertion before;
-    return insert(h, weights, place, before);
+    return weights[2] == 0 ? insert_on_edge(h, weights, place) : insert_in_face(h, weights, place);
   }
 
-  // takes back an insertion, the last move
-  void undo_insertion(Halfedge h, const Weights& weights, const Before_insertion& before) {
+  // takes back what `insert()` did last
+  void undo_insertion(Halfedge h, const Weights& weights) {
     if (weights[2] == 0 && is_on_border(h)) {
-      const Removal_from_border move{star_on_border(h)};
-      ask(move);
-      remove(move, h);
-    } else {
-      if (weights[2] == 0) undo_flip(h, before.flip);
-      const Removal_from_face move{star_of_vertex(h)};
-      ask(move);
-      remove(move, h);
+      remove_from_border(h);
+      return;
     }
-    metric_.undo_flip(edge_and_face(h), before.whole);
+    if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
+      if (flip_back(h) != Move_status::done || flip(h) != Move_status::done ||
+          flip_back(opposite(h, mesh_)) != Move_status::done)
+        return;
+    remove_from_face(h);
   }
 
   Move_status remove_from_face(Halfedge h) {
     const Removal_from_face move{star_of_vertex(h)};
     if (!ask(move)) return Move_status::not_removable;
-    remove(move, h);
+    t_.rows_.remove(move.vertex);
+    metric_.remove_from_face(move.edges_and_faces());
+    remove_degree_3_vertex(h, mesh_, number_);
+    tell(move);
     return Move_status::done;
   }
 
   Move_status remove_from_border(Halfedge h) {
     const Removal_from_border move{star_on_border(h)};
     if (!ask(move)) return Move_status::not_removable;
-    remove(move, h);
-    return Move_status::done;
-  }
-
-private:
-  void remove(const Removal_from_face& move, Halfedge h) {
-    t_.rows_.remove(move.vertex);
-    metric_.remove_from_face(move.edges_and_faces());
-    remove_degree_3_vertex(h, mesh_, number_);
-    tell(move);
-  }
-  void remove(const Removal_from_border& move, Halfedge h) {
     t_.rows_.remove(move.vertex);
     metric_.remove_from_border_edge(move.edges_and_faces());
     remove_border_vertex(h, mesh_, number_);
     tell(move);
+    return Move_status::done;
   }
 
-  // a diamond for the old values of an insertion: those of an edge and its left face
-  Diamond edge_and_face(Halfedge h) const {
-    const std::uint32_t e = number_.halfedge(h) / 2, f = face_number(h);
-    return {e, e, e, e, e, f, f};
-  }
-
+private:
+  // Announcements have a fixed order. Removals are announced to the correspondence first, which may
+  // refuse one: own coordinates follow it at the announcement. They refuse none, since they come
+  // with exact traits only.
   template <class Move>
   bool ask(const Move& move) {
-    return places_.before(t_, move) && correspondence_.before(t_, move);
+    return correspondence_.before(t_, move) && places_.before(t_, move);
   }
   template <class Insertion_move>
   bool ask_to_insert(Insertion_move& move) {
@@ -265,26 +241,29 @@ private:
     correspondence_.after(t_, move);
   }
 
-  // the values at a vertex whose insertion was announced; none: they cannot be represented
-  template <class Star, class Weight>
-  std::optional<Vertex_move_values<typename Metric::FT>>
-  compute_insertion(const Star& s, const Weight& weights) const {
+  bool store_insertion(const Vertex_star& s, const Weights& weights) {
     if constexpr (Defined_by_places<Metric>)
-      return places_.inserted_values(t_);
+      return metric_.insert_in_face(s, places_.inserted_values(t_)), true;
     else
-      return metric_.compute_insertion(s, weights);
+      return metric_.insert_in_face(s, weights);
+  }
+  bool store_insertion(const Border_star& s, double parameter) {
+    if constexpr (Defined_by_places<Metric>)
+      return metric_.insert_in_border_edge(s, places_.inserted_values(t_)), true;
+    else
+      return metric_.insert_in_border_edge(s, parameter);
   }
 
-  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place,
-                           Before_insertion& before) {
+  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
+    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_in_face move{star_of_face(h), weights, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
-    const auto values = compute_insertion(move.edges_and_faces(), weights);
-    if (!values) return {Move_status::arithmetic};
-    before.whole = metric_.before_flip(edge_and_face(h));
     const Vertex v = split_face(h, mesh_, number_);
     static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
-    metric_.insert_in_face(move.edges_and_faces(), *values);
+    if (!store_insertion(move.edges_and_faces(), weights)) {
+      remove_degree_3_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
     t_.rows_.insert(move.vertex);
     tell(move);
     return {Move_status::done, v};
@@ -302,29 +281,35 @@ private:
     }
   }
 
+  // a flip after which the source of the edge is on, or within rounding of, the edge opposite it
+  Move_status flip_back(Halfedge h) {
+    if constexpr (Defined_by_places<Metric>)
+      if (t_.sign(diamond_of(h, mesh_, number_), Convexity_at_source_expression()) != ZERO)
+        return flip(h);
+    return flip_to_zero_area(h);
+  }
+
   // inside: a vertex in the face, at distance zero from the edge, which is flipped away
-  Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place,
-                           Before_insertion& before) {
-    if (is_on_border(h)) return insert_on_border(h, weights[1], place, before);
-    const Insertion n = insert_in_face(h, weights, place, before);
+  Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place) {
+    if (is_on_border(h)) return insert_on_border(h, weights[1], place);
+    const Insertion n = insert_in_face(h, weights, place);
     if (n.status != Move_status::done) return n;
-    before.flip = metric_.before_flip(diamond_of(h, mesh_, number_));
     const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
     if (s == Move_status::done) return n;
-    undo_insertion(h, {0, 0, 1}, before); // in the face
+    remove_from_face(h);
     return {s};
   }
 
-  Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place,
-                             Before_insertion& before) {
+  Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place) {
+    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_on_border move{star_of_border_edge(h), parameter, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
-    const auto values = compute_insertion(move.edges_and_faces(), parameter);
-    if (!values) return {Move_status::arithmetic};
-    before.whole = metric_.before_flip(edge_and_face(h));
     const Vertex v = split_border_edge(h, mesh_, number_);
     static_cast<Star_on_border&>(move) = star_on_border(h);
-    metric_.insert_in_border_edge(move.edges_and_faces(), *values);
+    if (!store_insertion(move.edges_and_faces(), parameter)) {
+      remove_border_vertex(h, mesh_, number_);
+      return {Move_status::arithmetic};
+    }
     t_.rows_.insert(move.vertex);
     tell(move);
     return {Move_status::done, v};

@@ -225,12 +225,11 @@ public:
     if (!p) return {Move_status::weights};
     if (move_in_star(v, *p)) return {Move_status::done, v};
     Mover mover(t_);
-    typename Mover::Before_insertion before;
-    const Insertion n = mover.insert(p->h, p->weights, {}, before);
+    const Insertion n = mover.insert(p->h, p->weights);
     if (n.status != Move_status::done) return n;
     const Move_status s = remove_vertex(v);
     if (s == Move_status::done) return n;
-    mover.undo_insertion(p->h, p->weights, before);
+    mover.undo_insertion(p->h, p->weights);
     return {s};
   }
   /*!

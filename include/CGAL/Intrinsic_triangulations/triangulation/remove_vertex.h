@@ -59,12 +59,12 @@ public:
         undo();
         return Move_status::not_removable;
       }
-      const Undo u{straight, session_.before_flip(straight)};
+      const Diamond_values<double> before = values(straight);
       if (session_.flip_to_zero_area(straight) != Move_status::done) {
         undo();
         return Move_status::not_removable;
       }
-      undo_.push_back(u);
+      undo_.push_back({straight, 1, before});
     }
     const Move_status s = is_border_
                               ? session_.remove_border_vertex(opposite(edges_.front(), mesh_))
@@ -81,7 +81,8 @@ private:
   };
   struct Undo {
     Halfedge edge;
-    typename Session::Before_flip before;
+    int flips;
+    Diamond_values<double> before;
   };
   // where the other end of an edge from the vertex is, that being at the origin
   struct Place {
@@ -146,7 +147,7 @@ private:
       if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
-      const Undo u{c.edge, session_.before_flip(c.edge)};
+      const Undo u{c.edge, 3, values(c.edge)};
       const std::array<Plane_vector<double>, 3> kmj = ear(c.edge);
       if (session_.flip_status(c.edge) != Move_status::done ||
           session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
@@ -209,6 +210,17 @@ private:
     }
   }
 
+  // back to the values before a flip; two flips exchange the halfedges, thus the faces
+  void restore(const Undo& u) {
+    if constexpr (is_corrected) {
+      const auto& [ij, jk, ki, im, mj, f, g] = u.before;
+      if (u.flips == 3)
+        session_.correct_values(u.edge, {ij, f, g});
+      else
+        session_.correct_values(u.edge, {ij, g, f});
+    }
+  }
+
   // an edge to whose sides the vertex has a straight angle
   Halfedge straight_edge() {
     for (const Halfedge h : edges_)
@@ -228,8 +240,20 @@ private:
     }
   }
 
+  // back by three more flips: four are the identity; the edge that left a face of zero area comes
+  // back by one, its halfedges exchanged
   void undo() {
-    for (auto u = undo_.rbegin(); u != undo_.rend(); ++u) session_.undo_flip(u->edge, u->before);
+    for (auto u = undo_.rbegin(); u != undo_.rend(); ++u) {
+      for (int i = 0; i < u->flips; ++i) flip_back(u->edge);
+      restore(*u);
+    }
+  }
+
+  // if rounding makes an area negative, it becomes zero
+  void flip_back(Halfedge h) {
+    if (session_.flip_non_delaunay_edge(h) == Move_status::done) return;
+    if (session_.flip_to_zero_area(h) == Move_status::done) return;
+    session_.flip_to_zero_area(opposite(h, mesh_));
   }
 
   // relative area that a face with a straight angle has by rounding after many moves

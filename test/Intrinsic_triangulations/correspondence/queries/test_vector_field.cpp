@@ -199,6 +199,12 @@ TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
         const auto wanted =
             IT::internal::vector_in_space(t.input(), {x->point.halfedge, x->vector},
                                           IT::internal::Placed_input{t.input(), points});
+        if (is_beyond && z.real() < 1e-9) { // drawn in the plane of the nearer side, the last face
+          EXPECT_NEAR(std::hypot(found[t.input_vertex(v)][0], found[t.input_vertex(v)][1],
+                                 found[t.input_vertex(v)][2]),
+                      3, 1e-8);
+          continue;
+        }
         for (std::size_t c = 0; c < 3; ++c) // directions of signposts are the least accurate ones
           EXPECT_NEAR(found[t.input_vertex(v)][c], wanted[c], 1e-8) << t.index(v) << ' ' << z;
       }

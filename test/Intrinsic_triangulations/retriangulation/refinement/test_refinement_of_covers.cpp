@@ -130,15 +130,18 @@ void expect_rows_are_places(const T& t, const Mesh& m, Domain_kind kind, const s
 template <class Result>
 void expect_good(const Exact& t, const Result& r, double angle, const std::string& name) {
   std::set<std::uint32_t> unsatisfied;
+  std::size_t refused = 0;
   for (const auto& u : r.unsatisfied) {
     unsatisfied.insert(t.index(u.face));
     EXPECT_NE(u.reason, IT::Unsatisfied_reason::stopped) << name;
-    EXPECT_NE(u.reason, IT::Unsatisfied_reason::refused) << name;
+    refused += u.reason == IT::Unsatisfied_reason::refused ? 1 : 0;
   }
-  EXPECT_EQ(r.status, IT::Status::done) << name;
+  EXPECT_TRUE(r.status == IT::Status::done || (refused > 0 && r.status == IT::Status::stalled))
+      << name;
   if (name.find("soup") == std::string::npos && name != "another one") {
-    EXPECT_EQ(r.counts.without_copies + r.counts.refused, 0U) << name;
+    EXPECT_EQ(refused + r.counts.without_copies + r.counts.refused, 0U) << name;
   }
+  EXPECT_LE(refused, num_faces(t.mesh()) / 10) << name;
   for (const auto f : faces(t.mesh()))
     EXPECT_TRUE(unsatisfied.count(t.index(f)) != 0 || properties::least_angle(t, f) >= angle - 1e-9)
         << name;
@@ -213,12 +216,11 @@ TEST(Refinement_of_covers, is_delaunay_wherever_it_stops) {
       const bool is_stopped = std::ranges::any_of(
           r.unsatisfied, [](const auto& u) { return u.reason == IT::Unsatisfied_reason::stopped; });
       const std::uint64_t n = r.counts.circumcenters + r.counts.segment_splits;
-
       if (is_stopped) {
         EXPECT_EQ(r.status, IT::Status::cap) << name << ", cap " << cap;
         EXPECT_GE(n, cap) << name;
       }
-      expect_rows_are_places(t, m, Domain_kind::tufted_cover, name);
+      expect_rows_are_places(t, m, Domain_kind::tufted_cover, name, r.counts.without_copies);
     }
 }
 

@@ -137,7 +137,9 @@ public:
 
   /// announces a flip. \return true
   template <class Triangulation>
-  bool before(const Triangulation&, const Flip&) {
+  bool before(const Triangulation&, const Flip& move) {
+    leave(move.ij, move.im);
+    leave(move.ij ^ 1U, move.jk);
     return true;
   }
 
@@ -145,8 +147,6 @@ public:
   template <class Triangulation>
   void after(const Triangulation& t, const Flip& move) {
     const Intrinsic_view<Triangulation> view(t);
-    leave(move.km, move.im);
-    leave(move.km ^ 1U, move.jk);
     set_next(view, move.ki);
     set_next(view, move.mj);
   }
@@ -246,24 +246,24 @@ public:
     set_next(view, move.ki);
   }
 
-  /// announces the removal of a vertex. \return true
-  template <class Triangulation, class Removal>
-  bool before(const Triangulation&, const Removal&) {
+  /// announces the removal of a vertex of degree three. \return true
+  template <class Triangulation>
+  bool before(const Triangulation&, const Removal_from_face& move) {
+    for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
     return true;
   }
 
-  /// follows the removal of a vertex of degree three.
+  /// announces the removal of a vertex from the border. \return true
   template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_face& move) {
-    for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
-  }
-
-  /// follows the removal of a vertex from the border.
-  template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_border& move) {
+  bool before(const Triangulation&, const Removal_from_border& move) {
     leave(move.pk ^ 1U, move.ki);
     signpost_[move.ip ^ 1U] = signpost_[move.pj ^ 1U];
+    return true;
   }
+
+  /// does nothing: the announcement has followed the removal.
+  template <class Triangulation, class Removal>
+  void after(const Triangulation&, const Removal&) {}
 
 private:
   // Fans from number_of_fans() on: those of inserted vertices, two each, one more on the border.

@@ -54,6 +54,15 @@ public:
     are_all_flips_ = false;
   }
 
+  // call it before an insertion; returns whether there are coordinates
+  bool define(const Triangulation& t) {
+    if (!are_all_flips_) return true;
+    if (coordinates(t) == nullptr) return false;
+    are_all_flips_ = false;
+    flips_.clear();
+    return true;
+  }
+
   // the flips since the input; null if there were other moves, or the triangulation was restored
   const Flip_list* flips() const { return are_all_flips_ ? &flips_ : nullptr; }
 
@@ -79,24 +88,16 @@ public:
   // observes moves like a correspondence
   template <class Move>
   bool before(const Triangulation& t, const Move& move) {
-    constexpr bool is_flip = std::same_as<Move, Flip>;
-    if constexpr (!is_flip)
-      if (coordinates(t) == nullptr) return false; // only they define inserted vertices
-    is_counted_ = !own_ || own_->before(t, move);
-    return is_counted_ || (is_flip && are_all_flips_); // the list of flips is enough
+    if (!own_ || own_->before(t, move)) return true;
+    if (!std::same_as<Move, Flip> || !are_all_flips_) return false;
+    own_.reset(); // the flip must not be refused: from now on the list is enough
+    can_count_ = false;
+    return true;
   }
   template <class Move>
   void after(const Triangulation& t, const Move& move) {
-    if constexpr (std::same_as<Move, Flip>) {
+    if constexpr (std::same_as<Move, Flip>)
       if (are_all_flips_) flips_.add(move.ij);
-    } else if (are_all_flips_) {
-      are_all_flips_ = false;
-      flips_.clear();
-    }
-    if (!is_counted_) {
-      own_.reset();
-      can_count_ = false;
-    }
     if (own_) own_->after(t, move);
   }
   // of a flip that takes back the last one
@@ -138,7 +139,6 @@ private:
 
   Flip_list flips_;
   bool are_all_flips_ = true; // that ever were
-  bool is_counted_ = true;    // by its own coordinates: the move that has been announced
   // mutable: a cache of the list, until they define the vertices
   mutable std::optional<Integer_coordinates> own_;
   mutable bool can_count_ = true;
@@ -172,6 +172,7 @@ struct No_vertex_places {
   static const Integer_coordinates* on_input(const Triangulation& t) {
     return integer_coordinates_of(t.correspondence());
   }
+  bool define(const Triangulation&) { return true; }
   void restore(const Triangulation&, const Integer_coordinates&) {}
   template <class Move>
   bool before(const Triangulation&, const Move&) {
