@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_geodesics/isolines/Lines_on_surface.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -41,13 +43,11 @@ bool Lines_on_surface::is_on_seam(const Surface_point& p) const {
 }
 
 double Lines_on_surface::length(const Traced_isoline& line, std::size_t piece) const {
-  const std::uint32_t f = line.curve.faces[piece];
-  const Surface_point p = seen_in_face(input_, line.curve.points[piece], f),
-                      q = seen_from(input_, seen_in_face(input_, line.curve.points[piece + 1], f),
-                                    p.halfedge);
-  const Geodesic_face face(input_, p.halfedge);
-  const Plane_vector<double> v = face.position(q.weights) - face.position(p.weights);
-  return std::ldexp(std::hypot(v[0], v[1]), -input_.scale_exponent());
+  const auto in_face = [&](std::size_t i) {
+    return seen_in_face(input_, line.curve.points[i], line.curve.faces[piece]);
+  };
+  const Unscaled_vector v = vector_between(input_, in_face(piece), in_face(piece + 1));
+  return std::hypot(v[0], v[1]);
 }
 
 // Some pieces of a line, those of closed ones in a circle.
