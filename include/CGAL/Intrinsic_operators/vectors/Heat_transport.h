@@ -50,7 +50,7 @@ struct Vector_sources {
 };
 
 // Makes the logarithms of a vertex at least as long as chords in space; a logarithm without
-// direction becomes unknown. Of the copies of a vertex, the nearest one stays the nearest.
+// direction becomes unknown. The order of the copies of a vertex by length stays.
 // \param at positions of vertices, possibly unknown \param first the first copy of the vertex of
 // each copy; empty: there is one of each \param unit that of positions, in that of the logarithms
 void lengthen_to_chords(const std::vector<std::array<double, 3>>& at,

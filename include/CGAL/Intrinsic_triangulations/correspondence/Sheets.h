@@ -69,7 +69,8 @@ public:
   // whether an edge is a seam; border edges are not
   bool is_seam(std::uint32_t edge) const;
 
-  // Whether more than two faces meet at an edge: then the exchange of sides is no isometry.
+  // Whether more than two faces meet at some edge. There, exchanging front and back changes
+  // distances.
   // \complexity linear
   bool has_branches() const;
 

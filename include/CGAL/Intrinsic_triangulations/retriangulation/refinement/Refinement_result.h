@@ -44,7 +44,8 @@ enum class Refinement_order {
 enum class Unsatisfied_reason {
   needle,      ///< it wraps around a vertex of degree one, whose total angle is below the bound
   small_angle, ///< it lies between constrained or border edges that make a small angle
-  refused,     ///< no vertex could be inserted: rounding hides its place
+  refused,     ///< no vertex could be inserted: rounding hides its
+               ///< place, or on a cover others are too near
   stopped      ///< refinement was stopped before
 };
 
