@@ -28,7 +28,8 @@ import re
 
 import run_check
 
-PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators"] # lowest first
+PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators",
+            "CGAL/Intrinsic_conformal"] # lowest first
 PROGRAM, MODULE = "src/intrinsic", "python/src"
 MOST_HEADERS = 15
 MOST_LINES = 350

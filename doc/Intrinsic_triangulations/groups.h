@@ -12,8 +12,9 @@
 \brief All names, by topic.
 
 All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say otherwise. Each of
-the three packages has one header with what most programs need: `CGAL/Intrinsic_triangulations.h`,
-`CGAL/Intrinsic_geodesics.h` and `CGAL/Intrinsic_operators.h`, which needs Eigen. A few names need
+the four packages has one header with what most programs need: `CGAL/Intrinsic_triangulations.h`,
+`CGAL/Intrinsic_geodesics.h`, `CGAL/Intrinsic_operators.h` and `CGAL/Intrinsic_conformal.h`; the last
+two need Eigen. A few names need
 their own header: the adaptors of OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`,
 `.idt` files in `IO/idt/`, pages in `IO/view/`. The page of each name says which header it is in.
 
@@ -135,7 +136,7 @@ the geodesics between points.
 \brief Matrices, solvers, estimates of errors, and transfer. They need Eigen.
 */
 
-// Headers: Intrinsic_operators/distance/ Intrinsic_operators/editing/ Intrinsic_operators/maps/
+// Headers: Intrinsic_conformal/ Intrinsic_operators/distance/ Intrinsic_operators/editing/
 // Headers: Intrinsic_operators/parametrization/ Intrinsic_operators/vectors/
 /*!
 \defgroup ref_applications Applications

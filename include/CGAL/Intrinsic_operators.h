@@ -12,19 +12,6 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
 #include <CGAL/Intrinsic_operators/compiled.h>
-#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
-#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
-#include <CGAL/Intrinsic_operators/conformal/conformal_sphere.h>
-#include <CGAL/Intrinsic_operators/conformal/flat_angles.h>
-#include <CGAL/Intrinsic_operators/conformal/flat_surface.h>
-#include <CGAL/Intrinsic_operators/conformal/flat_torus.h>
-#include <CGAL/Intrinsic_operators/conformal/hyperbolic_metric.h>
-#include <CGAL/Intrinsic_operators/conformal/ideal_start.h>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_in_disk.h>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.h>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.h>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
@@ -33,8 +20,6 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/editing/interpolate_harmonically.h>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/elements/quadratic.h>
-#include <CGAL/Intrinsic_operators/maps/parametrize.h>
-#include <CGAL/Intrinsic_operators/maps/uniformize.h>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -50,6 +35,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
+#include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>

@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
-#include <CGAL/Intrinsic_operators/maps/parametrize.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>

@@ -4,8 +4,8 @@
 #include "../../src/intrinsic/status_name.h"
 #include "maps.h"
 
-#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
-#include <CGAL/Intrinsic_operators/maps/uniformize.h>
+#include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
+#include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>

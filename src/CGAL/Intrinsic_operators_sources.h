@@ -11,26 +11,6 @@ their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
-#include <CGAL/Intrinsic_operators/conformal/Angle_system.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Disk_pieces.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Glued_pieces.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Ideal_surface.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Piece_places.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Plane_pieces.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.cpp>
-#include <CGAL/Intrinsic_operators/conformal/Sphere_centring.cpp>
-#include <CGAL/Intrinsic_operators/conformal/angle_enclosures.cpp>
-#include <CGAL/Intrinsic_operators/conformal/conformal_metric.cpp>
-#include <CGAL/Intrinsic_operators/conformal/conformal_sphere.cpp>
-#include <CGAL/Intrinsic_operators/conformal/flat_angles.cpp>
-#include <CGAL/Intrinsic_operators/conformal/flat_torus.cpp>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_in_disk.cpp>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_in_plane.cpp>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_on_sphere.cpp>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.cpp>
-#include <CGAL/Intrinsic_operators/conformal/lay_out_subdivision.cpp>
-#include <CGAL/Intrinsic_operators/conformal/triangle_angles.cpp>
-#include <CGAL/Intrinsic_operators/conformal/turn_back.cpp>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
@@ -39,7 +19,6 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.cpp>
 #include <CGAL/Intrinsic_operators/elements/quadratic.cpp>
-#include <CGAL/Intrinsic_operators/maps/uniformize.cpp>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.cpp>
 #include <CGAL/Intrinsic_operators/operators/matrix_market.cpp>
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.cpp>

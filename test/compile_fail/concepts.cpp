@@ -4,8 +4,8 @@
 // A case per concept: arguments that are no model of it, and a message that names it.
 
 #include <CGAL/Integer_only_triangulation.h>
+#include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
-#include <CGAL/Intrinsic_operators/conformal/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>

@@ -6,7 +6,7 @@ import math
 from drawing import BLUE, GREY, INK, RED, Drawing
 
 LAYERS = [
-    ("Intrinsic_operators/", "matrices, solvers, heat, vectors, maps (Eigen)", "#e8eef7"),
+    ("Intrinsic_operators/, Intrinsic_conformal/", "matrices, heat, vectors, maps (Eigen)", "#e8eef7"),
     ("Intrinsic_geodesics/", "curves, shortest paths, exact distances", "#e8eef7"),
     ("IO/", "files, pages to look at", "#dbe7f5"),
     ("domains/", "surfaces from any faces", "#dbe7f5"),

@@ -5,7 +5,7 @@
 #include "../statistics.h"
 #include "application.h"
 
-#include <CGAL/Intrinsic_operators/maps/uniformize.h>
+#include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>

@@ -6,7 +6,7 @@
 
 #include "Computed.h"
 
-#include <CGAL/Intrinsic_operators/conformal/lay_out_scaled.h>
+#include <CGAL/Intrinsic_conformal/layout/lay_out_scaled.h>
 
 #include <vector>
 

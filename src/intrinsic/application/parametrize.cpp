@@ -5,10 +5,10 @@
 #include "../status_name.h"
 #include "application.h"
 
-#include <CGAL/Intrinsic_operators/maps/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
+#include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 

@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_APPLICATION_PRESCRIBED_ANGLES_H
 #define INTRINSIC_APPLICATION_PRESCRIBED_ANGLES_H
 
-#include <CGAL/Intrinsic_operators/conformal/Prescribed_angles.h>
+#include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 
 #include <cstddef>
 #include <string>

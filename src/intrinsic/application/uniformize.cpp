@@ -8,7 +8,7 @@
 #include "conformal_layout.h"
 #include "prescribed_angles.h"
 
-#include <CGAL/Intrinsic_operators/maps/uniformize.h>
+#include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 
 #include <Eigen/Core>

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_CONFORMAL_METRIC_FLAT_SURFACE_H
+#define CGAL_INTRINSIC_CONFORMAL_METRIC_FLAT_SURFACE_H
+
+#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief is a surface of triangles with lengths, for layouts, with its sides named by the
+triangulation that it was made of.
+*/
+struct Flat_surface : Surface_to_cut {
+  /// The side that each halfedge of the triangulation is, by its number; `Gluing::none` on the
+  /// border.
+  std::vector<std::uint32_t> side;
+};
+
+namespace internal {
+
+// Exact ideal hyperbolic traits.
+template <class Triangulation>
+concept Has_precise_lambdas = requires(const Triangulation& t, std::uint32_t e) {
+  t.metric().sharpen(e, t.exact_values());
+  t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values());
+};
+
+// The lambda length of an edge, in scaled units.
+template <Has_precise_lambdas Triangulation>
+Double_double precise_lambda(const Triangulation& t, std::uint32_t e) {
+  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values())[0];
+}
+
+// The sides of triangles as vectors, each with nearly all digits, in a frame in which the first
+// side is on the axis.
+// \param lengths of the sides
+// \param scale_exponent vectors become shorter by two to this power
+std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double_double>& lengths,
+                                                        int scale_exponent);
+
+} // namespace internal
+
+/*!
+\brief takes the lambda lengths of an ideal Delaunay triangulation as lengths of Euclidean
+triangles, for `lay_out_in_plane()` and its relatives.
+
+If `conformal_metric()` has scaled the triangulation, this is the surface with the prescribed
+angles. All triangle inequalities hold in an ideal Delaunay triangulation.
+\tparam Triangulation a model of `IndexedTriangulation` with ideal hyperbolic traits
+\param t the triangulation
+\return the surface, in the units of the input; faces in the order of `faces(t.mesh())`, vertices by
+  number
+\complexity linear
+*/
+template <IndexedTriangulation Triangulation>
+  requires requires(const Triangulation& t) {
+    { t.lambda(typename Triangulation::edge_descriptor()) } -> std::same_as<double>;
+  }
+Flat_surface flat_surface(const Triangulation& t) {
+  Flat_surface s;
+  s.gluing = internal::numbered_gluing(t.mesh(), t.numbers(), s.side);
+  s.length.resize(s.gluing.origin.size());
+  std::vector<Double_double> lambda; // of each side, in scaled units
+  if constexpr (internal::Has_precise_lambdas<Triangulation>) lambda.resize(s.length.size());
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
+    const double length = t.lambda(e);
+    Double_double precise;
+    if constexpr (internal::Has_precise_lambdas<Triangulation>)
+      precise = internal::precise_lambda(t, t.index(e));
+    for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
+      if (s.side[h] != Gluing::none) {
+        s.length[s.side[h]] = length;
+        if (!lambda.empty()) lambda[s.side[h]] = precise;
+      }
+  }
+  s.vector = internal::vectors_of_triangles(lambda, t.metric().scale_exponent());
+  return s;
+}
+
+/*!
+\brief takes the triangles of a surface before the first move, with their lengths.
+\param surface the surface
+\return the surface, in the units of the user; faces, vertices and halfedges keep their numbers
+\complexity linear
+*/
+inline Flat_surface flat_surface(const Input& surface) {
+  Flat_surface s;
+  s.gluing =
+      internal::numbered_gluing(surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), s.side);
+  s.length.resize(s.gluing.origin.size());
+  for (std::uint32_t h = 0; h < s.side.size(); ++h)
+    if (s.side[h] != Gluing::none)
+      s.length[s.side[h]] =
+          std::ldexp(std::sqrt(surface.squared_length(h / 2)), -surface.scale_exponent());
+  return s;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_CONFORMAL_METRIC_FLAT_SURFACE_H

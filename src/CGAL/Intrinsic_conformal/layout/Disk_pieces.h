@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_CONFORMAL_LAYOUT_DISK_PIECES_H
+#define CGAL_INTRINSIC_CONFORMAL_LAYOUT_DISK_PIECES_H
+
+#include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
+#include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The motion along the real axis of Poincaré's disk that moves its centre by a distance.
+Disk_motion translation_along_axis(double distance);
+
+// The place of a point of a side that lies on the positive axis from the centre: in the hyperboloid
+// model on the line between the ends of the side, at a part of it.
+double place_on_axis(double length, double part);
+
+// Hyperbolic triangles, each with corner 0 in the centre of its frame, and side 0 on the positive
+// real axis. For each side the motion that takes the centre to its start and the positive axis to
+// the side. Lengths are hyperbolic ones.
+// \throws Invalid_input naming a face that no triangle has the sides of
+std::vector<Disk_motion> frames_of_sides(const Surface_to_cut& s);
+
+// The motion from the frame of the triangle beyond a side to that before it, where both have the
+// side of this length.
+Disk_motion motion_across(const Disk_motion& side, double length, const Disk_motion& partner);
+
+// A point of Poincaré's disk, with 1 - |z|^2 to the last digits.
+struct Disk_point {
+  std::complex<double> z = 0;
+  double gap = 1;
+
+  double distance(const Disk_point& p) const;
+  Disk_point moved(const Disk_motion& m) const;
+};
+
+// Convex polygons of the hyperbolic plane, each known in a frame of its own.
+struct Disk_pieces : Glued_pieces {
+  std::vector<std::complex<double>> place; // of each corner
+  // of each side that is glued or cut: from the frame across to that of the piece
+  std::vector<Disk_motion> turn;
+};
+
+// Pieces laid out next to each other, each component about its centre.
+struct Developed_disk {
+  std::vector<Disk_point> position; // of each vertex
+  std::vector<Disk_motion> frame;   // of each piece
+  double largest_error = 0;         // of a side, relative to the longest one of its piece
+  double radius = 0;                // largest distance from the centre
+};
+
+// Lays pieces out that form disks, breadth first from those at their centres.
+Developed_disk develop(const Disk_pieces& pieces);
+
+// Points as rows.
+Eigen::MatrixX2d rows_of_points(const std::vector<Disk_point>& points);
+
+// Moves the sides of seams to their partners.
+// \param is_cone for each vertex of the pieces
+Side_pairings side_pairings(const Disk_pieces& pieces, const Developed_disk& developed,
+                            std::vector<Border_seam> seams, const std::vector<char>& is_cone);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_CONFORMAL_LAYOUT_DISK_PIECES_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_conformal/layout/Plane_pieces.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+double Plane_pieces::extent(std::uint32_t p) const {
+  double longest = 0;
+  for (std::uint32_t c = begin[p]; c < begin[p + 1]; ++c)
+    longest = std::max(longest, std::abs(side[c]));
+  return longest;
+}
+
+namespace {
+
+// Development of pieces, and its improvement.
+class Piece_developer {
+public:
+  using Complex = Plane_pieces::Complex;
+
+  explicit Piece_developer(const Plane_pieces& pieces)
+      : p_(pieces), piece_of_side_(pieces.piece_of_corner()),
+        is_placed_(pieces.number_of_vertices, 0) {
+    result_.position.assign(pieces.number_of_vertices, 0);
+    result_.rotation.assign(pieces.size(), 0);
+  }
+
+  Developed_pieces run() {
+    for (const std::uint32_t i : by_extent())
+      if (result_.rotation[i] == 0.) spread_from(i);
+    result_.largest_error = largest_error(result_.position);
+    improve();
+    return std::move(result_);
+  }
+
+private:
+  // The pieces, small ones first: a component begins at the origin with its smallest piece, because
+  // doubles are densest there.
+  std::vector<std::uint32_t> by_extent() const {
+    std::vector<double> extent(p_.size());
+    for (std::uint32_t i = 0; i < p_.size(); ++i) extent[i] = p_.extent(i);
+    std::vector<std::uint32_t> result(p_.size());
+    std::iota(result.begin(), result.end(), 0U);
+    std::stable_sort(result.begin(), result.end(),
+                     [&](std::uint32_t i, std::uint32_t j) { return extent[i] < extent[j]; });
+    return result;
+  }
+
+  // Lays out the component of a piece.
+  void spread_from(std::uint32_t first) {
+    fixed_.push_back(p_.vertex[p_.begin[first]]);
+    is_placed_[fixed_.back()] = 1;
+    result_.rotation[first] = 1;
+    place(first, p_.begin[first]);
+    std::vector<std::uint32_t> queue{first};
+    for (std::size_t n = 0; n < queue.size(); ++n) {
+      const std::uint32_t i = queue[n];
+      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c) {
+        if (p_.glue[c] == Gluing::none) continue;
+        const std::uint32_t j = piece_of_side_[p_.glue[c]];
+        if (result_.rotation[j] != 0.) continue;
+        const Complex r = result_.rotation[i] * p_.turn[c];
+        result_.rotation[j] = r / std::abs(r); // the length is 1 but for rounding
+        place(j, p_.glue[c]);
+        queue.push_back(j);
+      }
+    }
+  }
+
+  // Places the corners of a piece, of which corner `c` has a place.
+  void place(std::uint32_t i, std::uint32_t c) {
+    Complex z = result_.position[p_.vertex[c]];
+    for (std::uint32_t n = p_.begin[i]; n < p_.begin[i + 1]; ++n, c = p_.next(i, c)) {
+      char& placed = is_placed_[p_.vertex[c]];
+      if (placed == 0) result_.position[p_.vertex[c]] = z;
+      placed = 1;
+      z += result_.rotation[i] * p_.side[c];
+    }
+  }
+
+  // Calls a function with the ends of each side of each piece, with its vector in the plane, and
+  // its piece.
+  template <class Function>
+  void for_each_side(const Function& f) const {
+    for (std::uint32_t i = 0; i < p_.size(); ++i)
+      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c)
+        f(p_.vertex[c], p_.vertex[p_.next(i, c)], result_.rotation[i] * p_.side[c], i);
+  }
+
+  double largest_error(const std::vector<Complex>& z) const {
+    double largest = 0;
+    for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
+      const double extent = p_.extent(i);
+      if (extent > 0) largest = std::max(largest, std::abs(z[b] - z[a] - side) / extent);
+    });
+    return largest;
+  }
+
+  // 1 / length^2; sides that are points but for rounding count as a millionth of their piece.
+  double weight(Complex side, std::uint32_t i) const {
+    const double length = std::max({std::abs(side) / unit_, 1e-6 * p_.extent(i) / unit_, 1e-50});
+    return 1 / (length * length);
+  }
+
+  // Solves for changes of the places, until the largest error does not fall.
+  void improve() {
+    const auto n = static_cast<Eigen::Index>(p_.number_of_vertices);
+    for (std::uint32_t i = 0; i < p_.size(); ++i) unit_ = std::max(unit_, p_.extent(i));
+    std::vector<Eigen::Triplet<double>> entries;
+    for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
+      if (a == b) return;
+      const int v = static_cast<int>(a), w = static_cast<int>(b);
+      for (const int k : {v, w}) entries.emplace_back(k, k, weight(side, i));
+      entries.emplace_back(v, w, -weight(side, i));
+      entries.emplace_back(w, v, -weight(side, i));
+    });
+    Eigen::SparseMatrix<double> laplacian(n, n);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n);
+    for (const std::uint32_t v : fixed_) diagonal[v] = laplacian.coeff(v, v);
+    for (Eigen::Index v = 0; v < n; ++v) // vertices without a side
+      if (!(laplacian.coeff(v, v) > 0)) diagonal[v] = 1;
+    const Laplacian_factorization factor(laplacian, diagonal);
+    for (int round = 0; round < 3; ++round) {
+      std::vector<Complex> z = changed(factor);
+      const double error = largest_error(z);
+      if (!(error < result_.largest_error)) return;
+      result_.largest_error = error;
+      result_.position = std::move(z);
+    }
+  }
+
+  std::vector<Complex> changed(const Laplacian_factorization& factor) const {
+    std::vector<Complex> z = result_.position;
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(z.size()), 2);
+    for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
+      const Complex d = weight(side, i) * (side - (z[b] - z[a]));
+      const Eigen::RowVector2d row(d.real(), d.imag());
+      right.row(b) += row;
+      right.row(a) -= row;
+    });
+    for (const std::uint32_t v : fixed_) right.row(v).setZero();
+    const Eigen::MatrixXd x = factor.solve(right);
+    for (std::size_t v = 0; v < z.size(); ++v) {
+      const auto row = static_cast<Eigen::Index>(v);
+      z[v] += Complex(x(row, 0), x(row, 1));
+    }
+    return z;
+  }
+
+  const Plane_pieces& p_;
+  std::vector<std::uint32_t> piece_of_side_;
+  std::vector<char> is_placed_;
+  std::vector<std::uint32_t> fixed_; // a vertex of each component
+  double unit_ = 0;
+  Developed_pieces result_;
+};
+
+} // namespace
+
+Developed_pieces develop(const Plane_pieces& pieces) { return Piece_developer(pieces).run(); }
+
+} // namespace CGAL::Intrinsic_triangulations::internal
