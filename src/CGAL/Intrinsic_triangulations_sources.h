@@ -83,6 +83,8 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.cpp>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.cpp>
 #include <CGAL/Intrinsic_triangulations/input/mollification.cpp>
+#include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_flattener.cpp>
+#include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_triangulator.cpp>
 #include <CGAL/Intrinsic_triangulations/input/position_on_face.cpp>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.cpp>
 #include <CGAL/Intrinsic_triangulations/input/scaling.cpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
-#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 
 #include <algorithm>
 #include <array>

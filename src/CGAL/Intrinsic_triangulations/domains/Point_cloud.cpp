@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
-#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/input/Point_kernel.h>
+#include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POINT_KERNEL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POINT_KERNEL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGONS_POINT_KERNEL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGONS_POINT_KERNEL_H
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Filtered_predicate.h>
@@ -32,4 +32,4 @@ struct Point_kernel : Simple_cartesian<double> {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POINT_KERNEL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_POLYGONS_POINT_KERNEL_H
