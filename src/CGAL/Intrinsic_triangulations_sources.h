@@ -21,8 +21,11 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_STL.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_XYZ.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/subdivision_polygons.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/subdivision_tables.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/view/Html_view.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.cpp>

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/Page_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_curves.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_surface.h>
@@ -19,13 +20,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <ostream>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -38,10 +35,13 @@ namespace internal {
 namespace {
 
 // The page with the program that draws and answers to the pointer; text between two @ is a place to
-// be filled. The file is HTML between the marks of a raw string.
+// be filled. Each file is a part of it between the marks of a raw string.
 #ifndef DOXYGEN_RUNNING // which does not look for files here
 constexpr std::string_view html_view_page =
 #include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
+#include <CGAL/Intrinsic_triangulations/IO/view/view_camera.js>
+#include <CGAL/Intrinsic_triangulations/IO/view/view_lines.js>
+#include <CGAL/Intrinsic_triangulations/IO/view/view_surface.js>
     ;
 #endif
 
@@ -64,12 +64,15 @@ public:
     for (std::string_view rest = html_view_page; !rest.empty();) {
       out_.text(next_part(rest));
       const std::string_view place = next_part(rest);
-      if (place == "title") escaped(view_.title);
+      if (place == "title") out_.escaped(view_.title);
       if (place == "description") {
-        escaped(view_.description);
+        out_.escaped(view_.description);
         if (!report_.is_complete()) out_.text("\n\n", report_.description());
       }
-      if (place == "scripts") write_scripts();
+      if (place != "scripts") continue;
+      out_.script(view_.three);
+      out_.script(view_.trackball_controls);
+      write_data();
     }
     if (!out_.flush()) throw std::runtime_error("the page cannot be written");
     return report_;
@@ -125,69 +128,6 @@ private:
     report_.shown_marks = mark_step_ == 0 ? 0 : (report_.marks + mark_step_ - 1) / mark_step_;
   }
 
-  // takes what comes before the next @, and that, off the front
-  static std::string_view next_part(std::string_view& rest) {
-    const std::string_view part = rest.substr(0, rest.find('@'));
-    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
-    return part;
-  }
-
-  void write_scripts() {
-    script(view_.three);
-    script(view_.trackball_controls);
-    write_data();
-  }
-
-  void escaped(std::string_view text) {
-    constexpr std::string_view special = "<>&\"";
-    constexpr std::array<std::string_view, 4> names{"&lt;", "&gt;", "&amp;", "&quot;"};
-    for (const char c : text)
-      if (const std::size_t i = special.find(c); i != std::string_view::npos)
-        out_.text(names[i]);
-      else
-        out_.text(c);
-  }
-
-  // An end tag inside a script would end it, in capitals too; in a string of JavaScript <\/ is </.
-  void script(std::string_view text) {
-    out_.text("<script>\n");
-    for (std::size_t i = text.find("</"); i != std::string_view::npos; i = text.find("</")) {
-      out_.text(text.substr(0, i),
-                i + 2 < text.size() && (text[i + 2] | 32) == 's' ? "<\\/" : "</");
-      text.remove_prefix(i + 2);
-    }
-    out_.text(text, "\n</script>\n");
-  }
-
-  template <class Write>
-  void data(std::string_view id, Write write) {
-    open_data(id);
-    out_.text(">");
-    close_data(write);
-  }
-  template <class Numbers>
-  void numbers(std::string_view id, const Numbers& all) {
-    data(id, [&](Output_buffer& out) {
-      for (const auto x : all) out.base64(x);
-    });
-  }
-  template <class Tuples>
-  void tuples(std::string_view id, const Tuples& all) {
-    data(id, [&](Output_buffer& out) {
-      for (const auto& tuple : all)
-        for (const auto x : tuple) out.base64(x);
-    });
-  }
-  void open_data(std::string_view id) {
-    out_.text("<script type=\"application/octet-stream;base64\" id=\"", id, "\"");
-  }
-  template <class Write>
-  void close_data(Write write) {
-    write(out_);
-    out_.finish_base64();
-    out_.text("</script>\n");
-  }
-
   void write_data() {
     write_points();
     write_triangles();
@@ -205,13 +145,13 @@ private:
 
   void write_triangles() {
     const std::vector<std::uint32_t>& polygon = surface_.polygon;
-    tuples("triangles", surface_.triangles);
+    out_.tuples("triangles", surface_.triangles);
     write_colors();
-    data("sheets", [&](Output_buffer& out) {
+    out_.data("sheets", [&](Output_buffer& out) {
       if (!s_.sheet.empty())
         for (const std::uint32_t f : polygon) out.base64(s_.sheet[f]);
     });
-    data("sources", [&](Output_buffer& out) {
+    out_.data("sources", [&](Output_buffer& out) {
       for (const std::uint32_t f : polygon)
         for (const std::uint32_t source : {s_.intrinsic_face[f], s_.input_face[f]})
           out.base64(source);
@@ -221,25 +161,25 @@ private:
   // The colour of each triangle.
   void write_colors() {
     const std::vector<Rgb_color> colors = intrinsic_face_colors(s_);
-    data("colors", [&](Output_buffer& out) {
+    out_.data("colors", [&](Output_buffer& out) {
       for (const std::uint32_t f : surface_.polygon)
         for (const std::uint8_t c : colors[s_.intrinsic_face[f]]) out.base64(c);
     });
   }
 
   void write_edges(const std::string& id, const Drawn_edges& edges) {
-    numbers(id, edges.ends);
-    numbers(id + "-room", edges.room);
-    numbers(id + "-sheets", edges.sheets);
+    out_.numbers(id, edges.ends);
+    out_.numbers(id + "-room", edges.room);
+    out_.numbers(id + "-sheets", edges.sheets);
   }
 
   // The data of a vertex: its kind, its intrinsic element, and its input element.
   void write_vertices() {
-    data("kinds", [&](Output_buffer& out) {
+    out_.data("kinds", [&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices)
         out.base64(static_cast<std::uint8_t>(s_.kind(v)));
     });
-    data("labels", [&](Output_buffer& out) {
+    out_.data("labels", [&](Output_buffer& out) {
       for (const std::uint32_t i : surface_.vertices)
         for (const std::uint32_t label : labels_of(i)) out.base64(label);
     });
@@ -255,7 +195,7 @@ private:
   }
 
   void write_settings() {
-    open_data("settings");
+    out_.open_data("settings");
     out_.text(" data-fields=\"", view_.fields.size(), "\" data-shown=\"");
     if (view_.shown_field < view_.fields.size())
       out_.text(view_.shown_field);
@@ -264,7 +204,7 @@ private:
     out_.text("\" data-isolines=\"", view_.isolines, "\" data-edges=\"",
               view_.has_edges ? "shown" : "hidden", "\" data-disk=\"", view_.is_disk ? 1 : 0,
               "\" data-curve-width=\"", view_.curve_width, "\" data-marks=\"");
-    escaped(view_.marks_name);
+    out_.escaped(view_.marks_name);
     out_.text("\"></script>\n");
   }
 
@@ -278,11 +218,11 @@ private:
       }
     if (greatest < least) least = greatest = 0;
     const double range = greatest / 2 - least / 2;
-    open_data(id);
+    out_.open_data(id);
     out_.text(" data-name=\"");
-    escaped(field.name);
+    out_.escaped(field.name);
     out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
-    close_data([&](Output_buffer& out) {
+    out_.close_data([&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices) {
         const double x = field.values[v];
         out.base64(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
@@ -309,7 +249,7 @@ private:
       greatest = {1, 1};
     }
     const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
-    data("texture", [&](Output_buffer& out) {
+    out_.data("texture", [&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices)
         for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c) {
           const std::array<double, 2>& p = view_.texture[v];
@@ -321,9 +261,9 @@ private:
   }
 
   void write_curves(const std::string& id, const Page_curves& curves) {
-    tuples(id, curves.points);
-    numbers(id + "-sizes", curves.sizes);
-    numbers(id + "-labels", curves.labels);
+    out_.tuples(id, curves.points);
+    out_.numbers(id + "-sizes", curves.sizes);
+    out_.numbers(id + "-labels", curves.labels);
   }
 
   void write_marks() {
@@ -336,12 +276,12 @@ private:
           places.push_back(scaling_(p));
           labels.push_back(mark.label);
         }
-    tuples("marks", places);
-    numbers("marks-labels", labels);
+    out_.tuples("marks", places);
+    out_.numbers("marks-labels", labels);
   }
 
   void write_points() {
-    data("points", [&](Output_buffer& out) {
+    out_.data("points", [&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices)
         for (const float x : scaled_[v]) out.base64(x);
     });
@@ -360,10 +300,10 @@ private:
       axes[3 + c] = static_cast<float>(extent[c]);
     }
     axes[6] = static_cast<float>(standing.height);
-    numbers("view-axes", axes);
+    out_.numbers("view-axes", axes);
   }
 
-  Output_buffer out_;
+  Page_output out_;
   const Common_subdivision& s_;
   Html_view view_;
   Unit_ball_scaling scaling_;
@@ -376,34 +316,6 @@ private:
 
 } // namespace
 } // namespace internal
-
-Three_js find_three_js(const std::filesystem::path& directory) {
-  const auto text = [&](const std::filesystem::path& folder, const std::filesystem::path& name) {
-    std::ifstream file(directory / name, std::ios::binary);
-    if (!file) file = std::ifstream(directory / folder / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
-  return {text("build", "three.min.js"), text("examples/js/controls", "TrackballControls.js")};
-}
-
-std::string Html_view_report::description() const {
-  std::ostringstream text;
-  text.precision(2);
-  std::string separator = "thinned out: ";
-  const auto add = [&]() -> std::ostream& {
-    text << separator;
-    separator = "; ";
-    return text;
-  };
-  if (shown_pieces < pieces)
-    add() << shown_pieces << " of " << pieces << " pieces of the surface, vertices nearer than "
-          << cell << " are one";
-  if (shown_curves < curves) add() << shown_curves << " of " << curves << " curves";
-  if (curve_tolerance > 0) add() << "points of curves, up to " << curve_tolerance << " from others";
-  if (shown_fields < fields) add() << shown_fields << " of " << fields << " fields";
-  if (shown_marks < marks) add() << shown_marks << " of " << marks << " marked points";
-  return text.str();
-}
 
 Html_view_report write_html_view(std::ostream& out, const Common_subdivision& s,
                                  std::span<const std::array<double, 3>> points,
