@@ -10,7 +10,6 @@ All sources of the package `Intrinsic_geodesics` and of those below it, for prog
 link the library: exactly one of their sources includes this file.
 */
 
-#include <CGAL/Intrinsic_geodesics/bezier/bezier_point.cpp>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_order.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/Edge_graph.cpp>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.cpp>
@@ -29,9 +28,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/certify_on_faces.cpp>
-#include <CGAL/Intrinsic_geodesics/queries/trace_curve.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.cpp>
-#include <CGAL/Intrinsic_geodesics/single_source/Geodesic_tree_builder.cpp>
 #include <CGAL/Intrinsic_geodesics/voronoi/Face_divider.cpp>
 #include <CGAL/Intrinsic_geodesics/voronoi/Weighted_site.cpp>
 #include <CGAL/Intrinsic_geodesics/voronoi/cell_boundaries.cpp>

@@ -29,12 +29,10 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.cpp>
-#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.cpp>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.cpp>
@@ -46,8 +44,6 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.cpp>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.cpp>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.cpp>
@@ -75,7 +71,6 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.cpp>
-#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.cpp>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.cpp>
@@ -88,7 +83,6 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/input/mollification.cpp>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_flattener.cpp>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_triangulator.cpp>
-#include <CGAL/Intrinsic_triangulations/input/position_on_face.cpp>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.cpp>
 #include <CGAL/Intrinsic_triangulations/input/scaling.cpp>
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.cpp>

@@ -47,10 +47,32 @@ namespace internal {
 
 // Describes a point from the halfedge of a face that it lies in, or on the boundary of; there may
 // be several ways if the face is glued to itself.
-Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f);
+inline Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f) {
+  const std::uint32_t base = input.halfedge_of_face(f);
+  if (input.face(p.halfedge) == f) return seen_from(input, p, base);
+  std::uint32_t h = p.halfedge;
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
+    const double x = p.weights[(k + 1) % 3];
+    if (p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U) && input.face(h ^ 1U) == f)
+      return seen_from(input, {h ^ 1U, {x, 1 - x, 0}}, base);
+  }
+  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
+    if (p.weights[k] == 1)
+      for (std::uint32_t g = base, n = 0; n < 3; ++n, g = input.next(g))
+        if (input.names().row(input.source(g)) == input.names().row(input.source(h)))
+          return seen_from(input, {g, {1, 0, 0}}, base); // or a copy of it, on a cover
+  return p;
+}
 
 // Appends a curve to another, which ends where it starts.
-void append(const Traced_curve& way, Traced_curve& all);
+inline void append(const Traced_curve& way, Traced_curve& all) {
+  if (way.points.empty()) return;
+  all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
+                    way.points.end());
+  all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
+  all.length += way.length;
+  all.length_enclosure += way.length_enclosure;
+}
 
 template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,

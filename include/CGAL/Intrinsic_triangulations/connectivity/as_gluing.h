@@ -11,7 +11,9 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -25,7 +27,25 @@ edges are numbered anew, in the order in which the faces meet them.
 \pre the map has the invariants of `MutableDeltaComplex`
 \complexity linear
 */
-Gluing gluing_from_map(const Gluing_map& map);
+inline Gluing gluing_from_map(const Gluing_map& map) {
+  if (map.has_garbage()) return gluing_from_map(gluing_map_from_face_graph(map));
+  Gluing g;
+  g.number_of_vertices = map.number_of_vertices();
+  std::vector<std::uint32_t> corner(map.number_of_halfedges(), Gluing::none);
+  for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
+    for (const Gluing_map::Halfedge h : map.sides({f})) {
+      corner[h.index] = static_cast<std::uint32_t>(g.origin.size());
+      g.origin.push_back(map.source(h).index);
+    }
+  }
+  g.glue.assign(g.origin.size(), Gluing::none);
+  for (std::uint32_t h = 0; h < map.number_of_halfedges(); ++h) {
+    const std::uint32_t o = Gluing_map::opposite({h}).index;
+    if (corner[h] == Gluing::none || corner[o] == Gluing::none) continue;
+    g.glue[corner[h]] = map.is_reversed({h / 2}) ? Gluing::reversed(corner[o]) : corner[o];
+  }
+  return g;
+}
 
 namespace internal {
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -211,7 +212,16 @@ private:
 };
 
 // Keeps the order along edges.
-void make_monotone(const Edge_crossings& crossings, Crossing_parameters& p);
+inline void make_monotone(const Edge_crossings& crossings, Crossing_parameters& p) {
+  for (std::size_t e = 0; e + 1 < crossings.begin.size(); ++e)
+    for (std::uint32_t i = crossings.begin[e] + 1; i < crossings.begin[e + 1]; ++i)
+      p.on_intrinsic[i] = std::max(p.on_intrinsic[i], p.on_intrinsic[i - 1]);
+  for (std::size_t c = 0; c + 1 < crossings.curve_begin.size(); ++c)
+    for (std::uint32_t i = crossings.curve_begin[c] + 1; i < crossings.curve_begin[c + 1]; ++i) {
+      double& x = p.on_input[crossings.on_curve[i]];
+      x = std::max(x, p.on_input[crossings.on_curve[i - 1]]);
+    }
+}
 
 } // namespace internal
 

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -27,7 +28,14 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // The edge of the input with a user's number.
-std::uint32_t edge_of_name(const Input_definition& input, std::uint32_t name);
+inline std::uint32_t edge_of_name(const Input_definition& input, std::uint32_t name) {
+  const std::uint32_t here = input.names().edges.here(name);
+  if (here == Gluing::none)
+    throw Invalid_input(Element_kind::edge, name,
+                        "edge " + std::to_string(name) +
+                            " is not one of those that the triangulation was built from");
+  return here;
+}
 
 } // namespace internal
 

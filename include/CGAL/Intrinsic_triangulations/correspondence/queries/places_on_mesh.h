@@ -50,7 +50,13 @@ using Face_location =
 namespace internal {
 
 // `vertices`: number of vertices of the mesh, removed ones included
-void check_is_mesh_of(const Input_definition& input, std::uint32_t vertices);
+inline void check_is_mesh_of(const Input_definition& input, std::uint32_t vertices) {
+  if (vertices != input.number_of_vertices())
+    throw Invalid_input(
+        Element_kind::none, 0,
+        "the mesh is not the one that the triangulation was built from, or has removed "
+        "elements; collect its garbage before the triangulation is built");
+}
 
 // A point of the input, from coordinates of the user's vertices by number.
 template <class Coordinates>
