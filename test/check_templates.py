@@ -20,7 +20,6 @@ import run_check
 ALLOWED = {
     "Indexed_mesh_adaptor: Mesh": "the concepts of meshes are defined by way of adaptors; users derive"
                                   " specialisations from it, before the functions of their mesh if they like",
-    "Integer_geometry: Triangulation": "its argument, which is not complete yet, has it as a member type",
     "Intrinsic_view: Triangulation": "its argument, which is not complete yet, may have it as a member",
     "Mesh_adaptor: Mesh": "MutableDeltaComplex is defined by it; a specialisation of users would have to"
                           " repeat the concept",

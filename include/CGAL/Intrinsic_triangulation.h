@@ -26,7 +26,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <memory>
@@ -103,7 +102,8 @@ public:
   \throws Invalid_input
   \complexity linear
   */
-  explicit Intrinsic_triangulation(Intrinsic_input input);
+  explicit Intrinsic_triangulation(Intrinsic_input input)
+      : Intrinsic_triangulation(internal::prepare<Metric, Kept_input>(std::move(input))) {}
 
   /*!
   \brief builds the triangulation of a mesh in space.
@@ -132,8 +132,21 @@ public:
                           const Integer_coordinates& coordinates) requires
       internal::Restorable<Correspondence_, Intrinsic_triangulation>
       : input_(std::move(input)),
-        mesh_(mesh_from_gluing_map<Mesh>(std::move(map))),
-        number_(mesh_),
+        numbered_(mesh_from_gluing_map<Mesh>(std::move(map))),
+        metric_(std::move(metric)),
+        rows_(*this) {
+    correspondence_.restore(*this, coordinates);
+    places_.restore(*this, coordinates);
+  }
+
+  /// takes input, connectivity and the numbers of its elements from another triangulation.
+  /// \param t, metric, coordinates see the other constructors
+  template <class Triangulation>
+  Intrinsic_triangulation(const Triangulation& t, Metric metric,
+                          const Integer_coordinates& coordinates) requires
+      internal::Restorable<Correspondence_, Intrinsic_triangulation>
+      : input_(t.shared_input()),
+        numbered_(t.mesh(), t.numbers()),
         metric_(std::move(metric)),
         rows_(*this) {
     correspondence_.restore(*this, coordinates);
@@ -141,38 +154,24 @@ public:
   }
 
   /// copies everything but the input, which is shared; elements keep their numbers.
-  Intrinsic_triangulation(const Intrinsic_triangulation& other)
-      : input_(other.input_), mesh_(other.mesh_), number_(mesh_, other.number_, other.mesh_),
-        metric_(other.metric_), correspondence_(other.correspondence_), places_(other.places_),
-        exact_memory_(other.exact_memory_), rows_(other.rows_) {}
+  Intrinsic_triangulation(const Intrinsic_triangulation&) = default;
   /// moves everything; elements keep their numbers.
-  Intrinsic_triangulation(Intrinsic_triangulation&& other)
-      : input_(std::move(other.input_)), mesh_(std::move(other.mesh_)),
-        number_(mesh_, other.number_, other.mesh_), metric_(std::move(other.metric_)),
-        correspondence_(std::move(other.correspondence_)), places_(std::move(other.places_)),
-        exact_memory_(std::move(other.exact_memory_)), rows_(std::move(other.rows_)) {}
+  Intrinsic_triangulation(Intrinsic_triangulation&&) = default;
   /// assigns everything; elements keep their numbers.
-  Intrinsic_triangulation& operator=(Intrinsic_triangulation other) {
-    input_ = std::move(other.input_);
-    mesh_ = std::move(other.mesh_);
-    number_ =
-        Mesh_adaptor<Mesh>(mesh_, other.number_, other.mesh_); // as descriptors may be pointers
-    metric_ = std::move(other.metric_);
-    correspondence_ = std::move(other.correspondence_);
-    places_ = std::move(other.places_);
-    exact_memory_ = std::move(other.exact_memory_);
-    rows_ = std::move(other.rows_);
-    return *this;
+  Intrinsic_triangulation& operator=(const Intrinsic_triangulation& other) {
+    return *this = Intrinsic_triangulation(other);
   }
+  /// assigns everything; elements keep their numbers.
+  Intrinsic_triangulation& operator=(Intrinsic_triangulation&&) = default;
 
   /// returns the connectivity.
-  const Mesh& mesh() const { return mesh_; }
+  const Mesh& mesh() const { return numbered_.mesh; }
   /// returns the metric.
   const Metric& metric() const { return metric_; }
   /// returns the correspondence.
   const Correspondence& correspondence() const { return correspondence_; }
   /// returns the numbers of the elements of the mesh, and the elements with given numbers.
-  const Mesh_adaptor<Mesh>& numbers() const { return number_; }
+  const Mesh_adaptor<Mesh>& numbers() const { return numbered_.numbers; }
   /// returns the surface that the triangulation was built from; without correspondence, only its
   /// definition.
   const Kept_input& input() const { return *input_; }
@@ -195,23 +194,28 @@ public:
   const Integer_coordinates* places() const { return places_.on_input(*this); }
 
   /// returns the number of a vertex: from 0, unchanged by moves.
-  std::uint32_t index(vertex_descriptor v) const { return number_.vertex(v); }
+  std::uint32_t index(vertex_descriptor v) const { return numbers().vertex(v); }
   /// tells whether a vertex was inserted: it is not one of the input.
   bool is_inserted(vertex_descriptor v) const { return index(v) >= input_->number_of_vertices(); }
   /// returns the number of an edge: from 0, dense, unchanged by flips.
-  std::uint32_t index(edge_descriptor e) const { return number_.halfedge(halfedge(e, mesh_)) / 2; }
+  std::uint32_t index(edge_descriptor e) const {
+    return numbers().halfedge(halfedge(e, mesh())) / 2;
+  }
   /// returns the number of a face: from 0, dense, unchanged by flips.
-  std::uint32_t index(face_descriptor f) const { return number_.face(f); }
+  std::uint32_t index(face_descriptor f) const { return numbers().face(f); }
 
   /*!
   \brief indexes the faces at an edge and their sides.
   \pre both sides of the edge have a face
   */
-  Diamond diamond(halfedge_descriptor h) const { return internal::diamond_of(h, mesh_, number_); }
+  Diamond diamond(halfedge_descriptor h) const {
+    return internal::diamond_of(h, mesh(), numbers());
+  }
 
   /// returns the predicates for cases that the metric leaves open: see `Exact_ladder`.
   auto exact_values() const requires internal::Decides_by_input<Metric> {
-    return internal::Exact_values_of<Intrinsic_triangulation>(*this, places_, exact_memory_);
+    return internal::Exact_values_of<Intrinsic_triangulation, Places>(*this, places_,
+                                                                      exact_memory_);
   }
 
   /*!
@@ -279,7 +283,7 @@ public:
 
   /*!
   \brief removes a vertex that was inserted: edges are flipped away from it first.
-  \return `done`, or why it cannot be removed: nothing has changed then but directions of halfedges
+  \return `done`, or why it cannot be removed; nothing has changed then
   */
   Move_status remove_vertex(vertex_descriptor v) requires RefinableMetric<Metric> {
     return Session(*this).remove_vertex(v);
@@ -309,16 +313,15 @@ private:
 
   static constexpr bool decides_by_input = internal::Decides_by_input<Metric>;
   // where the vertices are on the input, if they define the metric
-  using Places =
-      std::conditional_t<decides_by_input, internal::Vertex_places<Intrinsic_triangulation>,
-                         internal::No_vertex_places<Intrinsic_triangulation>>;
+  using Places = std::conditional_t<decides_by_input && !internal::Stores_nothing<Metric>,
+                                    internal::Vertex_places<Intrinsic_triangulation>,
+                                    internal::No_vertex_places<Intrinsic_triangulation>>;
 
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric, Kept_input>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
   std::shared_ptr<const Kept_input> input_;
-  Mesh mesh_;
-  Mesh_adaptor<Mesh> number_;
+  internal::Mesh_with_numbers<Mesh> numbered_;
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
   [[no_unique_address]] Places places_;
@@ -329,13 +332,9 @@ private:
 };
 
 template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_initializable C>
-Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Intrinsic_input input)
-    : Intrinsic_triangulation(internal::prepare<Metric, Kept_input>(std::move(input))) {}
-
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_initializable C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
                                                           std::shared_ptr<const Kept_input> input)
-    : input_(std::move(input)), mesh_(mesh_from_gluing_map<Mesh>(std::move(map))), number_(mesh_),
+    : input_(std::move(input)), numbered_(mesh_from_gluing_map<Mesh>(std::move(map))),
       metric_(std::move(metric)), rows_(*this) {
   internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
   correspondence_.start(*this);

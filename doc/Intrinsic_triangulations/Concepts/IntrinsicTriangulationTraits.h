@@ -21,6 +21,7 @@ metric.
 \itc{Tolerant_traits}\,
 \itc{Interval_traits}\,
 \itc{Exact_ideal_hyperbolic_traits}\,
+\itc{Integer_only_traits}\,
 \itc{Ideal_hyperbolic_traits}; your own traits: own_traits.cpp among the examples}
 
 \cgalHeading{Types}

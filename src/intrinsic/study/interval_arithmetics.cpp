@@ -86,7 +86,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_without_ties(const Tr
 void study_exact_integer(Study_run& run) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
   measure<IT::Integer_only_triangulation<>>(run, [&run, &found](const auto& done) {
-    note_exact_decisions(run.findings, done.statistics());
+    note_exact_decisions(run.findings, done.metric().statistics());
     found = edges_without_ties(done);
   });
   Counted_exact expected{IT::Intrinsic_input(run.input)};

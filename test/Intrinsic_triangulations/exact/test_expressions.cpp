@@ -8,11 +8,12 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_geometry.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Integer_only_traits.h>
 
 #include <gtest/gtest.h>
 
@@ -349,22 +350,23 @@ struct Counts {
   int zeros = 0, others = 0;
 };
 
-using Geometry = IT::Integer_geometry<Triangulation>;
+using Places = IT::internal::No_vertex_places<Triangulation>;
+using From_integers = IT::internal::Exact_values<Triangulation, Places>;
 
 // By the metric, and from integer coordinates and the input alone.
 template <class Expression>
-int expect_sign(Known_triangulation& k, Geometry::Memory& memory, Halfedge h, const Expression& e,
-                int expected) {
+int expect_sign(Known_triangulation& k, IT::internal::Exact_memory& memory, Halfedge h,
+                const Expression& e, int expected) {
   const Scope scope;
-  IT::Predicate_statistics statistics;
+  const IT::Integer_only_metric metric;
   EXPECT_EQ(k.t.sign(k.t.diamond(h), e), expected);
-  EXPECT_EQ(Geometry(k.t, memory, statistics).sign(k.t.diamond(h), e), expected);
-  EXPECT_EQ(k.t.metric().statistics().probable_zero + statistics.probable_zero, 0U);
+  EXPECT_EQ(metric.sign(k.t.diamond(h), e, From_integers(k.t, Places(), memory)), expected);
+  EXPECT_EQ(k.t.metric().statistics().probable_zero + metric.statistics().probable_zero, 0U);
   return expected;
 }
 
 void check_diamonds(Known_triangulation& k, Programs& programs, std::mt19937& random, Counts& n) {
-  Geometry::Memory memory;
+  IT::internal::Exact_memory memory;
   for (const Halfedge h : k.diamonds()) {
     const IT::Diamond_values<Number> values = k.values(h);
     const unsigned degree = 1 + static_cast<unsigned>(random() % 6);
@@ -448,7 +450,7 @@ TEST(Expressions, tell_a_right_angle_of_two_coplanar_corners_whatever_the_digits
     Known_triangulation k(meshes::Mesh{{{0, 0, 0}, {a - b, a + b, 0}, {-b, a, 0}, {a, b, 0}},
                                        {{0, 1, 2}, {0, 3, 1}}});
     ASSERT_EQ(k.diamonds().size(), 1U);
-    Geometry::Memory memory;
+    IT::internal::Exact_memory memory;
     for (const Halfedge h : {k.diamonds()[0], opposite(k.diamonds()[0], k.t.mesh())}) {
       EXPECT_EQ(Right_corner()(k.values(h)).sign(), 0);
       expect_sign(k, memory, h, Right_corner(), 0);

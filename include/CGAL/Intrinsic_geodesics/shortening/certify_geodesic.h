@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/is_straight.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 
 #include <CGAL/enum.h>
@@ -23,11 +24,12 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Faces about the vertices of curves whose area is not positive, and edges of curves that are bent.
-template <class Triangulation, class Session, class Here>
+template <class Triangulation, class Integers, class Here>
 std::size_t count_invalid_elements(const Curve_network<Triangulation>& network,
-                                   const Session& session, const Here& here) {
+                                   const Integers& integers, const Here& here) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const Triangulation& t = network.triangulation();
+  const typename Integers::Const_session session(integers);
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   std::set<std::uint32_t> edges, faces;
   std::size_t invalid = 0;
@@ -38,7 +40,7 @@ std::size_t count_invalid_elements(const Curve_network<Triangulation>& network,
   };
   for (std::uint32_t c = 0; c < network.number_of_curves(); ++c)
     for (const Halfedge h : network.halfedges(c)) {
-      if (edges.insert(t.index(edge(h, t.mesh()))).second && !session.is_straight(here(h)))
+      if (edges.insert(t.index(edge(h, t.mesh()))).second && !is_straight(integers, here(h)))
         ++invalid;
       Halfedge g = h;
       do {
@@ -74,8 +76,8 @@ Geodesic_report certify_geodesic(const Curve_network<Triangulation>& network) {
   Geodesic_report report;
   report.joints = internal::Network_joints<Triangulation>(network).reports(
       [&](Halfedge h, Halfedge g) { return session.compare_angle_to_pi(here(h), here(g)); });
-  report.invalid_elements = internal::count_invalid_elements(network, session, here) +
-                            integers.statistics().probable_zero;
+  report.invalid_elements = internal::count_invalid_elements(network, integers, here) +
+                            integers.metric().statistics().probable_zero;
   return report;
 }
 

@@ -77,6 +77,11 @@ public:
     return factors_.empty() ? 1 : std::ldexp(factors_[row], shared_exponent_);
   }
 
+  /// returns the factors of vertices, by row, up to a power of two; none: all one.
+  const std::vector<double>& relative_factors() const { return factors_; }
+  /// returns what rounding took from them; none: nothing.
+  const std::vector<double>& rests() const { return rests_; }
+
   /// returns the lambda length of an edge, in scaled units: lengths times 2^scale_exponent().
   const FT& lambda(std::uint32_t e) const { return lambda_[e]; }
   /// returns the lambda length of an edge without factors of vertices, in the scaled units of the

@@ -120,21 +120,16 @@ public:
   /// returns the sign of an expression in the values of a diamond, exact with exact traits.
   /// \tparam Expression a model of `DiamondExpression`
   template <class Expression>
-  Sign sign(const Diamond& d, const Expression& expression) const requires EuclideanMetric<Metric> {
-    if constexpr (by_input)
-      return metric().sign(d, expression, self().exact_values());
-    else
-      return metric().sign(d, expression);
+  Sign sign(const Diamond& d,
+            const Expression& expression) const requires internal::Decides_signs<Metric> {
+    return decide([&](const auto&... exact) { return metric().sign(d, expression, exact...); });
   }
   /// returns the sign of an expression in the values of faces, exact with exact traits.
   /// \tparam Expression a model of `FaceExpression`
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces,
-            const Expression& expression) const requires EuclideanMetric<Metric> {
-    if constexpr (by_input)
-      return metric().sign(faces, expression, self().exact_values());
-    else
-      return metric().sign(faces, expression);
+            const Expression& expression) const requires internal::Decides_signs<Metric> {
+    return decide([&](const auto&... exact) { return metric().sign(faces, expression, exact...); });
   }
   /// tells whether the angles opposite the edge of a diamond sum to at most pi.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
@@ -145,22 +140,18 @@ public:
   }
   /// returns the sign of pi minus the angles opposite the edge of a diamond.
   Sign delaunay_sign(const Diamond& d) const {
-    if constexpr (EuclideanMetric<Metric>)
+    if constexpr (internal::Decides_signs<Metric>)
       return sign(d, Delaunay_expression());
-    else if constexpr (by_input)
-      return metric().delaunay_sign(d, self().exact_values());
     else
-      return metric().delaunay_sign(d);
+      return decide([&](const auto&... exact) { return metric().delaunay_sign(d, exact...); });
   }
   /// tells whether the diamond is strictly convex, so that its edge can be flipped.
   bool is_flippable(const Diamond& d) const {
-    if constexpr (EuclideanMetric<Metric>)
+    if constexpr (internal::Decides_signs<Metric>)
       return sign(d, Convexity_at_source_expression()) == POSITIVE &&
              sign(d, Convexity_at_target_expression()) == POSITIVE;
-    else if constexpr (by_input)
-      return metric().is_flippable(d, self().exact_values());
     else
-      return metric().is_flippable(d);
+      return decide([&](const auto&... exact) { return metric().is_flippable(d, exact...); });
   }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
   /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.
@@ -227,6 +218,15 @@ public:
   }
 
 private:
+  // calls a function with what the metric requires to decide
+  template <class Function>
+  BOOST_FORCEINLINE auto decide(const Function& f) const {
+    if constexpr (by_input)
+      return f(self().exact_values());
+    else
+      return f();
+  }
+
   void sharpen_all() const requires EuclideanMetric<Metric> {
     std::vector<Indexed_face> wide;
     for (const auto f : faces(self().mesh()))

@@ -76,7 +76,7 @@ public:
   using Insertion = typename Triangulation::Insertion;
 
   explicit Mover(Triangulation& t)
-      : t_(t), mesh_(t.mesh_), number_(t.number_), metric_(t.metric_),
+      : t_(t), mesh_(t.numbered_.mesh), number_(t.numbered_.numbers), metric_(t.metric_),
         correspondence_(t.correspondence_), places_(t.places_) {}
 
   // of the face of h with the sides ij, jk, ki, without a vertex inside

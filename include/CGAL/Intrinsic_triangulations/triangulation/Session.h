@@ -92,15 +92,21 @@ public:
   \pre no border is in between
   \complexity linear in the number of faces in between, quadratic if it is nearly pi or beyond
   */
-  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g) const requires
-      EuclideanMetric<typename Triangulation::Metric> {
+  Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g)
+      const requires internal::Decides_signs<typename Triangulation::Metric> {
     internal::Wedge wedge;
-    internal::find_wedge(t_, h, g, wedge);
+    if constexpr (internal::Stores_nothing<typename Triangulation::Metric>)
+      internal::find_wedge(
+          t_, h, g, wedge,
+          [&](halfedge_descriptor, const Indexed_face& f) { return rebuilt_values(f); },
+          [](halfedge_descriptor) { return true; });
+    else
+      internal::find_wedge(t_, h, g, wedge);
     return compare_angle_to_pi(wedge);
   }
   /// \cond
-  Comparison_result compare_angle_to_pi(const internal::Wedge& wedge) const requires
-      EuclideanMetric<typename Triangulation::Metric> {
+  Comparison_result compare_angle_to_pi(const internal::Wedge& wedge)
+      const requires internal::Decides_signs<typename Triangulation::Metric> {
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>)
       if (const auto c = internal::certain_comparison_to_pi(t_.metric(), wedge)) return *c;
     return internal::compare_wedge_to_pi(wedge, [&](const auto& faces, const auto& expression) {
@@ -113,6 +119,13 @@ public:
     });
   }
   /// \endcond
+  /// returns the sign of the area of the face of a halfedge: positive in a triangulation, unless
+  /// rounding has turned faces over.
+  Sign orientation(halfedge_descriptor h)
+      const requires internal::Decides_signs<typename Triangulation::Metric> {
+    const Indexed_face f = internal::indexed_face_from(t_, h);
+    return t_.sign(std::span(&f, 1), [](const auto& v) { return v.front().quadruple_area; });
+  }
   /// calls a function in the default floating point environment.
   template <class Function>
   auto suspended(Function f) const {
@@ -121,6 +134,14 @@ public:
   }
 
 private:
+  // doubles near the values of a face, from where it is on the input
+  Face_values<double> rebuilt_values(const Indexed_face& face) const {
+    const auto v = t_.exact_values().values(std::span(&face, 1)).front();
+    const auto& [l, a] = v;
+    return {{CGAL::to_double(l[0]), CGAL::to_double(l[1]), CGAL::to_double(l[2])},
+            CGAL::to_double(a)};
+  }
+
   Move_status combinatorial_flip_status(halfedge_descriptor h) const {
     const auto null = boost::graph_traits<Mesh>::null_face();
     const auto f = face(h, t_.mesh()), g = face(opposite(h, t_.mesh()), t_.mesh());
@@ -179,9 +200,15 @@ public:
       internal::Remembers_flips<typename Triangulation::Metric> {
     Mover(t_).undo_flip(h, before);
   }
-  /// flips an edge that is not locally Delaunay and therefore flippable. \pre
-  /// `!is_locally_delaunay(h)`
+  /// flips an edge that is not locally Delaunay and therefore flippable; if the metric stores
+  /// nothing, rounding may have turned faces over: these are refused, so that algorithms end.
+  /// \pre `!is_locally_delaunay(h)`
   BOOST_FORCEINLINE Move_status flip_non_delaunay_edge(halfedge_descriptor h) {
+    if constexpr (internal::Stores_nothing<typename Triangulation::Metric>)
+      if (!t_.metric().has_only_positive_areas() &&
+          (this->orientation(h) != POSITIVE ||
+           this->orientation(opposite(h, t_.mesh())) != POSITIVE))
+        return Move_status::not_convex;
     return Mover(t_).flip(h, [this](const Diamond& d) { return t_.metric().compute_flip(d); });
   }
   /// see `Intrinsic_triangulation::insert_vertex()`

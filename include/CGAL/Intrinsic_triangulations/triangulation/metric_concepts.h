@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /*!
@@ -68,6 +69,15 @@ concept Decides_flips = (Decides_expressions<Metric, Exact...> ||
 
 template <class Metric>
 concept Decides_by_input = Decides_flips<Metric, Any_exact_values>;
+
+// Decides any expressions.
+template <class Metric>
+concept Decides_signs =
+    Decides_expressions<Metric> || Decides_expressions<Metric, Any_exact_values>;
+
+// Has no values of its own: those that flips make are none.
+template <class Metric>
+concept Stores_nothing = std::is_empty_v<typename Metric::Flipped>;
 
 // Measures the angles at an edge.
 template <class Metric, class... Exact>

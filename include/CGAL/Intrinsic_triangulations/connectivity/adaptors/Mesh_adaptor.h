@@ -115,6 +115,30 @@ private:
   typename boost::property_map<Mesh, boost::face_index_t>::const_type face_;
 };
 
+namespace internal {
+
+// A mesh with numbers of its elements, which copies keep even where descriptors are pointers.
+template <class Mesh>
+struct Mesh_with_numbers {
+  explicit Mesh_with_numbers(Mesh m) : mesh(std::move(m)), numbers(mesh) {}
+  Mesh_with_numbers(const Mesh& m, const Mesh_adaptor<Mesh>& n) : mesh(m), numbers(mesh, n, m) {}
+  Mesh_with_numbers(const Mesh_with_numbers& other)
+      : Mesh_with_numbers(other.mesh, other.numbers) {}
+  Mesh_with_numbers(Mesh_with_numbers&& other)
+      : mesh(std::move(other.mesh)), numbers(mesh, other.numbers, other.mesh) {}
+  Mesh_with_numbers& operator=(Mesh_with_numbers other) {
+    mesh = std::move(other.mesh);
+    numbers = Mesh_adaptor<Mesh>(mesh, other.numbers, other.mesh);
+    return *this;
+  }
+  ~Mesh_with_numbers() = default;
+
+  Mesh mesh;
+  Mesh_adaptor<Mesh> numbers;
+};
+
+} // namespace internal
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_MESH_ADAPTOR_H

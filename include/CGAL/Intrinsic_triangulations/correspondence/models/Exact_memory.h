@@ -5,13 +5,20 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_MEMORY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
+
+#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +28,27 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// how often an edge, or the sides of a face, are crossed
+inline std::size_t number_of_crossings(const Integer_coordinates& c, std::uint32_t edge) {
+  return static_cast<std::size_t>(crossings(c.normal_coordinate(edge)));
+}
+inline std::size_t number_of_crossings(const Integer_coordinates& c, const Indexed_face& f) {
+  return number_of_crossings(c, f.edges[0]) + number_of_crossings(c, f.edges[1]) +
+         number_of_crossings(c, f.edges[2]);
+}
+
+// Whether the input triangles under edges, or faces, are not many more than the flips, which can be
+// repeated instead.
+template <class Elements>
+bool are_worth_unfolding(const Integer_coordinates& c, const Elements& elements,
+                         const Flip_list& flips) {
+  const std::size_t most = 32 + 4 * flips.size();
+  std::size_t all = 0;
+  for (auto i = elements.begin(); i != elements.end() && all <= most; ++i)
+    all += number_of_crossings(c, *i);
+  return all <= most;
+}
 
 // Stores which intrinsic faces lie in a flat part of the input: faces in space that are connected
 // across edges over which they are exactly coplanar. Two intrinsic faces of one part form a diamond
@@ -79,6 +107,7 @@ private:
 struct Exact_memory {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;
+  Input_face_intervals<Interval_nt<false>> input_faces;
   std::optional<Flat_parts> flat_parts;
   std::size_t steps = 0;        // steps for single elements since the last move or pass
   std::size_t enough_steps = 0; // the least cost of a pass over all, without a list of flips

@@ -28,9 +28,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The most crossings of edges that are unfolded, rather than repeating the flips.
-inline std::size_t most_crossings(const Flip_list& flips) { return 32 + 4 * flips.size(); }
-
 /*
 Computes the values of a triangulation exactly, from where its edges run on the input. It finds the
 figure that an `Exact_ladder` evaluates: usually the input under a diamond. It uses the list of
@@ -48,7 +45,7 @@ public:
   Sign sign(const Diamond& d, const Recorded_diamond_expression& expression,
             Diamond_values<FT>& better, Predicate_statistics& statistics) const {
     const auto by_figure = [&](const auto& figure) {
-      return memory_.ladder.sign(metric(), figure, expression, better, statistics);
+      return sign_on(figure, expression, better, statistics);
     };
     if (const std::optional<Input_diamond> input = untouched_diamond(d)) return by_figure(*input);
     if (expression.is_linear_in_areas() && can_unfold(d)) {
@@ -64,14 +61,30 @@ public:
     if (of_sides != nullptr && Diamond_unfolder::is_wedge(view_, faces) &&
         can_unfold(std::array{faces.front().edges[0], faces.back().edges[2]})) {
       Diamond_values<FT> sides;
-      return memory_.ladder.sign(metric(), memory_.unfolder.wedge(view_, coordinates(), faces),
-                                 *of_sides, sides, statistics);
+      return sign_on(memory_.unfolder.wedge(view_, coordinates(), faces), *of_sides, sides,
+                     statistics);
     }
-    return with_figure(faces, [&](const auto& figure) {
-      return memory_.ladder.sign(metric(), figure, expression, better, statistics);
-    });
+    return with_figure(
+        faces, [&](const auto& figure) { return sign_on(figure, expression, better, statistics); });
   }
 
+  // on a figure that was found
+  template <class Figure, class Expression, class Values>
+  Sign sign_on(const Figure& figure, const Expression& expression, Values& better,
+               Predicate_statistics& statistics) const {
+    return memory_.ladder.sign(metric(), figure, expression, better, statistics);
+  }
+
+  // intervals that contain the values of a diamond, and of faces, from the input alone
+  Diamond_values<FT> values(const Diamond& d) const {
+    if (const auto input = input_diamond(d)) return input->template values<FT>(intervals());
+    return with_figure(d, [this](const auto& f) { return f.template values<FT>(intervals()); });
+  }
+  std::vector<Face_values<FT>> values(std::span<const Indexed_face> faces) const {
+    return with_figure(faces, [this](const auto& f) { return f.template values<FT>(intervals()); });
+  }
+  // of faces of the input
+  auto intervals() const { return memory_.input_faces.of(metric()); }
   // Calls a function with the number of each face and intervals that contain its values, computed
   // in at least `bits` bits: 106 or more if flips are repeated, since repeating them in doubles
   // would only give the stored intervals again. Returns the bits.
@@ -118,14 +131,14 @@ public:
       memory_.weights.emplace_back(diamonds[i].ij, all[i]);
   }
 
-  // the same for the squared length of the first side of a face
+  // an interval of the squared length of the first side of a face, from at least `bits` bits
   FT first_squared_length(const Indexed_face& face, unsigned bits) const {
     if (can_unfold(std::array{face.edges[0]}))
       return memory_.ladder.squared_length(metric(), strip(face), bits);
     return enclosure(replayed(std::span(&face, 1)), std::max(bits, 106U)).squared_lengths.front();
   }
 
-  // The input triangles through which the first side of a face runs. \pre it can be unfolded
+  // the input triangles through which the first side of a face runs
   const Unfolded_diamond& strip(const Indexed_face& face) const {
     return memory_.unfolder.strip(view_, coordinates(),
                                   view_.halfedge(face.face, face.edges[0], face.edges[1]));
@@ -171,6 +184,9 @@ public:
     return f(unfolded);
   }
 
+private:
+  const Input_metric& metric() const { return t_.input().metric(); }
+
   // two faces of the input, if the diamond consists of them
   std::optional<Input_diamond> input_diamond(const Diamond& d) const {
     const Integer_coordinates& c = coordinates();
@@ -180,9 +196,6 @@ public:
     const std::uint32_t x = c.fans().halfedge(c.roundabout(h));
     return Input_diamond{input_side(c.input(), x), input_side(c.input(), x ^ 1U)};
   }
-
-private:
-  const Input_metric& metric() const { return t_.input().metric(); }
 
   bool asks_for_all() const {
     if (const Flip_list* flips = places_.flips())
@@ -242,26 +255,14 @@ private:
     return {t_.input(), places_.connectivity(t_), *places_.flips(), {faces.begin(), faces.end()}};
   }
 
-  // Whether the input triangles under edges, or faces, can be unfolded, and are not many more than
-  // the flips.
+  // Whether the input triangles under edges, or faces, can be unfolded, and it is worth it.
   template <class Elements>
   bool can_unfold(const Elements& elements) const {
     if (places_.flips() == nullptr) return true;
     const Integer_coordinates* c = places_.coordinates(t_);
     // nothing can be unfolded across an edge without length
-    if (c == nullptr || !places_.are_input_lengths_positive(t_)) return false;
-    const std::size_t most = most_crossings(*places_.flips());
-    std::size_t all = 0;
-    for (auto i = elements.begin(); i != elements.end() && all <= most; ++i)
-      all += number_of_crossings(*c, *i);
-    return all <= most;
-  }
-  static std::size_t number_of_crossings(const Integer_coordinates& c, std::uint32_t edge) {
-    return static_cast<std::size_t>(crossings(c.normal_coordinate(edge)));
-  }
-  static std::size_t number_of_crossings(const Integer_coordinates& c, const Indexed_face& f) {
-    return number_of_crossings(c, f.edges[0]) + number_of_crossings(c, f.edges[1]) +
-           number_of_crossings(c, f.edges[2]);
+    return c != nullptr && places_.are_input_lengths_positive(t_) &&
+           are_worth_unfolding(*c, elements, *places_.flips());
   }
 
   bool can_unfold(const Diamond& d) const {

@@ -26,22 +26,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The lambda length of an edge from where it runs on the input, without factors of vertices.
-// \param input_lambda those of the edges of the input
-template <class FT, class View>
-FT lambda_on_input(const View& view, const Integer_coordinates& coordinates, std::uint32_t edge,
-                   const std::vector<double>& input_lambda, Diamond_unfolder& unfolder,
-                   std::vector<FT>& at) {
-  const Input& input = coordinates.input();
-  const auto lambda = [&](const Face_side& side, unsigned k) {
-    std::uint32_t h = input.halfedge_of_face(side.face);
-    for (unsigned n = (side.slot + k) % 3; n > 0; --n) h = input.next(h);
-    return FT(input_lambda[h / 2]);
-  };
-  const std::uint32_t h = view.is_border(2 * edge) ? 2 * edge + 1 : 2 * edge;
-  return lambdas_along_strip<FT>(unfolder.strip(view, coordinates, h), lambda, at);
-}
-
 /*
 Computes the lambda lengths of a triangulation in any number type, from where its edges run on the
 input: in a strip of input triangles for each edge. It repeats the flips instead if they are few and
@@ -65,9 +49,7 @@ public:
       return result;
     }
     std::vector<FT> at;
-    for (std::size_t k = 0; k < n; ++k)
-      result[k] = lambda_on_input<FT>(view_, *c, edges[k], t_.metric().input_lambdas(),
-                                      memory_.unfolder, at);
+    for (std::size_t k = 0; k < n; ++k) result[k] = lambda_on_input(*c, edges[k], at);
     if (const std::size_t steps = memory_.unfolder.take_steps(); steps > 0)
       c->count_steps(t_, steps);
     return result;
@@ -85,10 +67,19 @@ private:
   const Integer_coordinates* coordinates(const std::array<std::uint32_t, n>& edges) const {
     const Integer_coordinates* const c = places_.coordinates(t_);
     if (c == nullptr || places_.flips() == nullptr) return c;
-    std::size_t all = 0;
-    for (const std::uint32_t e : edges)
-      all += static_cast<std::size_t>(crossings(c->normal_coordinate(e)));
-    return all <= most_crossings(*places_.flips()) ? c : nullptr;
+    return are_worth_unfolding(*c, edges, *places_.flips()) ? c : nullptr;
+  }
+
+  // from where the edge runs on the input
+  template <class FT>
+  FT lambda_on_input(const Integer_coordinates& c, std::uint32_t edge, std::vector<FT>& at) const {
+    const auto lambda = [&](const Face_side& side, unsigned k) {
+      std::uint32_t h = c.input().halfedge_of_face(side.face);
+      for (unsigned n = (side.slot + k) % 3; n > 0; --n) h = c.input().next(h);
+      return FT(t_.metric().input_lambdas()[h / 2]);
+    };
+    const std::uint32_t h = view_.is_border(2 * edge) ? 2 * edge + 1 : 2 * edge;
+    return lambdas_along_strip<FT>(memory_.unfolder.strip(view_, c, h), lambda, at);
   }
 
   template <class FT>
@@ -114,10 +105,10 @@ private:
 };
 
 // The exact values that the metric of a triangulation decides by.
-template <class Triangulation>
+template <class Triangulation, class Places>
 using Exact_values_of =
-    std::conditional_t<EuclideanMetric<typename Triangulation::Metric>, Exact_values<Triangulation>,
-                       Ideal_exact_values<Triangulation>>;
+    std::conditional_t<Scales_vertices<typename Triangulation::Metric>,
+                       Ideal_exact_values<Triangulation>, Exact_values<Triangulation, Places>>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -166,12 +166,17 @@ void Vertex_places<Triangulation>::start(const Triangulation& t) const {
   }
 }
 
-// Other metrics are defined by moves.
+// Other metrics are defined by moves; one that stores nothing by the correspondence alone.
 template <class Triangulation>
 struct No_vertex_places {
-  static const Integer_coordinates* on_input(const Triangulation& t) {
+  static const Integer_coordinates* coordinates(const Triangulation& t) {
     return integer_coordinates_of(t.correspondence());
   }
+  static const Integer_coordinates* on_input(const Triangulation& t) { return coordinates(t); }
+  static const Flip_list* flips() { return nullptr; }
+  // called with flips only
+  static Gluing_map connectivity(const Triangulation&) { return {}; }
+  static bool are_input_lengths_positive(const Triangulation&) { return true; }
   bool define(const Triangulation&) { return true; }
   void restore(const Triangulation&, const Integer_coordinates&) {}
   template <class Move>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/is_straight.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_certificate.h>
@@ -22,23 +23,23 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief decides exactly whether a triangulation is Delaunay, from its integers and the input.
 \param t the triangulation; its predicates only count how they were decided
-\complexity linear in the number of crossings, mostly; see `Integer_geometry::sign()`
+\complexity linear in the number of crossings, mostly; see `Exact_ladder`
 */
 template <MutableDeltaComplex Mesh>
 Delaunay_certificate certify_delaunay(const Integer_only_triangulation<Mesh>& t) {
   Delaunay_certificate certificate;
-  const Predicate_statistics before = std::exchange(t.statistics(), {});
+  const Predicate_statistics before = std::exchange(t.metric().statistics(), {});
   {
     const typename Integer_only_triangulation<Mesh>::Const_session session(t);
     for (const typename Integer_only_triangulation<Mesh>::face_descriptor f : faces(t.mesh()))
       if (session.orientation(halfedge(f, t.mesh())) != POSITIVE) ++certificate.inverted_faces;
     for (const typename Integer_only_triangulation<Mesh>::edge_descriptor e : edges(t.mesh()))
-      if (!session.is_straight(halfedge(e, t.mesh()))) ++certificate.bent_edges;
+      if (!internal::is_straight(t, halfedge(e, t.mesh()))) ++certificate.bent_edges;
   }
   const auto report = check_delaunay(t);
   certificate.non_delaunay_edges = report.non_delaunay_edges;
   certificate.ties = report.cocircular_edges.size();
-  certificate.statistics = std::exchange(t.statistics(), before);
+  certificate.statistics = std::exchange(t.metric().statistics(), before);
   return certificate;
 }
 
