@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_operators.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -24,18 +24,18 @@ int main(int argc, char** argv) {
   const std::size_t n = t.number_of_vertices();
 
   //! [matrix]
-  std::vector<decltype(t)::vertex_descriptor> sources(n); // by rows
-  for (const auto v : vertices(t.mesh())) sources[t.input_vertex(v)] = v;
-  const IT::Heat_distance heat(t); // factors once for all columns
+  std::vector<std::vector<IT::Place>> sets; // of one vertex each
+  for (std::uint32_t v = 0; v < n; ++v) sets.push_back({IT::Place::at_vertex(v)});
   std::ofstream file(name, std::ios::binary);
-  std::vector<float> columns;
-  for (std::size_t first = 0; first < n; first += 256) {
-    const auto sets = std::span(sources).subspan(first, std::min<std::size_t>(256, n - first));
-    columns.resize(n * sets.size());
-    IT::heat_distances(heat, sets, std::span(columns)); // in all processors
-    file.write(reinterpret_cast<const char*>(columns.data()),
-               static_cast<std::streamsize>(columns.size() * sizeof(float)));
-  }
+  IT::Distances distances(t); // factors once for all columns, and solves in all processors
+  distances.for_each_column(
+      sets,
+      [&](std::size_t, std::span<const double> column) {
+        const std::vector<float> rounded(column.begin(), column.end());
+        file.write(reinterpret_cast<const char*>(rounded.data()),
+                   static_cast<std::streamsize>(n * sizeof(float)));
+      },
+      {IT::Distance_method::heat});
   //! [matrix]
   file.close();
   const bool is_complete = std::filesystem::file_size(name) == n * n * sizeof(float);

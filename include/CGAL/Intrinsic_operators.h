@@ -12,6 +12,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 */
 
 #include <CGAL/Intrinsic_operators/compiled.h>
+#include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>

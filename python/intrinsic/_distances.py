@@ -89,7 +89,7 @@ class _Distances:
         """
         how = _method(method, max_distance, time_factor)
         ends = None if targets is None else self._places(targets, "targets")
-        found, status, _ = _core.distance(self._flipped(), self._places(sources, "sources"), ends,
+        found, status = _core.distance(self._flipped(), self._places(sources, "sources"), ends,
                                           how, progress)
         _warn_of_cap(status)
         return found
@@ -122,8 +122,8 @@ class _Distances:
     def pair_distances(self, A, B, *, method="exact", threads=0, progress=None):
         """Returns the distance from each point of `A` to that of `B`, of shape (k,).
 
-        One of them may be a single point. By heat, points are vertices. Pairs that begin with the
-        same point share a search: let points that repeat be in `A`.
+        One of them may be a single point. Pairs that begin with the same point share a search: let
+        points that repeat be in `A`.
 
         >>> s.pair_distances([0, 1], 2)
         array([1.41421356, 1.        ])
@@ -134,24 +134,7 @@ class _Distances:
         a, b = ([np.repeat(x, size, axis=0) if len(x) == 1 else x for x in p] for p in (a, b))
         if len(a[0]) != len(b[0]):
             raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
-        if method == "exact":
-            return _core.pair_distances(self._flipped(), a, b, threads, progress)
-        return self._heat_of_pairs(a[2], b[2], how, threads, progress)
-
-    def _heat_of_pairs(self, A, B, how, threads, progress):
-        if (A < 0).any() or (B < 0).any():
-            raise ValueError("pairs are of vertices if distances are by heat; give no Point")
-        first, number = np.unique(A, return_inverse=True)
-        result = np.empty(len(A))
-        step = max(1, (1 << 25) // self._core.number_of_vertices)  # 256 MiB in memory at a time
-        for i in range(0, len(first), step):
-            part = first[i:i + step]
-            columns = np.empty((len(part), self._core.number_of_vertices))
-            _core.distances(self._flipped(), self._places(part, "A"),
-                            list(range(1, len(part) + 1)), how, threads, columns, progress)
-            here = (number >= i) & (number < i + len(part))
-            result[here] = columns[number[here] - i, B[here]]
-        return result
+        return _core.pair_distances(self._flipped(), a, b, how, threads, progress)
 
     def voronoi(self, sources, *, tolerance=None, progress=None):
         """Divides the surface among sources by exact distances, and returns a `Voronoi`.

@@ -50,7 +50,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
     find.append(sources[i], points);
     cell_of_source.resize(points.size(), cell_of_place[i]);
   }
-  auto& search = search_of(s, t);
+  auto& search = distances_on(s, t).exact_search();
   Search_visitor visitor{&watch};
   search.search(points, IT::parameters::visitor(std::ref(visitor)));
   watch.begin("cells");
@@ -72,7 +72,7 @@ Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
   for (const IT::Cell_junction& j : found.cells.junctions)
     found.junctions.push_back(search.is_on_faces() ? j.point
                                                    : IT::locate_on_input(t, j.point).value());
-  s.cache.erase(exact_tables);
+  distances_on(s, t).forget_exact_search();
   return found;
 }
 

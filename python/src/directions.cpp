@@ -149,23 +149,6 @@ py::tuple direction_field(Surface& s, int degree, const std::optional<double>& s
 
 // ---- Signed distances --------------------------------------------------------------------------
 
-// The shortest ways along edges from each vertex of a curve to the next one.
-template <class T>
-std::vector<typename T::halfedge_descriptor> along_edges(const T& t,
-                                                         const std::vector<std::uint32_t>& rows) {
-  Place_finder<T> vertices(t);
-  IT::Edge_path_finder<T> find(t);
-  std::vector<typename T::halfedge_descriptor> curve;
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    const auto way = find(vertices.vertex(rows[i]), vertices.vertex(rows[i + 1]));
-    if (way.empty())
-      refuse("no edges lead from vertex " + std::to_string(rows[i]) + " to vertex " +
-             std::to_string(rows[i + 1]) + "; choose different vertices of one component");
-    curve.insert(curve.end(), way.begin(), way.end());
-  }
-  return curve;
-}
-
 // A curve over the user's mesh in pieces, each in a face of the triangulation.
 template <class T>
 void add_pieces(const T& t, const IT::Traced_curve& curve,
@@ -230,6 +213,7 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
                                  IT::Signed_heat_distance<T>& method) {
   std::vector<std::vector<typename T::halfedge_descriptor>> edges;
   std::vector<IT::Polyline_source> pieces;
+  Place_finder<T> vertices(t);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     std::string name = "curves[" + std::to_string(i);
     name += ']';
@@ -238,8 +222,12 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
       add_pieces(t, way->curve, pieces);
     } else if (const auto* places = std::get_if<std::vector<Place>>(&curves[i]))
       add_pieces(t, through_places(t, *places, name), pieces);
-    else
-      edges.push_back(along_edges(t, std::get<std::vector<std::uint32_t>>(curves[i])));
+    else {
+      std::vector<typename T::vertex_descriptor> points;
+      for (const std::uint32_t row : std::get<std::vector<std::uint32_t>>(curves[i]))
+        points.push_back(vertices.vertex(row));
+      edges.push_back(IT::Edge_path_finder<T>(t).through(points));
+    }
   }
   if (edges.size() == curves.size()) return method.distances(edges);
   for (const auto& curve : edges)

@@ -7,19 +7,15 @@
 #include "Surface.h"
 #include "places.h"
 
-#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_operators/distance/Distances.h>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
 // What searches for exact distances have in common.
 
 namespace python {
-
-/// The distance of what is not reached.
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Asks during a search whether to go on.
 struct Search_visitor {
@@ -28,15 +24,11 @@ struct Search_visitor {
   bool progress(std::uint64_t windows, double) { return (*watch)("windows", windows); }
 };
 
-/// Where a surface keeps the tables of exact distances, without windows.
-inline constexpr const char* exact_tables = "exact distances";
-
-/// returns the search on the triangulation of a surface, which keeps its tables.
+/// returns what finds distances on the triangulation of a surface, which keeps it.
 template <class T>
-IT::Polyhedral_distance<T>& search_of(Surface& s, const T& t) {
-  return s.cached<IT::Polyhedral_distance<T>>(exact_tables, [&] {
-    return std::make_unique<IT::Polyhedral_distance<T>>(IT::Polyhedral_distance<T>::on_faces(t));
-  });
+IT::Distances<T>& distances_on(Surface& s, const T& t) {
+  return s.cached<IT::Distances<T>>("distances",
+                                    [&] { return std::make_unique<IT::Distances<T>>(t); });
 }
 
 /// \throws ValueError if there is no source

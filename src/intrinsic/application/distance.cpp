@@ -6,33 +6,29 @@
 #include "../status_name.h"
 #include "../support/Number_rows.h"
 #include "../support/Range.h"
+#include "../support/naming_file.h"
 #include "../support/progress.h"
 #include "Column_writer.h"
-#include "Distance_columns.h"
 #include "application.h"
 #include "vertex_sets.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
+#include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <ostream>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,23 +37,32 @@ namespace program {
 
 namespace {
 
-using Curve = std::vector<IT::Gluing_map::Halfedge>;
-using Places = std::span<const std::vector<IT::Place>>;
+using Places = std::vector<IT::Place>;
 
-// the shortest ways along edges from each point of a curve to the next one
-template <class Triangulation>
-Curve along_edges(const Triangulation& t, const Vertices& points, const std::string& name) {
-  IT::Edge_path_finder<Triangulation> find(t);
-  Curve curve;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Curve way = find(points[i], points[i + 1]);
-    if (way.empty())
-      throw std::runtime_error("--curve " + name +
-                               ": no edges lead from a point to the next one; choose different "
-                               "points of one component");
-    curve.insert(curve.end(), way.begin(), way.end());
-  }
-  return curve;
+IT::Distance_options asked_of(const Application_options& o, Progress& progress) {
+  IT::Distance_options asked;
+  asked.method = o.distance == "exact" ? IT::Distance_method::exact : IT::Distance_method::heat;
+  asked.maximum_distance = o.maximum_distance.value_or(asked.maximum_distance);
+  asked.time_factor = o.time_factor;
+  asked.progress = [&progress](IT::Distance_step step, std::uint64_t done, std::uint64_t all) {
+    return step != IT::Distance_step::parts ||
+           progress.show("solving", std::to_string(done) + " of " + std::to_string(all));
+  };
+  return asked;
+}
+
+// The places of lists, one after another.
+Places joined(const Sources& lists, std::size_t from, std::size_t to) {
+  Places result;
+  for (std::size_t i = from; i < to; ++i)
+    result.insert(result.end(), lists[i].begin(), lists[i].end());
+  return result;
+}
+
+void add_range(Json& json, const Range& range) {
+  json["min"] = finite_or_null(range.least);
+  json["max"] = finite_or_null(range.greatest);
+  json["unreached"] = range.infinite;
 }
 
 template <class Triangulation>
@@ -82,44 +87,15 @@ Computed computed_distances(const Triangulation& t, Eigen::VectorXd distances,
   return computed;
 }
 
-// The points of all places in lists; on a cover, a place has several. `first`: the number of the
-// first point of each place, and that of points.
-struct Joined_points {
-  std::vector<IT::Surface_point> points;
-  std::vector<std::size_t> first;
-
-  std::span<const IT::Surface_point> of_place(std::size_t i) const {
-    return std::span(points).subspan(first[i], first[i + 1] - first[i]);
-  }
-  std::size_t number_of_places() const { return first.size() - 1; }
-  std::vector<std::uint32_t> place_of_point() const {
-    std::vector<std::uint32_t> result(points.size());
-    for (std::size_t i = 0; i + 1 < first.size(); ++i)
-      std::fill(result.begin() + static_cast<std::ptrdiff_t>(first[i]),
-                result.begin() + static_cast<std::ptrdiff_t>(first[i + 1]),
-                static_cast<std::uint32_t>(i));
-    return result;
-  }
-};
-
+// By heat from curves along edges, and points.
 template <class Triangulation>
-Joined_points joined(const Triangulation& t, Places lists) {
-  IT::Place_finder<Triangulation> find(t);
-  Joined_points result{{}, {0}};
-  for (const std::vector<IT::Place>& list : lists)
-    for (const IT::Place& p : list) {
-      find.append(p, result.points);
-      result.first.push_back(result.points.size());
-    }
-  return result;
-}
-
-template <class Triangulation>
-Computed heat_distances(Triangulation& t, const Sources& sources, const Application_options& o) {
-  std::vector<Curve> curves; // their vertices are there
-  for (std::size_t i = 0; i < o.curves.size(); ++i)
-    curves.push_back(
-        along_edges(t, IT::insert_places(t, sources[o.sources.size() + i]), o.curves[i]));
+Computed distances_from_curves(Triangulation& t, const Sources& sources,
+                               const Application_options& o) {
+  std::vector<std::vector<typename Triangulation::halfedge_descriptor>> curves;
+  for (std::size_t i = 0; i < o.curves.size(); ++i) // their vertices are there
+    curves.push_back(naming_file("--curve " + o.curves[i], [&] {
+      return IT::Edge_path_finder(t).through(IT::insert_places(t, sources[o.sources.size() + i]));
+    }));
   const auto with_time = [&](Eigen::VectorXd distances, double time) {
     Computed computed = computed_distances(t, std::move(distances), o);
     computed.json["time"] = time;
@@ -130,11 +106,10 @@ Computed heat_distances(Triangulation& t, const Sources& sources, const Applicat
     IT::Signed_heat_distance heat(t, factor);
     return with_time(heat.distances(curves), heat.time());
   }
-  const auto points = joined(t, Places(sources).first(o.sources.size())).points;
+  const auto points = IT::Place_finder(t).points(joined(sources, 0, o.sources.size()));
   IT::Heat_distance heat(t, factor);
-  return with_time(curves.empty()   ? heat.distances(points)
-                   : points.empty() ? heat.distances(curves)
-                                    : heat.distances(points).cwiseMin(heat.distances(curves)),
+  return with_time(points.empty() ? heat.distances(curves)
+                                  : heat.distances(points).cwiseMin(heat.distances(curves)),
                    heat.time());
 }
 
@@ -175,126 +150,85 @@ void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
       };
 }
 
-// The distances that a search has found, and how it ended.
+// The cell of each point of places, of which there are several on a cover.
 template <class Triangulation>
-Computed found_distances(const IT::Polyhedral_distance<Triangulation>& search,
-                         const Application_options& o) {
-  const std::vector<double> by_row = search.distances();
-  const auto rows = static_cast<Eigen::Index>(by_row.size());
-  Computed computed = computed_distances(search.triangulation(),
-                                         Eigen::Map<const Eigen::VectorXd>(by_row.data(), rows), o);
-  computed.json["status"] = program::name(search.status());
-  return computed;
+std::vector<std::uint32_t> cells_of_points(const Triangulation& t, const Sources& cells) {
+  IT::Place_finder<Triangulation> find(t);
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    result.insert(result.end(), find.points(cells[cell]).size(), cell);
+  return result;
 }
 
+// From points in lists, and from sets of them to targets; divides the surface among the sets.
 template <class Triangulation>
-Computed exact_distances(const Triangulation& t, const Sources& sources,
-                         const Application_options& o) {
-  const Joined_points from = joined(t, Places(sources).first(o.sources.size())),
-                      to = joined(t, Places(sources).subspan(o.sources.size()));
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  auto search = IT::Polyhedral_distance<Triangulation>::on_faces(t);
-  search.search(
-      from.points,
-      IT::parameters::maximum_distance(o.maximum_distance.value_or(infinity)).targets(to.points));
-  Computed computed = found_distances(search, o);
-  Json to_targets = Json::array();
-  for (std::size_t i = 0; i < to.number_of_places(); ++i) {
-    double least = infinity;
-    for (const IT::Surface_point& p : to.of_place(i)) least = std::min(least, search.distance(p));
-    to_targets.push_back(finite_or_null(least));
+Computed distances_of(const Triangulation& t, const Sources& sets, const Places& targets,
+                      const Application_options& o, Progress& progress) {
+  const IT::Distance_options asked = asked_of(o, progress);
+  IT::Distances<Triangulation> find(t);
+  const IT::Found_distances found = find.from(joined(sets, 0, sets.size()), asked, targets);
+  Computed computed = computed_distances(
+      t, Eigen::VectorXd::Map(found.by_row.data(), static_cast<Eigen::Index>(found.by_row.size())),
+      o);
+  if (asked.method == IT::Distance_method::heat) {
+    computed.json["time"] = found.time;
+    return computed;
   }
-  computed.json["reached"] = finite_or_null(search.reached_distance());
-  computed.json["targets"] = std::move(to_targets);
-  if (!o.voronoi.empty()) add_cells(search, from.place_of_point(), o, computed);
-  return computed;
-}
-
-// The distance of the nearest set of sources in a file, and the cells of the sets.
-template <class Triangulation>
-Computed cells_of_sets(const Triangulation& t, const Application_options& o) {
-  const std::vector<Vertices> sets =
-      vertices_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
-  auto search = IT::Polyhedral_distance<Triangulation>::on_faces(t);
-  search.search(sets);
-  Computed computed = found_distances(search, o);
-  computed.json["sets"] = sets.size();
-  std::vector<std::uint32_t> set_of_source;
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    set_of_source.insert(set_of_source.end(), sets[i].size(), static_cast<std::uint32_t>(i));
-  add_cells(search, set_of_source, o, computed);
+  computed.json["status"] = program::name(found.status);
+  if (!o.source_sets.empty())
+    computed.json["sets"] = sets.size();
+  else {
+    computed.json["reached"] = finite_or_null(found.reached);
+    computed.json["targets"] = finite_or_null(found.at_targets);
+  }
+  if (!o.voronoi.empty()) add_cells(find.exact_search(), cells_of_points(t, sets), o, computed);
   return computed;
 }
 
 // Writes the distances of the vertices of the file, a column for each set of sources.
 template <class Triangulation>
-Computed distance_matrix(const Triangulation& t, const Options& options, Progress& progress) {
-  const std::size_t rows = t.input().number_of_rows();
-  const Vertex_sets asked = read_vertex_sets(options.application.source_sets, rows, false);
+Computed distance_matrix(const Triangulation& t, const Sources& sets, const Options& options,
+                         Progress& progress) {
   Computed computed{"distance", {}, {}};
-  computed.json = {{"method", options.application.distance}, {"sets", asked.rows.size()}};
-  computed.write = [&t, &options, &progress, rows, sets = vertices_of(t, asked)](std::ostream& out,
-                                                                                 Json& json) {
-    const Distance_columns<Triangulation> columns(t, options.application, progress);
+  computed.json = {{"method", options.application.distance}, {"sets", sets.size()}};
+  computed.write = [&t, &options, &progress, sets](std::ostream& out, Json& json) {
+    const IT::Distance_options asked = asked_of(options.application, progress);
+    const std::size_t rows = t.input().number_of_rows();
+    IT::Distances<Triangulation> find(t);
     Column_writer file(out, options.output, rows, sets.size());
     Range range;
-    const IT::Status status =
-        columns.for_each(sets, [&](std::size_t, std::span<const double> column) {
+    const IT::Status status = find.for_each_column(
+        sets,
+        [&](std::size_t, std::span<const double> column) {
           for (const double d : column.first(rows)) range.add(d);
           file.write(column.first(rows));
-        });
+        },
+        asked);
     file.finish();
-    columns.report(json);
+    if (asked.method == IT::Distance_method::heat) json["time"] = find.heat_time(asked);
     json["status"] = program::name(status);
-    json["min"] = finite_or_null(range.least);
-    json["max"] = finite_or_null(range.greatest);
-    json["unreached"] = range.infinite;
+    add_range(json, range);
   };
   return computed;
 }
 
-// By heat: a solution for each vertex that is the first of a pair.
 template <class Triangulation>
-std::vector<double> heat_of_pairs(const Triangulation& t, const Vertices& from, const Vertices& to,
-                                  const Distance_columns<Triangulation>& columns) {
-  std::vector<std::size_t> order(from.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return t.index(from[i]); });
-  std::vector<Vertices> sources;
-  for (const std::size_t i : order)
-    if (sources.empty() || from[i] != sources.back().front()) sources.push_back({from[i]});
-  std::vector<double> result(from.size());
-  auto next = order.begin();
-  columns.for_each(sources, [&](std::size_t set, std::span<const double> column) {
-    for (; next != order.end() && from[*next] == sources[set].front(); ++next)
-      result[*next] = column[t.input_vertex(to[*next])];
-  });
-  return result;
-}
-
-template <class Triangulation>
-Computed distances_of_pairs(const Triangulation& t, const Options& options, Progress& progress) {
-  const Application_options& o = options.application;
-  Vertices from, to;
-  for (const Vertices& pair :
-       vertices_of(t, read_vertex_sets(o.pairs, t.input().number_of_rows(), true))) {
+Computed distances_of_pairs(const Triangulation& t, const Application_options& o,
+                            Progress& progress) {
+  const IT::Distance_options asked = asked_of(o, progress);
+  Places from, to;
+  for (const Places& pair :
+       places_of(t, read_vertex_sets(o.pairs, t.input().number_of_rows(), true))) {
     from.push_back(pair[0]);
     to.push_back(pair[1]);
   }
-  const Distance_columns<Triangulation> columns(t, o, progress);
-  const std::vector<double> distances =
-      o.distance == "exact"
-          ? IT::pair_distances(t, from, to, IT::parameters::visitor(Batch_progress{progress}))
-          : heat_of_pairs(t, from, to, columns);
-  const Range range = range_of(distances);
+  IT::Distances<Triangulation> find(t);
+  const std::vector<double> distances = find.of_pairs(from, to, asked);
   Computed computed{"distance", {}, {}};
   computed.json = {{"method", o.distance}, {"pairs", from.size()}};
-  columns.report(computed.json);
-  computed.json["min"] = finite_or_null(range.least);
-  computed.json["max"] = finite_or_null(range.greatest);
-  computed.json["unreached"] = range.infinite;
-  computed.json["distances"] = Json::array();
-  for (const double d : distances) computed.json["distances"].push_back(finite_or_null(d));
+  if (asked.method == IT::Distance_method::heat) computed.json["time"] = find.heat_time(asked);
+  add_range(computed.json, range_of(distances));
+  computed.json["distances"] = finite_or_null(distances);
   computed.write = [distances](std::ostream& out, Json&) {
     Number_rows numbers(out);
     for (const double d : distances) {
@@ -310,10 +244,17 @@ Computed distances_of_pairs(const Triangulation& t, const Options& options, Prog
 void run_distance(const Options& options) {
   run_application(options, [&](auto& t, const Sources& sources, const Points&, Progress& progress) {
     const Application_options& o = options.application;
-    if (!o.pairs.empty()) return distances_of_pairs(t, options, progress);
-    if (!o.source_sets.empty())
-      return o.voronoi.empty() ? distance_matrix(t, options, progress) : cells_of_sets(t, o);
-    return o.distance == "exact" ? exact_distances(t, sources, o) : heat_distances(t, sources, o);
+    if (!o.pairs.empty()) return distances_of_pairs(t, o, progress);
+    if (!o.curves.empty()) return distances_from_curves(t, sources, o);
+    if (o.source_sets.empty()) {
+      Sources sets; // each point has a cell of its own
+      for (const IT::Place& p : joined(sources, 0, o.sources.size())) sets.push_back({p});
+      return distances_of(t, sets, joined(sources, o.sources.size(), sources.size()), o, progress);
+    }
+    const Sources sets =
+        places_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
+    return o.voronoi.empty() ? distance_matrix(t, sets, options, progress)
+                             : distances_of(t, sets, {}, o, progress);
   });
 }
 

@@ -14,6 +14,8 @@
 
 namespace program {
 
+namespace IT = CGAL::Intrinsic_triangulations;
+
 /// The vertices on each line of a file.
 struct Vertex_sets {
   std::string path;
@@ -34,17 +36,16 @@ few or too many numbers
 */
 Vertex_sets read_vertex_sets(const std::string& path, std::size_t vertices, bool are_pairs);
 
-/// returns the vertices of a triangulation in sets that a file lists.
+/// returns the places of the vertices in sets that a file lists.
 /// \throws std::runtime_error naming the line of a vertex without faces
 template <class Triangulation>
-std::vector<std::vector<typename Triangulation::vertex_descriptor>>
-vertices_of(const Triangulation& t, const Vertex_sets& sets) {
-  namespace IT = CGAL::Intrinsic_triangulations;
+std::vector<std::vector<IT::Place>> places_of(const Triangulation& t, const Vertex_sets& sets) {
   IT::Place_finder<Triangulation> find(t);
-  std::vector<std::vector<typename Triangulation::vertex_descriptor>> result(sets.rows.size());
+  std::vector<std::vector<IT::Place>> result(sets.rows.size());
   for (std::size_t i = 0; i < result.size(); ++i)
     for (const std::uint32_t row : sets.rows[i]) try {
-        result[i].push_back(find.vertex(row));
+        (void)find.vertex(row);
+        result[i].push_back(IT::Place::at_vertex(row));
       } catch (const IT::Invalid_input& e) {
         sets.refuse(i, e.what());
       }

@@ -83,6 +83,27 @@ public:
     return path();
   }
 
+  /*!
+  \brief finds the shortest paths along edges from each of several vertices to the next one.
+  \return their halfedges, one path after another
+  \throws Invalid_input naming two vertices that no edges join, or one that is isolated
+  \complexity that of a search for each path
+  */
+  std::vector<halfedge_descriptor> through(const std::vector<vertex_descriptor>& points) {
+    std::vector<halfedge_descriptor> result;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const std::vector<halfedge_descriptor> way = (*this)(points[i], points[i + 1]);
+      if (way.empty())
+        throw Invalid_input(Element_kind::vertex, t_.input_vertex(points[i]),
+                            "no edges lead from vertex " +
+                                std::to_string(t_.input_vertex(points[i])) + " to vertex " +
+                                std::to_string(t_.input_vertex(points[i + 1])) +
+                                "; choose different vertices of one component");
+      result.insert(result.end(), way.begin(), way.end());
+    }
+    return result;
+  }
+
 private:
   static constexpr std::uint32_t none = Gluing::none;
 
