@@ -41,7 +41,6 @@ IN_BOTH = "recipes that the program and the module share until the library has t
 ALLOWED_INCLUDES = {(f"{MODULE}/{file}", f"{PROGRAM}/{header}"): IN_BOTH for header, files in {
     "improve.h": ("improve.cpp",),
     "load.h": ("Surface.h",),
-    "status_name.h": ("cells.cpp", "curve_arrays.cpp", "curves.cpp", "distances.cpp", "maps.cpp", "uniformize.cpp"),
     "support/progress.h": ("Watch.h",),
     "view.h": ("improve.cpp",),
 }.items() for file in files}

@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../src/intrinsic/status_name.h"
 #include "Surface.h"
 #include "curve_arrays.h"
 #include "places.h"
@@ -10,6 +9,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 
 #include <pybind11/numpy.h>
@@ -98,7 +98,7 @@ py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std:
   result["boundaries"] = boundaries;
   result["junctions"] = point_arrays(*found.input, s.points, found.junctions);
   result["cells_at_junctions"] = junctions;
-  result["status"] = program::name(found.cells.status);
+  result["status"] = IT::name_of(found.cells.status);
   return result;
 }
 

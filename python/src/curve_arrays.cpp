@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "curve_arrays.h"
-#include "../../src/intrinsic/status_name.h"
 
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
@@ -149,7 +149,7 @@ py::dict curve_arrays(const IT::Input& input, const Points& coordinates, Way way
   result["bounds"] =
       py::make_tuple(way.curve.length_enclosure.inf(), way.curve.length_enclosure.sup());
   result["is_closed"] = way.is_closed;
-  result["status"] = program::name(way.curve.status);
+  result["status"] = IT::name_of(way.curve.status);
   result["way"] = std::move(way);
   return result;
 }

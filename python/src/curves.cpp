@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../src/intrinsic/status_name.h"
 #include "Curve_edges.h"
 #include "Surface.h"
 #include "curve_arrays.h"
@@ -19,6 +18,7 @@
 #include <CGAL/Intrinsic_geodesics/shortening/certify_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/is_geodesic.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <pybind11/numpy.h>
@@ -264,7 +264,7 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
   }
   py::dict result;
   result["curves"] = list;
-  result["status"] = program::name(found.shortening.status);
+  result["status"] = IT::name_of(found.shortening.status);
   result["flips"] = found.shortening.flips;
   result["is_certified"] = py::cast(found.is_certified);
   result["obstacle"] = found.obstacle.empty() ? py::object(py::none()) : py::str(found.obstacle);

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../src/intrinsic/status_name.h"
 #include "Surface.h"
 #include "places.h"
 #include "searches.h"
 
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -50,7 +50,7 @@ py::tuple distance(Surface& s, const Place_arrays& sources,
   IT::Found_distances found = with_distances(
       s, method, 0, progress, [&](auto& find) { return find.from(from, method, to); });
   return py::make_tuple(array_of(std::move(targets ? found.at_targets : found.by_row)),
-                        program::name(found.status));
+                        IT::name_of(found.status));
 }
 
 template <class Number>
@@ -59,7 +59,7 @@ std::string fill(Surface& s, const std::vector<std::vector<Place>>& sets, Method
   if ((out.flags() & py::array::c_style) == 0 || !out.writeable())
     throw py::value_error("out must be a writable array in C order");
   const std::span<Number> numbers(out.mutable_data(), static_cast<std::size_t>(out.size()));
-  return program::name(with_distances(s, method, threads, progress, [&](auto& find) {
+  return IT::name_of(with_distances(s, method, threads, progress, [&](auto& find) {
     return find.columns(sets, numbers, method);
   }));
 }

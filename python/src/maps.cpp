@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "maps.h"
-#include "../../src/intrinsic/status_name.h"
 #include "fields.h"
 
 #include <CGAL/Intrinsic_geodesics/cuts/cut_input.h>
@@ -13,6 +12,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
@@ -85,7 +85,7 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
     if (result.inserted > 0) s.cache.clear(); // it was of the surface before
     return result;
   });
-  return py::make_tuple(array_of(std::move(map.uv)), program::name(map.status),
+  return py::make_tuple(array_of(std::move(map.uv)), IT::name_of(map.status),
                         dict_of(map.certificate), dict_of(distortion), map.rounds, map.inserted);
 }
 

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../src/intrinsic/status_name.h"
 #include "maps.h"
 
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
@@ -112,7 +112,7 @@ py::dict dict_of_map(IT::Uniformization found, const std::vector<Point>& points)
           std::ranges::find(targets, found.target, &decltype(targets)::value_type::second)->first,
       "u"_a = array_of(std::move(found.u)),
       "scale_factors"_a = array_of(std::move(found.scale_factors)),
-      "status"_a = program::name(found.status), "iterations"_a = found.metric.iterations,
+      "status"_a = IT::name_of(found.status), "iterations"_a = found.metric.iterations,
       "flips"_a = found.metric.flips, "residual"_a = found.metric.residual,
       "proven_residual"_a = found.metric.proven_residual, "cones"_a = cones_of(found),
       "period"_a = found.period);

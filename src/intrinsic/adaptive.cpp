@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "adaptive.h"
-#include "status_name.h"
+
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 
 namespace program {
 
@@ -13,7 +14,7 @@ Json adaptive_json(const IT::Adaptive_refinement_result& result, const Adaptive_
     rounds.push_back({{"vertices", r.vertices},
                       {"estimated_error", r.estimated_error / unit},
                       {"marked_faces", r.marked_faces}});
-  Json json = {{"status", name(result.status)},
+  Json json = {{"status", IT::name_of(result.status)},
                {"source", criteria.source},
                {"tolerance", criteria.tolerance},
                {"rounds", rounds}};

@@ -10,9 +10,9 @@
 #include "options.h"
 #include "sizes.h"
 #include "statistics.h"
-#include "status_name.h"
 #include "support/progress.h"
 
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
@@ -181,7 +181,7 @@ void refine(Loaded<Triangulation>& loaded, const Constrained& constrained, const
     progress.warn(options.input + ": no vertex could be inserted for " +
                   std::to_string(reasons[2]) +
                   " faces that do not meet the criteria: rounding hides its place");
-  json["refine"] = {{"status", name(result.status)},
+  json["refine"] = {{"status", IT::name_of(result.status)},
                     {"asked_angle_deg", options.refinement.minimum_angle},
                     {"insertions", inserted},
                     {"points", t.number_of_vertices() - t.input().number_of_rows()},

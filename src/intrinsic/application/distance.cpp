@@ -3,7 +3,6 @@
 
 #include "../commands.h"
 #include "../levels.h"
-#include "../status_name.h"
 #include "../support/Number_rows.h"
 #include "../support/Range.h"
 #include "../support/naming_file.h"
@@ -20,6 +19,7 @@
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
@@ -143,7 +143,7 @@ void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
                             {"areas", cells.areas},
                             {"boundaries", cells.boundaries.size()},
                             {"junctions", cells.junctions.size()},
-                            {"status", program::name(cells.status)}};
+                            {"status", IT::name_of(cells.status)}};
   computed.cell_boundaries =
       [&t, cells = std::move(cells)](const std::vector<std::array<double, 3>>& points) {
         return IT::polylines(t, cells, points);
@@ -174,7 +174,7 @@ Computed distances_of(const Triangulation& t, const Sources& sets, const Places&
     computed.json["time"] = found.time;
     return computed;
   }
-  computed.json["status"] = program::name(found.status);
+  computed.json["status"] = IT::name_of(found.status);
   if (!o.source_sets.empty())
     computed.json["sets"] = sets.size();
   else {
@@ -206,7 +206,7 @@ Computed distance_matrix(const Triangulation& t, const Sources& sets, const Opti
         asked);
     file.finish();
     if (asked.method == IT::Distance_method::heat) json["time"] = find.heat_time(asked);
-    json["status"] = program::name(status);
+    json["status"] = IT::name_of(status);
     add_range(json, range);
   };
   return computed;

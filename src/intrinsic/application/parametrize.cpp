@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
-#include "../status_name.h"
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
@@ -10,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ IT::Injective_map map_of(Triangulation& t, const Options& options) {
 }
 
 Json json_of(const IT::Injective_map& map, const IT::Map_distortion& distortion) {
-  return {{"status", name(map.status)},
+  return {{"status", IT::name_of(map.status)},
           {"injective", map.certificate.is_injective()},
           {"flipped_faces", map.certificate.flipped},
           {"degenerate_faces", map.certificate.degenerate},

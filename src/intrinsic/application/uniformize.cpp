@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
-#include "../status_name.h"
 #include "application.h"
 #include "conformal_disks.h"
 #include "conformal_layout.h"
@@ -10,6 +9,7 @@
 
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 
 #include <Eigen/Core>
 
@@ -107,7 +107,7 @@ Json json_of(const IT::Uniformization& found, const Uniformize_options& asked) {
   const IT::Conformal_metric& m = found.metric;
   const bool starts_from_input = found.start == IT::Uniform_start::input;
   Json json = {
-      {"status", name(found.status)},
+      {"status", IT::name_of(found.status)},
       {"start", starts_from_input ? "input" : "delaunay"},
       {"target",
        std::ranges::find(targets, found.target, &decltype(targets)::value_type::second)->first},

@@ -1,16 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_STATUS_NAME_H
-#define INTRINSIC_STATUS_NAME_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_NAME_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_NAME_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 
-namespace program {
+namespace CGAL::Intrinsic_triangulations {
 
-/// returns the word for how an algorithm ended, as in its documentation.
-inline const char* name(CGAL::Intrinsic_triangulations::Status status) {
-  using CGAL::Intrinsic_triangulations::Status;
+/// returns the word for how an algorithm ended, as in the documentation of `Status`.
+inline const char* name_of(Status status) {
   switch (status) {
   case Status::done:
     return "done";
@@ -34,6 +33,6 @@ inline const char* name(CGAL::Intrinsic_triangulations::Status status) {
   return "";
 }
 
-} // namespace program
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // INTRINSIC_STATUS_NAME_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_NAME_H
