@@ -184,8 +184,7 @@ Field field_of_rows(const T& t, const Vector& at) {
     field = cloud_field(t, {});
   else
     field.of_row = IT::first_copies_of_rows(t);
-  field.vectors.assign(
-      std::max<std::size_t>(field.vectors.size(), IT::internal::Vertex_copies(t).size()), 0);
+  field.vectors.assign(std::max<std::size_t>(field.vectors.size(), IT::Vertex_copies(t).size()), 0);
   for (std::size_t r = 0; r < field.of_row.size(); ++r) {
     if (field.of_row[r] == IT::Gluing::none) continue;
     const Complex z = at(r);
@@ -227,7 +226,7 @@ py::array_t<double> field_axes_in_space(Surface& s, const Field& field, std::siz
 // The polar angle of each side of the triangles, at the vertex where it starts.
 py::array_t<double> side_angles(Surface& s) {
   return array_of(with_triangulation(s, [](auto& t) {
-    const IT::internal::Halfedge_angles angles(t, IT::internal::Border_angles::half_circle);
+    const std::vector<double> angles = IT::polar_angles(t);
     const Faces_in_order order(t);
     std::vector<Point> rows;
     for (const auto f : order.order()) {

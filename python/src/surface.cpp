@@ -117,7 +117,7 @@ py::array_t<std::uint32_t> triangles_at_points(const Doubles& points, std::size_
   Watch watch;
   return array_of(without_interpreter(watch, [&] {
     IT::Point_cloud_report report;
-    return IT::internal::triangles_at_points(p, neighbors, report);
+    return IT::triangles_at_points(p, neighbors, report);
   }));
 }
 

@@ -25,7 +25,7 @@ public:
   void finish();
 
 private:
-  CGAL::Intrinsic_triangulations::internal::Output_buffer out_;
+  CGAL::Intrinsic_triangulations::text::Output_buffer out_;
   bool is_binary_;
 };
 

@@ -48,7 +48,7 @@ Drawn_directions directions_in_space(const Loaded<Triangulation>& loaded,
                                      const IT::Tangent_field& field, unsigned degree,
                                      const Drawn_subdivision& drawn) {
   const Triangulation& t = loaded.triangulation;
-  const IT::internal::Vertex_copies copies(t);
+  const IT::Vertex_copies copies(t);
   const std::vector<Point> points = input_points(loaded);
   Drawn_directions result;
   IT::Common_subdivision s = drawn.s;

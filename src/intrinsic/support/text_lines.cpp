@@ -11,7 +11,7 @@
 
 namespace program {
 
-namespace internal = CGAL::Intrinsic_triangulations::internal;
+namespace text = CGAL::Intrinsic_triangulations::text;
 
 Text_lines::Text_lines(std::string path) : path_(std::move(path)), in_(stream_) {
   std::error_code ignored;
@@ -26,11 +26,10 @@ bool Text_lines::next() {
   words_.clear();
   try {
     if (!in_.next_content_line(line, '#')) return false;
-  } catch (const internal::Buffered_input::Line_too_long& error) {
+  } catch (const text::Buffered_input::Line_too_long& error) {
     throw std::runtime_error(path_ + ":" + std::to_string(error.line) + ": " + error.message);
   }
-  for (std::string_view word = internal::next_word(line); !word.empty();
-       word = internal::next_word(line)) {
+  for (std::string_view word = text::next_word(line); !word.empty(); word = text::next_word(line)) {
     if (words_.size() == 1000000) refuse("there are more than 1000000 words; is this the file?");
     words_.push_back(word);
   }
@@ -39,8 +38,8 @@ bool Text_lines::next() {
 
 std::uint32_t Text_lines::element(std::size_t word, const char* kind, std::size_t count) const {
   std::uint32_t i = 0;
-  if (!internal::parse_number(words_[word], i))
-    refuse(std::string("\"") + internal::shown(words_[word]) + "\" is not the number of a " + kind +
+  if (!text::parse_number(words_[word], i))
+    refuse(std::string("\"") + text::shown(words_[word]) + "\" is not the number of a " + kind +
            "; give whole numbers from 0");
   if (i >= count)
     refuse(std::string(kind) + " " + std::to_string(i) +
@@ -50,9 +49,8 @@ std::uint32_t Text_lines::element(std::size_t word, const char* kind, std::size_
 
 double Text_lines::number(std::size_t word) const {
   double x = 0;
-  if (!internal::parse_number(words_[word], x) || !std::isfinite(x))
-    refuse(std::string("\"") + internal::shown(words_[word]) +
-           "\" is not a finite number; correct it");
+  if (!text::parse_number(words_[word], x) || !std::isfinite(x))
+    refuse(std::string("\"") + text::shown(words_[word]) + "\" is not a finite number; correct it");
   return x;
 }
 

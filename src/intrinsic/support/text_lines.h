@@ -42,7 +42,7 @@ public:
 private:
   std::string path_;
   std::ifstream stream_;
-  CGAL::Intrinsic_triangulations::internal::Buffered_input in_;
+  CGAL::Intrinsic_triangulations::text::Buffered_input in_;
   std::vector<std::string_view> words_;
 };
 

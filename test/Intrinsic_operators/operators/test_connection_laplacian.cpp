@@ -80,7 +80,7 @@ TEST(Connection_laplacian, is_the_energy_that_its_page_says_with_loops_and_inser
       IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_insertions(30));
     const Complex_matrix l = IT::connection_laplacian(t, 2);
     const std::vector<Complex> r = IT::transport_along_halfedges(t);
-    const IT::internal::Vertex_copies copies(t);
+    const IT::Vertex_copies copies(t);
     ASSERT_EQ(l.rows(), static_cast<Eigen::Index>(copies.size()));
     Eigen::VectorXcd z(l.rows());
     z.real() = operator_test::random_vector(l.rows(), 1);

@@ -80,7 +80,7 @@ TEST(Singularities, of_any_field_sum_up_to_the_euler_characteristic_and_the_turn
       if (is_flipped) IT::flip_to_delaunay(t);
       if (is_flipped && t.input().names().sheets == 1 && num_faces(t.mesh()) > 20)
         IT::delaunay_refine(t, IT::parameters::minimum_angle(25).maximum_insertions(30));
-      const std::size_t size = IT::internal::Vertex_copies(t).size();
+      const std::size_t size = IT::Vertex_copies(t).size();
       for (const int degree : {1, 2, 3, 4, 6}) {
         IT::Direction_field field{degree, std::vector<Complex>(size)};
         for (Complex& z : field.powers)
@@ -100,7 +100,7 @@ TEST(Smoothest_direction_field, exists_everywhere_with_the_right_sum_of_indices)
     Exact t = delaunay<Exact>(IT::Intrinsic_input(n.input));
     for (const int degree : {1, 2, 4}) {
       const IT::Direction_field field = IT::smoothest_direction_field(t, degree);
-      const IT::internal::Vertex_copies copies(t);
+      const IT::Vertex_copies copies(t);
       ASSERT_EQ(field.powers.size(), copies.size());
       for (const auto v : vertices(t.mesh()))
         EXPECT_NEAR(std::abs(field.powers[copies(v)]), IT::internal::is_isolated(t, v) ? 0 : 1,
@@ -147,8 +147,7 @@ TEST(Smoothest_direction_field, is_the_smallest_eigenvector) {
   for (const int degree : {1, 4}) {
     const Eigen::MatrixXcd l = IT::connection_laplacian(t, degree),
                            m = Eigen::MatrixXd(IT::lumped_mass_matrix(t)).cast<Complex>();
-    const Eigen::VectorXcd expected =
-        dense_eigenpairs(l, m).vectors.col(0);
+    const Eigen::VectorXcd expected = dense_eigenpairs(l, m).vectors.col(0);
     const IT::Direction_field field = IT::smoothest_direction_field(t, degree);
     const Complex phase = field.powers[0] / (expected[0] / std::abs(expected[0]));
     for (Eigen::Index i = 0; i < expected.size(); ++i)

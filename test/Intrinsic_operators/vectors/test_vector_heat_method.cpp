@@ -282,7 +282,7 @@ TEST(Vector_heat_method, knows_nothing_of_components_without_a_source_and_isolat
 
 // Of the copies of each row, the first one and the one with the shortest vector are chosen.
 void expect_copies_of_rows(const Exact& t, const std::vector<Complex>& log) {
-  const IT::internal::Vertex_copies copies(t);
+  const IT::Vertex_copies copies(t);
   const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t),
                                    nearest = IT::nearest_copies_of_rows(t, log);
   ASSERT_EQ(first.size(), t.number_of_vertices());
@@ -304,7 +304,7 @@ TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexe
   for (IT::Intrinsic_input& input : inputs) {
     Exact t = delaunay<Exact>(std::move(input));
     const Heat heat(t);
-    const IT::internal::Vertex_copies copies(t);
+    const IT::Vertex_copies copies(t);
     for (const auto v : vertices(t.mesh())) {
       if (IT::internal::is_isolated(t, v)) continue;
       const IT::Tangent_field field = heat.transport(v, {1, 1});

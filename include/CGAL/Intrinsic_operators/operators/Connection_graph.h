@@ -119,6 +119,24 @@ private:
   std::vector<double> scale_; // per halfedge
 };
 
+} // namespace internal
+
+/*!
+\brief returns the polar angle of each halfedge at the vertex where it starts, by its number: the
+argument that a vector along it has in a `Tangent_field`.
+\param t a triangulation whose vertices are manifold, or a cover
+\complexity linear
+*/
+template <NumberedTriangulation Triangulation>
+std::vector<double> polar_angles(const Triangulation& t) {
+  const internal::Halfedge_angles angles(t, internal::Border_angles::half_circle);
+  std::vector<double> result(2 * std::size_t{t.numbers().edge_capacity(t.mesh())});
+  for (std::uint32_t h = 0; h < result.size(); ++h) result[h] = angles[h];
+  return result;
+}
+
+namespace internal {
+
 // An edge between neighbourhoods of vertices, with the directions in which it leaves them.
 struct Connection_edge {
   int source, target;

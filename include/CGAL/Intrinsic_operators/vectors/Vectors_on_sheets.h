@@ -85,7 +85,7 @@ public:
   Tangent_field averaged(Tangent_field field, int degree = 1) {
     if (!sheets_.is_cover()) return field;
     const std::vector<std::uint32_t> first = internal::first_copies(t_);
-    const internal::Vertex_copies<Triangulation> copies(t_);
+    const Vertex_copies<Triangulation> copies(t_);
     const auto power = [degree](const std::complex<double>& z) {
       const std::complex<double> u = internal::unit_vector(z);
       return u == 0. ? u : std::polar(1., degree * std::arg(u));

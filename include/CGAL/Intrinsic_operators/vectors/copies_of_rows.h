@@ -32,7 +32,7 @@ namespace CGAL::Intrinsic_triangulations {
 */
 template <NumberedTriangulation Triangulation>
 std::vector<std::uint32_t> first_copies_of_rows(const Triangulation& t) {
-  const internal::Vertex_copies<Triangulation> copies(t);
+  const Vertex_copies<Triangulation> copies(t);
   std::vector<std::uint32_t> first(t.number_of_vertices(), Gluing::none);
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
     first[t.input_vertex(v)] = std::min(first[t.input_vertex(v)], copies(v));
@@ -52,7 +52,7 @@ one.
 template <NumberedTriangulation Triangulation>
 std::vector<std::uint32_t> known_copies_of_rows(const Triangulation& t,
                                                 const std::vector<std::complex<double>>& field) {
-  const internal::Vertex_copies<Triangulation> copies(t);
+  const Vertex_copies<Triangulation> copies(t);
   std::vector<std::uint32_t> known = first_copies_of_rows(t);
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
     std::uint32_t& best = known[t.input_vertex(v)];
@@ -75,7 +75,7 @@ one in a logarithmic map.
 template <NumberedTriangulation Triangulation>
 std::vector<std::uint32_t> nearest_copies_of_rows(const Triangulation& t,
                                                   const std::vector<std::complex<double>>& field) {
-  const internal::Vertex_copies<Triangulation> copies(t);
+  const Vertex_copies<Triangulation> copies(t);
   std::vector<std::uint32_t> nearest(t.number_of_vertices(), Gluing::none);
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
     std::uint32_t& best = nearest[t.input_vertex(v)];

@@ -39,13 +39,20 @@ namespace internal {
 // For each point the first one at the same place: itself, unless it is duplicated.
 std::vector<std::uint32_t> first_points_at_places(const std::vector<std::array<double, 3>>& points);
 
-// Finds the triangles at each point among its neighbours: the point first, then counterclockwise,
-// seen from either side of the surface. Fills the report.
+} // namespace internal
+
+/*!
+\brief finds the triangles at each point of a cloud among its neighbours, see `make_point_cloud()`:
+the point first, then counterclockwise, seen from either side of the surface.
+\param points the points, in any order
+\param neighbours how many are triangulated around each point
+\param report gets what was found
+\throws Invalid_input if a coordinate is not finite, or no three points make a triangle
+\complexity see `make_point_cloud()`
+*/
 std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report);
-
-} // namespace internal
 
 /*!
 \brief holds what a triangulation of a point cloud can be built from.

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
 
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,26 +46,39 @@ copies_of_vertex(const Triangulation& t, typename Triangulation::vertex_descript
   return {v};
 }
 
-// On a cover, several vertices are copies of one of the user's vertices and share its row. Data of
-// a neighbourhood, such as a tangent plane, have a number for each copy: its name; inserted
-// vertices follow in their order. Without copies these are rows.
-template <class Triangulation>
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief numbers the copies of vertices, as a `Tangent_field` does.
+
+On a cover, several vertices are copies of one of the user's vertices and share its row. Data of a
+neighbourhood, such as a tangent plane, have a number for each copy: its name; inserted vertices
+follow in their order. Without copies these are rows.
+\tparam Triangulation a model of `NumberedTriangulation`
+*/
+template <NumberedTriangulation Triangulation>
 class Vertex_copies {
   using Vertex = typename Triangulation::vertex_descriptor;
 
 public:
+  /// numbers them. \param t the triangulation, which must outlive this object unchanged
+  /// \complexity n log n in the number of inserted vertices
   explicit Vertex_copies(const Triangulation& t) : t_(t), size_(t.input().number_of_vertices()) {
     for (const Vertex v : vertices(t.mesh()))
       if (t.is_inserted(v)) inserted_.push_back(t.index(v));
     std::sort(inserted_.begin(), inserted_.end());
   }
 
+  /// returns the number of a copy. \complexity logarithmic
   std::uint32_t operator()(Vertex v) const {
     const std::uint32_t i = t_.index(v);
     if (!t_.is_inserted(v)) return t_.input().names().vertices.user(i);
     const auto place = std::lower_bound(inserted_.begin(), inserted_.end(), i);
     return size_ + static_cast<std::uint32_t>(place - inserted_.begin());
   }
+  /// returns how many there are.
   std::size_t size() const { return size_ + inserted_.size(); }
 
 private:
@@ -73,6 +87,6 @@ private:
   std::vector<std::uint32_t> inserted_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H

@@ -262,18 +262,21 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
+} // namespace internal
+
 std::vector<std::array<std::uint32_t, 3>>
 triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_t neighbours,
                     Point_cloud_report& report) {
-  check_coordinates(points);
+  internal::check_coordinates(points);
   const std::vector<std::uint32_t> members =
-      distinct_points(points, first_points_at_places(points));
+      internal::distinct_points(points, internal::first_points_at_places(points));
   report.duplicated_points = points.size() - members.size();
   report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
   report.is_on_border.assign(points.size(), 0);
-  if (members.size() < 3) fail_without_triangles(points.size());
-  const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
-  Local_triangulator triangulator(ordered, members, report.neighbours);
+  if (members.size() < 3) internal::fail_without_triangles(points.size());
+  const std::vector<internal::Local_triangulator::Point> ordered =
+      internal::points_to_triangulate(points, members);
+  internal::Local_triangulator triangulator(ordered, members, report.neighbours);
   std::vector<std::array<std::uint32_t, 3>> found;
   found.reserve(6 * points.size() + 6); // the usual number
   std::vector<std::size_t> begins(points.size()), ends(points.size());
@@ -289,17 +292,15 @@ triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_
   for (std::size_t v = 0; v < points.size(); ++v)
     for (std::size_t k = begins[v]; k < ends[v]; ++k) triangles.push_back(found[k]);
   report.triangles = triangles.size();
-  if (triangles.empty()) fail_without_triangles(points.size());
+  if (triangles.empty()) internal::fail_without_triangles(points.size());
   return triangles;
 }
-
-} // namespace internal
 
 Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,
                              std::size_t neighbours, Mollification mollification) {
   Point_cloud_report report;
   Triangle_soup soup;
-  soup.triangles = internal::triangles_at_points(points, neighbours, report);
+  soup.triangles = triangles_at_points(points, neighbours, report);
   soup.points = points;
   soup.input_faces = soup.triangles.size();
   Point_cloud cloud;

@@ -50,7 +50,7 @@ public:
   template <QueriedTriangulation Triangulation>
   explicit Vertex_sectors(const Triangulation& t) : input_(&t.correspondence().input()) {
     const auto queries = internal::queries(t);
-    const internal::Vertex_copies copies(t);
+    const Vertex_copies copies(t);
     const Intrinsic_view<Triangulation> view(t);
     fan_.resize(copies.size(), Gluing::none);
     for (const auto v : vertices(t.mesh())) {

@@ -18,7 +18,8 @@
 #include <system_error>
 #include <type_traits>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+// Reading and writing of text and binary files, for the library and for programs.
+namespace CGAL::Intrinsic_triangulations::text {
 
 inline char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -191,6 +192,12 @@ bool read_binary(Buffered_input& in, Number& value, std::endian order) {
   std::memcpy(&value, bytes, sizeof(Number));
   return true;
 }
+
+} // namespace CGAL::Intrinsic_triangulations::text
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+using namespace text;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -14,7 +14,8 @@
 #include <string_view>
 #include <type_traits>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+// Reading and writing of text and binary files, for the library and for programs.
+namespace CGAL::Intrinsic_triangulations::text {
 
 template <class T>
 concept Arithmetic = std::is_arithmetic_v<T>;
@@ -164,6 +165,12 @@ private:
   char buffer_[1 << 16];
   char raw_[3072]; // what is to be encoded
 };
+
+} // namespace CGAL::Intrinsic_triangulations::text
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+using namespace text;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
