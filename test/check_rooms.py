@@ -18,6 +18,7 @@ rooms in `src/`. Fails, and says where, if
 - a file of the program or of the Python module has more than 350 lines, or lines of more than 100 columns,
 - a file of the program includes one of a higher folder by the headings of `src/intrinsic/README.md`,
 - the Python module includes a header of the program,
+- a file of the program or the module names `internal::` of the library,
 - an exception below is not needed any more.
 """
 
@@ -241,6 +242,8 @@ def check_program(root, used):
             yield f"{file} has {text.count(chr(10))} lines, at most {MOST_LINES} are allowed"
         if any(len(line) > MOST_COLUMNS for line in text.splitlines()):
             yield f"{file} has lines of more than {MOST_COLUMNS} columns"
+        if re.search(r"\binternal::", text):
+            yield f"{file} names `internal::`: use what the library has for users, or add to it"
         yield from check_program_includes(file, text, files, places, used)
 
 

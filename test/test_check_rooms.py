@@ -151,6 +151,8 @@ class Rooms(unittest.TestCase):
                 (f"{program}/b.cpp", "//\n" * 351, "has 351 lines"),
                 (f"{module}/e.cpp", "//\n" * 351, "has 351 lines"),
                 (f"{module}/d.h", "//" + "x" * 99 + "\n", "more than 100 columns"),
+                (f"{module}/d.h", "IT::internal::Sheets s;\n", "names `internal::`"),
+                (f"{program}/b.cpp", "internal::f();\n", "names `internal::`"),
                 (f"{module}/e.cpp", '#include "../../src/intrinsic/late/c.h"\n', "never needs the program")):
             with self.subTest(name=name, expected=expected):
                 self.assert_one_error(expected, {**good, name: text})

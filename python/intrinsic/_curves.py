@@ -69,7 +69,7 @@ class _Curves:
         all curves are geodesic: on soups, shortest paths within the faces, where `obstacle` says
         what could not be proven; other curves on the double cover.
         """
-        options = _core.CurveOptions(_is_shortest(method), bool(waypoints), bool(certify))
+        options = _is_shortest(method), bool(waypoints), bool(certify)
         curves = []
         for kind, lists, least in ("paths", paths, 2), ("loops", loops, 3):
             for i, points in enumerate(_arrays.sequence(lists, kind, "a sequence of curves")):
@@ -80,7 +80,7 @@ class _Curves:
                 curves.append((places, kind == "loops"))
         if not curves:
             raise ValueError("a network needs a curve; give paths or loops")
-        return Network(_core.curves(self._core, curves, options, progress))
+        return Network(_core.curves(self._core, curves, *options, progress))
 
     def trace(self, p, direction, length):
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.

@@ -28,5 +28,5 @@ copyreg.pickle(_core.Surface, lambda s: (
     _surface, (_core.dump(s), s.is_exact, s.name, s.is_flipped, s.points)))
 copyreg.pickle(_core.Field, lambda f: (_field, _core.parts_of_field(f)))
 copyreg.pickle(_core.Way, lambda w: (_way, _core.parts_of_way(w)))
-for _kind in _core.CurveEdges, _core.CurveOptions, _core.DistanceMethod:
+for _kind in _core.CurveEdges, _core.DistanceMethod:
     copyreg.pickle(_kind, _refuse)

@@ -4,32 +4,20 @@
 #ifndef INTRINSIC_PYTHON_CURVE_EDGES_H
 #define INTRINSIC_PYTHON_CURVE_EDGES_H
 
-#include "Surface.h"
+#include "arrays.h"
 
-#include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
+#include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 
-#include <cstdint>
+#include <functional>
 #include <memory>
-#include <optional>
-#include <variant>
-#include <vector>
 
 namespace python {
 
-/// A triangulation of a surface with curves along its edges.
+/// Curves along the edges of a triangulation, which it keeps.
 struct Curve_edges {
-  std::variant<std::unique_ptr<Exact>, std::unique_ptr<Double>> triangulation;
-  /// Per edge of it the number of the first curve along it, plus one; 0: there is none.
-  std::vector<std::uint32_t> labels;
-  /// A curve that has shrunk to a point, if there is one.
-  std::optional<std::uint32_t> contracted;
-};
-
-/// Asks during shortening whether to go on.
-struct Shortening_watch {
-  Watch* watch; ///< what is asked
-  /// is called now and then.
-  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
+  std::shared_ptr<const IT::Input> input; ///< that of the triangulation
+  std::function<IT::Cut_surface()> cut;   ///< cuts along all of them
 };
 
 } // namespace python

@@ -6,11 +6,11 @@
 
 #include "Surface.h"
 #include "places.h"
-#include "tangents.h"
 
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 
 #include <Eigen/Core>
@@ -81,7 +81,7 @@ vectors_of_cloud(const IT::Point_cloud_vectors& cloud, const Asked_vectors& aske
   return result;
 }
 
-/// Finds vectors on a triangulation.
+/// Finds vectors on a triangulation; on a cover, also those on the other sheet.
 template <class Triangulation>
 class Vector_finder {
 public:
@@ -89,23 +89,23 @@ public:
 
   /// prepares the search on a triangulation and the points of its surface.
   Vector_finder(const Triangulation& t, const std::vector<Point>& points)
-      : t_(t), points_(points), find_(t), sheets_(t) {}
+      : find_(t, points), sheets_(t) {}
 
-  /// returns vertices, and vectors in their polar coordinates; on a cover, also those on the other
-  /// sheet. \pre all points are vertices
+  /// returns vertices, and vectors in their polar coordinates. \pre all points are vertices
   std::vector<std::pair<Vertex, std::complex<double>>> at_vertices(const Asked_vectors& asked) {
     std::vector<std::pair<Vertex, std::complex<double>>> result;
     for (std::size_t i = 0; i < asked.places.size(); ++i) {
-      const auto [v, z] = asked.are_in_planes()
-                              ? std::pair(find_.vertex(asked.places[i].vertex), asked.in_plane(i))
-                              : sheets_.at_vertex(tangent(asked, i));
+      const auto [v, z] =
+          asked.are_in_planes()
+              ? std::pair(find_.places().vertex(asked.places[i].vertex), asked.in_plane(i))
+              : sheets_.at_vertex(tangent(asked, i));
       const auto copies = sheets_(v, z);
       result.insert(result.end(), copies.begin(), copies.end());
     }
     return result;
   }
 
-  /// returns vectors in faces of the triangulation; on a cover, also those on the other sheet.
+  /// returns vectors in faces of the triangulation.
   std::vector<IT::Tangent_vector> tangents(const Asked_vectors& asked) {
     std::vector<IT::Tangent_vector> result;
     for (std::size_t i = 0; i < asked.places.size(); ++i) {
@@ -120,38 +120,12 @@ public:
 
 private:
   IT::Tangent_vector tangent(const Asked_vectors& asked, std::size_t i) {
-    const Place& p = asked.places[i];
-    if (!asked.are_in_planes()) return in_space(p, asked.in_space(i));
-    const std::complex<double> z = asked.in_plane(i);
-    if (!p.has_face()) return IT::tangent_vector(t_, find_.vertex(p.vertex), z);
-    return find_.tangent(p, {z.real(), z.imag()});
+    if (asked.are_in_planes()) return find_(asked.places[i], asked.in_plane(i));
+    const Eigen::Vector3d v = asked.in_space(i);
+    return find_(asked.places[i], Point{v[0], v[1], v[2]});
   }
 
-  // A vector at a vertex keeps its length.
-  IT::Tangent_vector in_space(const Place& p, const Eigen::Vector3d& x) {
-    if (points_.empty())
-      refuse("vectors in space need points, and this surface has lengths alone; give two "
-             "coordinates in the tangent plane");
-    if (!x.allFinite()) refuse("a vector is not finite; give others");
-    const Space_vector v{x[0], x[1], x[2]};
-    if (!p.is_vertex()) return to_intrinsic(tangent_in_space(t_.input(), points_, p, 0, v));
-    const Vertex at = find_.vertex(p.vertex);
-    if (t_.is_inserted(at))
-      refuse("vertex " + std::to_string(p.vertex) +
-             " was inserted; give two coordinates in its tangent plane");
-    IT::Tangent_vector result = tangent_in_space(t_.input(), points_, p, t_.index(at), v);
-    const double length = std::hypot(result.vector[0], result.vector[1]);
-    if (length > 0) result.vector = (x.norm() / length) * result.vector;
-    return to_intrinsic(result);
-  }
-
-  IT::Tangent_vector to_intrinsic(const IT::Tangent_vector& v) const {
-    return *IT::tangent_to_intrinsic(t_, v); // integer coordinates find it always
-  }
-
-  const Triangulation& t_;
-  const std::vector<Point>& points_;
-  Place_finder<Triangulation> find_;
+  IT::Tangents_at_places<Triangulation> find_;
   IT::Vectors_on_sheets<Triangulation> sheets_;
 };
 

@@ -18,12 +18,6 @@ namespace python {
 
 namespace {
 
-std::array<double, 3> in_space(const IT::Input& input, const Points& coordinates,
-                               const IT::Surface_point& p) {
-  return IT::internal::combination_of_corners(input, p,
-                                              [&](std::uint32_t v) { return coordinates[v]; });
-}
-
 // The vertices of the user at the corners of a face, from a halfedge of it.
 std::array<std::int64_t, 3> corners_from(const IT::Input& input, std::uint32_t h) {
   std::array<std::int64_t, 3> result{};
@@ -55,13 +49,16 @@ py::dict point_arrays(const IT::Input& input, const Points& coordinates,
   std::vector<std::int64_t> polygons, vertices;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t face = faces.empty() ? input.face(points[i].halfedge) : faces[i];
-    const IT::Surface_point p = IT::internal::seen_in_face(input, points[i], face);
-    if (!coordinates.empty()) in_space_all.push_back(in_space(input, coordinates, points[i]));
+    const IT::Surface_point p = IT::seen_in_face(input, points[i], face);
+    if (!coordinates.empty())
+      in_space_all.push_back(IT::point_in_space(input, points[i], coordinates));
     polygons.push_back(input.names().polygon(input.face(p.halfedge)));
     corners.push_back(corners_from(input, p.halfedge));
     barycentric.push_back(p.weights);
-    const unsigned k = IT::internal::corner_of(p);
-    vertices.push_back(k == 3 ? -1 : corners.back()[k]);
+    std::int64_t vertex = -1; // unless two weights are zero
+    for (std::size_t k = 0; k < 3; ++k)
+      if (p.weights[(k + 1) % 3] == 0 && p.weights[(k + 2) % 3] == 0) vertex = corners.back()[k];
+    vertices.push_back(vertex);
   }
   py::dict result;
   result["points"] =
@@ -123,7 +120,7 @@ static void drop_repetitions(const IT::Input& input, const Points& coordinates, 
   std::vector<std::array<double, 3>> places;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::array<double, 3> x = in_space(input, coordinates, points[i]);
+    const std::array<double, 3> x = IT::point_in_space(input, points[i], coordinates);
     if (kept == 0 || places.back() != x) {
       places.push_back(x);
       ++kept;

@@ -7,19 +7,14 @@
 #include "places.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
-#include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -27,7 +22,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 // Isolines, and surfaces cut open along curves, as the command `cut` does it.
@@ -41,27 +35,23 @@ struct Cut {
   IT::Cut_surface surface;
 };
 
+// Asks during shortening whether to go on.
+struct Shortening_watch {
+  Watch* watch;
+  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
+};
+
 // Inserts curves into a copy of a triangulation, and cuts along them.
 template <class T>
 Cut cut_along_ways(T t, const std::vector<const Way*>& ways, Watch& watch) {
   IT::expect_one_sheet(t.input());
-  std::vector<IT::Inserted_polyline<T>> paths;
+  std::vector<IT::Traced_curve> curves;
   for (const Way* way : ways) {
-    watch.begin("curve");
-    const std::string curve = "curves[" + std::to_string(paths.size()) + "]";
-    expect_on_input(t.input(), way->curve, curve);
-    paths.push_back(IT::insert_polyline(t, way->curve.points));
-    if (paths.back().status != IT::Move_status::done)
-      throw IT::Invalid_input(IT::Element_kind::none, 0,
-                              curve + " cannot be inserted into the triangulation; choose another");
-    if (paths.back().halfedges.empty())
-      throw IT::Invalid_input(IT::Element_kind::none, 0,
-                              curve + " is a point, along which nothing can be cut; leave it out");
+    expect_on_input(t.input(), way->curve, "curves[" + std::to_string(curves.size()) + "]");
+    curves.push_back(way->curve);
   }
-  IT::Marked_edges<T, std::uint32_t> labels(t);
-  for (std::size_t i = 0; i < paths.size(); ++i)
-    for (const auto h : paths[i].halfedges)
-      put(labels, edge(h, t.mesh()), static_cast<std::uint32_t>(i + 1));
+  watch.begin("curves");
+  const auto labels = IT::insert_curves(t, curves);
   watch.begin("cut");
   return {t.shared_input(), IT::cut_along(t, labels)};
 }
@@ -77,13 +67,6 @@ Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
       IT::flip_to_geodesic_cut(t, vertices, IT::parameters::visitor(std::ref(visitor)));
   watch.begin("cut");
   return {t.shared_input(), IT::cut_along(t, cut.edges)};
-}
-
-template <class T>
-Cut cut_along_edges(const T& t, const std::vector<std::uint32_t>& labels) {
-  return {t.shared_input(),
-          IT::cut_along(t, boost::make_function_property_map<typename T::edge_descriptor>(
-                               [&](auto e) { return labels[t.index(e)]; }))};
 }
 
 // Whole numbers as Python has them.
@@ -133,15 +116,9 @@ py::dict cut_arrays(const Cut& cut, const Points& coordinates) {
 }
 
 py::dict cut_network(const Surface& s, const Curve_edges& edges) {
-  if (edges.contracted)
-    throw IT::Invalid_input(IT::Element_kind::none, 0,
-                            "curve " + std::to_string(*edges.contracted) +
-                                " has shrunk to a point, along which nothing can be cut; keep it "
-                                "at its points with waypoints=True, or leave it out");
   const Cut cut = [&] {
     const py::gil_scoped_release released;
-    return std::visit([&](const auto& t) { return cut_along_edges(*t, edges.labels); },
-                      edges.triangulation);
+    return Cut{edges.input, edges.cut()};
   }();
   return cut_arrays(cut, s.points);
 }
@@ -166,19 +143,8 @@ py::dict cut_to_disks_through(Surface& s, const Place_arrays& through, const py:
       s.points);
 }
 
-// Evenly between the least and the greatest finite value.
 py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
-  double least = HUGE_VAL, greatest = -HUGE_VAL;
-  for (const double x : std::span(u.data(), static_cast<std::size_t>(u.size()))) {
-    if (!std::isfinite(x)) continue;
-    least = std::min(least, x);
-    greatest = std::max(greatest, x);
-  }
-  std::vector<double> levels;
-  for (std::size_t k = 1; k <= count && least <= greatest; ++k)
-    levels.push_back(
-        std::lerp(least, greatest, static_cast<double>(k) / static_cast<double>(count + 1)));
-  return array_of(std::move(levels));
+  return array_of(IT::even_levels({u.data(), static_cast<std::size_t>(u.size())}, count));
 }
 
 py::list isolines(Surface& s, const Doubles& u, const Doubles& l, const py::object& progress) {

@@ -9,19 +9,15 @@
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/curve_sources.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
-#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 
 #include <pybind11/stl.h>
 
@@ -149,56 +145,14 @@ py::tuple direction_field(Surface& s, int degree, const std::optional<double>& s
 
 // ---- Signed distances --------------------------------------------------------------------------
 
-// A curve over the user's mesh in pieces, each in a face of the triangulation.
-template <class T>
-void add_pieces(const T& t, const IT::Traced_curve& curve,
-                std::vector<IT::Polyline_source>& pieces) {
-  const IT::Input& input = t.input();
-  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
-    const auto in_face = [&](std::size_t k) {
-      return IT::internal::within_rounding(
-          input, IT::internal::seen_in_face(input, curve.points[k], curve.faces[i]));
-    };
-    const auto p = in_face(i), q = in_face(i + 1);
-    const IT::Unscaled_vector along = IT::vector_between(input, p, q);
-    const double length = std::hypot(along[0], along[1]);
-    if (!(length > 0)) continue;
-    const IT::Tangent_vector start = *IT::tangent_to_intrinsic(t, {p, along});
-    pieces.push_back({IT::trace_geodesic(t, start.point, start.vector, length).points});
+// Calls a function; errors begin with the name of what is wrong.
+template <class Function>
+auto naming(const std::string& name, const Function& function) {
+  try {
+    return function();
+  } catch (const IT::Invalid_input& e) {
+    throw IT::Invalid_input(e.kind(), e.index(), name + ": " + e.what());
   }
-}
-
-// A corner of a face of the input at a vertex, or the place in its face.
-template <class T>
-IT::Surface_point on_input(const T& t, const Place& p) {
-  const IT::Input& input = t.input();
-  if (!p.is_vertex()) return point_on_input(input, p);
-  const auto v = Place_finder<T>(t).vertex(p.vertex);
-  if (t.is_inserted(v))
-    refuse("vertex " + std::to_string(p.vertex) +
-           " was inserted; between points in faces give the Point where it is");
-  const std::uint32_t h = input.outgoing_halfedge(t.index(v));
-  return {input.is_border(h) ? input.next(h ^ 1U) : h, {1, 0, 0}};
-}
-
-// A curve through places, each in one face with the next one, where the curve is straight.
-template <class T>
-IT::Traced_curve through_places(const T& t, const std::vector<Place>& places,
-                                const std::string& name) {
-  IT::Traced_curve curve;
-  for (const Place& p : places) {
-    const IT::Surface_point q = on_input(t, p);
-    if (!curve.points.empty()) {
-      const auto in_common = IT::points_in_one_face(t.input(), curve.points.back(), q);
-      if (!in_common)
-        refuse("points " + std::to_string(curve.faces.size()) + " and " +
-               std::to_string(curve.faces.size() + 1) + " of " + name +
-               " are not in one face; give points between them, or the Curve that path() finds");
-      curve.faces.push_back(t.input().face(in_common->first.halfedge));
-    }
-    curve.points.push_back(q);
-  }
-  return curve;
 }
 
 // Curves that the user gives: ways through faces, places to go straight between, or lists of
@@ -214,14 +168,17 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
   std::vector<std::vector<typename T::halfedge_descriptor>> edges;
   std::vector<IT::Polyline_source> pieces;
   Place_finder<T> vertices(t);
+  const auto append = [&](const std::vector<IT::Polyline_source>& more) {
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  };
   for (std::size_t i = 0; i < curves.size(); ++i) {
     std::string name = "curves[" + std::to_string(i);
     name += ']';
     if (const Way* way = std::get_if<Way>(&curves[i])) {
       expect_on_input(t.input(), way->curve, name);
-      add_pieces(t, way->curve, pieces);
+      append(IT::polyline_sources(t, way->curve));
     } else if (const auto* places = std::get_if<std::vector<Place>>(&curves[i]))
-      add_pieces(t, through_places(t, *places, name), pieces);
+      append(IT::polyline_sources(t, naming(name, [&] { return IT::curve_through(t, *places); })));
     else {
       std::vector<typename T::vertex_descriptor> points;
       for (const std::uint32_t row : std::get<std::vector<std::uint32_t>>(curves[i]))
@@ -230,15 +187,7 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
     }
   }
   if (edges.size() == curves.size()) return method.distances(edges);
-  for (const auto& curve : edges)
-    for (const auto h : curve) {
-      const auto k = t.numbers().halfedge(h);
-      const bool is_border = face(h, t.mesh()).index == IT::Gluing::none;
-      if (is_border)
-        pieces.push_back({{{k ^ 1U, {0, 1, 0}}, {k ^ 1U, {1, 0, 0}}}});
-      else
-        pieces.push_back({{{k, {1, 0, 0}}, {k, {0, 1, 0}}}});
-    }
+  for (const auto& curve : edges) append(IT::edge_sources(t, curve));
   return method.distances(pieces);
 }
 

@@ -92,8 +92,7 @@ class Pickles(unittest.TestCase):
 
     def test_objects_inside_are_refused_in_words(self):
         s = it.Surface(*grid(5))
-        inside = [s.network([[0, 24]])._edges, _core.DistanceMethod(True, 1, 1),
-                  _core.CurveOptions(True, False, False)]
+        inside = [s.network([[0, 24]])._edges, _core.DistanceMethod(True, 1, 1)]
         for x in inside:
             for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
                 with self.assertRaisesRegex(TypeError, "cannot be pickled"):

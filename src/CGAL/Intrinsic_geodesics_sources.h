@@ -28,6 +28,7 @@ link the library: exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/certify_on_faces.cpp>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.cpp>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.cpp>
 #include <CGAL/Intrinsic_geodesics/voronoi/Face_divider.cpp>
 #include <CGAL/Intrinsic_geodesics/voronoi/Weighted_site.cpp>

@@ -6,7 +6,7 @@
 
 #include "options.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_geodesics/finding/Wanted_curve.h>
 
 #include <cstddef>
 #include <string>
@@ -18,20 +18,9 @@ namespace program {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-/// What the points of a curve are for.
-enum class Curve_kind {
-  joined,         ///< a path or a loop leads through them
-  control_points, ///< they are those of a Bezier curve
-  source          ///< each one is by itself, as a source or a target
-};
-
-/// A path or a loop through points, or another list of points.
-struct Asked_curve {
-  std::vector<IT::Place> points;
-  bool is_loop = false;
-  std::string source; ///< where it comes from: an option, or file and line
-  Curve_kind kind = Curve_kind::joined;
-};
+/// A curve as the user names it, or a list of points, each by itself: of kind `tree`. Its name says
+/// where it comes from: an option, or file and line.
+using Asked_curve = IT::Wanted_curve;
 
 /// returns what is wrong with a list of points, and the remedy; empty: nothing.
 /// \param least how many points the list must have at least

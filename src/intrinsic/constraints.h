@@ -59,21 +59,25 @@ Constraints constraints_of(const IT::Input& input, const Options& options);
 
 /// Numbers at the edges of a triangulation that are kept: those of curves, or 1; else 0.
 template <class Triangulation>
-using Edge_labels = IT::Marked_edges<Triangulation, std::int32_t>;
+using Edge_labels = IT::Marked_edges<Triangulation, std::uint32_t>;
 
-/// labels the constrained edges of a triangulation, before its first move or as it was stored.
+/// marks the constrained edges of a triangulation, before its first move or as it was stored.
+template <class Triangulation>
+IT::Marked_edges<Triangulation> marked_edges(const Triangulation& t, const Constraints& c) {
+  if (c.is_stored) return IT::constrained_input_edges(t, c.is_constrained);
+  const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
+    return c.is_constrained[e.index] != 0;
+  };
+  return IT::constrained_input_edges(
+      t, c.mesh, boost::make_function_property_map<IT::Gluing_map::Edge>(is_constrained));
+}
+
+/// labels them with 1.
 template <class Triangulation>
 Edge_labels<Triangulation> constrained_edges(const Triangulation& t, const Constraints& c) {
   Edge_labels<Triangulation> labels(t);
   if (c.count == 0) return labels;
-  const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
-    return c.is_constrained[e.index] != 0;
-  };
-  const IT::Marked_edges<Triangulation> marks =
-      c.is_stored ? IT::constrained_input_edges(t, c.is_constrained)
-                  : IT::constrained_input_edges(
-                        t, c.mesh,
-                        boost::make_function_property_map<IT::Gluing_map::Edge>(is_constrained));
+  const IT::Marked_edges<Triangulation> marks = marked_edges(t, c);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
     if (get(marks, e)) put(labels, e, 1);
   return labels;

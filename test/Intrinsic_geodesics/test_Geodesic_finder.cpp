@@ -152,7 +152,7 @@ TYPED_TEST(GeodesicFinder, PathsOverTheInputAreStraightInItsFaces) {
     for (std::size_t k = 0; k < path.faces.size(); ++k) {
       sum += distance(place(path.points[k]), place(path.points[k + 1]));
       for (const Surface_point& p : {path.points[k], path.points[k + 1]}) {
-        const Surface_point seen = IT::internal::seen_in_face(t.input(), p, path.faces[k]);
+        const Surface_point seen = IT::seen_in_face(t.input(), p, path.faces[k]);
         EXPECT_EQ(t.input().face(seen.halfedge), path.faces[k]);
         EXPECT_LT(distance(place(seen), place(p)), 1e-12);
         for (const double w : seen.weights) EXPECT_GE(w, -1e-12);

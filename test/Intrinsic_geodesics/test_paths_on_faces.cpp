@@ -60,8 +60,7 @@ void expect_on_faces(const IT::Triangle_soup& soup, const Triangulation& t,
   double length = 0;
   for (std::size_t i = 0; i < path.faces.size(); ++i) {
     EXPECT_EQ(t.input().face(path.points[i].halfedge), path.faces[i]);
-    const IT::Surface_point end =
-        IT::internal::seen_in_face(t.input(), path.points[i + 1], path.faces[i]);
+    const IT::Surface_point end = IT::seen_in_face(t.input(), path.points[i + 1], path.faces[i]);
     const auto p = in_space(soup, t, path.points[i]), q = in_space(soup, t, path.points[i + 1]);
     const auto& face = soup.triangles[t.input().names().polygon(path.faces[i])];
     std::uint32_t h = end.halfedge;

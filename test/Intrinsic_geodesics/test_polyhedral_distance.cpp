@@ -417,8 +417,7 @@ TEST(PolyhedralDistance, polylines_on_the_mesh_are_as_long_as_the_distance) {
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
           sum += std::sqrt(CGAL::squared_distance(line[i], line[i + 1]));
           for (const std::size_t k : {i, i + 1}) { // both ends are in the face
-            const Surface_point p =
-                IT::internal::seen_in_face(t.input(), curve.points[k], curve.faces[i]);
+            const Surface_point p = IT::seen_in_face(t.input(), curve.points[k], curve.faces[i]);
             ASSERT_EQ(t.input().face(p.halfedge), curve.faces[i]);
           }
         }

@@ -17,6 +17,7 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
+#include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
@@ -37,6 +38,9 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
   prefix Added_geodesics<__VA_ARGS__> internal::find_and_add(                                      \
       Curve_network<__VA_ARGS__>&, const std::vector<Curve_through_vertices<__VA_ARGS__>>&,        \
       internal::Any_shortening_visitor&);                                                          \
+  prefix Curves_along_edges<__VA_ARGS__> find_curves(                                              \
+      __VA_ARGS__&, const std::vector<Wanted_curve>&, const Find_curves_options&,                  \
+      const Edge_marker<__VA_ARGS__>&);                                                            \
   prefix Bezier_curve<__VA_ARGS__> make_bezier_curve(                                              \
       __VA_ARGS__&, const std::vector<Gluing_map::Vertex>&, const parameters::Parameters<>&);      \
   prefix Geodesic_tree<__VA_ARGS__> flip_to_geodesic_tree(__VA_ARGS__&, Gluing_map::Vertex,        \
@@ -51,6 +55,8 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
                                                                           const Surface_point&);   \
   prefix Inserted_polyline<__VA_ARGS__> insert_polyline(__VA_ARGS__&,                              \
                                                         const std::vector<Surface_point>&);        \
+  prefix Marked_edges<__VA_ARGS__, std::uint32_t> insert_curves(__VA_ARGS__&,                      \
+                                                                const std::vector<Traced_curve>&); \
   prefix Marked_edges<__VA_ARGS__, std::uint32_t> insert_isolines(__VA_ARGS__&,                    \
                                                                   const std::vector<Isoline>&);    \
   prefix Traced_curve trace_isoline(const __VA_ARGS__&, const Isoline&);                           \

@@ -46,9 +46,9 @@ Sources sources_of(const Triangulation& t, const std::vector<Asked_curve>& asked
   IT::Place_finder<Triangulation> find(t);
   Sources sources;
   for (const Asked_curve& list : asked)
-    naming_file(list.source + ": " + options.input, [&] {
+    naming_file(list.name + ": " + options.input, [&] {
       std::vector<IT::Place>& places = sources.emplace_back();
-      for (const IT::Place& p : list.points) {
+      for (const IT::Place& p : list.places) {
         places.push_back(normalized(t.input(), p));
         if (places.back().is_vertex()) (void)find.vertex(places.back().vertex);
       }
@@ -62,9 +62,9 @@ bool insert_curves(Triangulation& t, const std::vector<Asked_curve>& asked,
                    const Options& options) {
   const std::size_t before = num_vertices(t.mesh());
   for (const Asked_curve& list : asked)
-    if (list.kind == Curve_kind::joined)
-      naming_file(list.source + ": " + options.input,
-                  [&] { return IT::insert_places(t, list.points); });
+    if (list.kind == IT::Curve_kind::geodesic)
+      naming_file(list.name + ": " + options.input,
+                  [&] { return IT::insert_places(t, list.places); });
   return num_vertices(t.mesh()) != before;
 }
 
@@ -75,7 +75,7 @@ Options about_source(Options options, const std::vector<Asked_curve>& asked,
   const IT::Place& first = sources.front().front();
   if (!first.is_vertex())
     throw std::runtime_error(
-        asked.front().source +
+        asked.front().name +
         ": --adaptive refines about a vertex; give one first, or another criterion");
   options.adaptive.source = first.vertex;
   return options;

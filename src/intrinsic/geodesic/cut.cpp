@@ -46,8 +46,8 @@ std::vector<double> values_of_rows(Triangulation& t, const Loaded<Triangulation>
   std::vector<IT::Surface_point> sources;
   IT::Place_finder<Triangulation> find(t);
   for (const Asked_curve& list : asked_points(options, rows, loaded.facts.polygons))
-    naming_file(list.source + ": " + options.input, [&] {
-      for (const IT::Place& p : list.points) find.append(p, sources);
+    naming_file(list.name + ": " + options.input, [&] {
+      for (const IT::Place& p : list.places) find.append(p, sources);
     });
   return IT::Polyhedral_distance<Triangulation>(t, sources).distances();
 }
@@ -68,31 +68,26 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
   return naming_file(options.input, [&] { return IT::insert_isolines(t, lines); });
 }
 
+// Cuts as options say.
 template <class Triangulation>
-Edge_labels<Triangulation> geodesic_labels(Loaded<Triangulation>& loaded, const Options& options,
-                                           Json& json, Progress& progress) {
-  Geodesic_curves<Triangulation> curves(loaded, options, input_points(loaded));
-  curves.run(json, progress);
-  warn_of_cap(json, options);
-  std::size_t c = 0;
-  for (const Json& curve : json["geodesic"]["curves"]) {
-    if (curve["length"] == 0)
-      throw std::runtime_error(options.input + ": curve " + std::to_string(c) +
-                               " shrinks to a point, along which nothing can be cut; keep it at "
-                               "its points with --waypoints, or leave it out");
-    ++c;
+IT::Cut_surface cut_surface(Loaded<Triangulation>& loaded, const Options& options, Json& json,
+                            Progress& progress, Stopwatch& watch) {
+  Triangulation& t = loaded.triangulation;
+  const auto cut_along = [&](const auto& curves) {
+    json["seconds"]["curves"] = watch.lap();
+    progress.show("cutting");
+    return naming_file(options.input, [&] { return IT::cut_along(t, curves); });
+  };
+  if (!options.cut.levels.empty()) return cut_along(isoline_labels(loaded, options, json));
+  if (!options.cut.makes_disks) {
+    const auto found = find_curves(loaded, options, false, json, progress);
+    warn_of_cap(json, options);
+    return cut_along(found);
   }
-  return curves.labels();
-}
-
-template <class Triangulation>
-auto disk_labels(Loaded<Triangulation>& loaded, const Options& options, Json& json,
-                 Progress& progress) {
   progress.show("finding a cut");
-  const auto cut =
-      naming_file(options.input, [&] { return IT::flip_to_geodesic_cut(loaded.triangulation); });
+  const auto cut = naming_file(options.input, [&] { return IT::flip_to_geodesic_cut(t); });
   json["shortening"] = {{"flips", cut.shortening.flips}};
-  return cut.edges;
+  return cut_along(cut.edges);
 }
 
 Json components_json(const IT::Cut_surface& s, const std::vector<Point>& points) {
@@ -136,15 +131,7 @@ void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progre
   expect_points(loaded, options);
   Json json = loaded_json(loaded, options);
   Stopwatch watch;
-  const auto cut_along = [&](const auto& labels) {
-    json["seconds"]["curves"] = watch.lap();
-    progress.show("cutting");
-    return naming_file(options.input, [&] { return IT::cut_along(t, labels); });
-  };
-  const IT::Cut_surface s =
-      options.cut.makes_disks      ? cut_along(disk_labels(loaded, options, json, progress))
-      : options.cut.levels.empty() ? cut_along(geodesic_labels(loaded, options, json, progress))
-                                   : cut_along(isoline_labels(loaded, options, json));
+  const IT::Cut_surface s = cut_surface(loaded, options, json, progress, watch);
   const std::vector<Point> points = IT::positions(s, input_points(loaded), t.input());
   json["cut"] = cut_json(s, points);
   json["seconds"]["cut"] = watch.lap();

@@ -6,7 +6,7 @@
 
 #include "../delaunay.h"
 #include "../support/file_formats.h"
-#include "Geodesic_curves.h"
+#include "curves.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
@@ -32,7 +32,7 @@ template <class Triangulation>
 IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdivision& s,
                                   const Edge_labels<Triangulation>& labels) {
   std::vector<double> curve(s.number_of_vertices(), -1);
-  std::vector<std::int32_t> label(t.numbers().edge_capacity(t.mesh()), 0);
+  std::vector<std::uint32_t> label(t.numbers().edge_capacity(t.mesh()), 0);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
     label[t.index(e)] = get(labels, e);
   IT::for_each_subdivision_edge(
@@ -47,23 +47,26 @@ IT::Subdivision_field curve_field(const Triangulation& t, const IT::Common_subdi
 /// writes the common subdivision with curves, and the page that shows them.
 template <class Triangulation>
 void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
-                                 const Geodesic_curves<Triangulation>& curves,
-                                 const Edge_labels<Triangulation>& labels, const Options& options,
-                                 Json& json, Output_files& files, Progress& progress,
-                                 Stopwatch& watch) {
+                                 const IT::Curves_along_edges<Triangulation>& found,
+                                 const Options& options, Json& json, Output_files& files,
+                                 Progress& progress, Stopwatch& watch) {
   progress.show("subdividing");
   const Drawn_subdivision drawn = drawn_subdivision(loaded, options, json);
   json["seconds"]["subdivide"] = watch.lap();
   progress.show("writing");
+  const Triangulation& t = loaded.triangulation;
   if (options.geodesic.writes_subdivision)
     files.write(options.output, [&](std::ostream& out) {
-      const IT::Subdivision_field field = curve_field(loaded.triangulation, drawn.s, labels);
+      const IT::Subdivision_field field = curve_field(t, drawn.s, found.labels);
       IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
                                    drawn.s, drawn.points, std::span(&field, 1));
     });
   if (!options.view.empty())
     files.write(options.view, [&](std::ostream& out) {
-      Viewed viewed{curves.shortened(), curves.initial()};
+      const std::vector<Point> points = input_points(loaded);
+      const auto curves = polylines(t, found, points);
+      const auto initial = polylines(t, found, points, &IT::Found_curve::initial);
+      Viewed viewed{curves, initial};
       viewed.is_plain = true; // curves are not to be looked for among colours
       write_view(out, drawn.s, drawn.points, options, json, viewed);
     });
@@ -73,18 +76,17 @@ void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
 template <class Triangulation>
 void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Triangulation& t = loaded.triangulation;
-  Geodesic_curves<Triangulation> curves(loaded, options, input_points(loaded));
-  Edge_labels<Triangulation> labels(t);
+  IT::Curves_along_edges<Triangulation> found{{}, Edge_labels<Triangulation>(t)};
   const auto shorten = [&](Json& json) {
-    curves.run(json, progress);
-    labels = curves.labels();
-    return labels;
+    found = find_curves(loaded, options, true, json, progress);
+    return found.labels;
   };
   Json json;
   if (options.refines) {
-    json = flip_and_measure(
-        loaded, true, options, progress, shorten,
-        [&](Json& j, const auto& kept) { refine(loaded, kept, options, j, progress); });
+    json =
+        flip_and_measure(loaded, true, options, progress, shorten, [&](Json& j, const auto& kept) {
+          refine(loaded, kept, options, j, progress);
+        });
   } else {
     json = loaded_json(loaded, options);
     shorten(json);
@@ -93,14 +95,14 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   Stopwatch watch;
   Output_files files;
   if (options.geodesic.writes_subdivision || !options.view.empty())
-    write_curves_on_subdivision(loaded, curves, labels, options, json, files, progress, watch);
+    write_curves_on_subdivision(loaded, found, options, json, files, progress, watch);
   if (!options.output.empty() && !options.geodesic.writes_subdivision) {
     progress.show("writing");
     files.write(options.output, [&](std::ostream& out) {
       if (is_file_of(Contents::curves, options.output)) {
         expect_points(loaded, options);
         IT::write_polylines(out, std::filesystem::path(options.output).extension().string(),
-                            curves.shortened());
+                            polylines(t, found, input_points(loaded)));
       } else {
         IT::write_intrinsic_triangulation(out, t);
       }

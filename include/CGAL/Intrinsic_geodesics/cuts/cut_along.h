@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/insert_polyline.h>
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
+#include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -93,6 +95,58 @@ template <GeodesicTriangulation Triangulation>
 CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_MESH(cut_along)
 /// \endcond
 
+namespace internal {
+
+// Inserts curves; `name(i)` is what errors call number i.
+template <class Triangulation, class Name>
+std::vector<Inserted_polyline<Triangulation>>
+insert_named_curves(Triangulation& t, const std::vector<Traced_curve>& curves, const Name& name) {
+  std::vector<Inserted_polyline<Triangulation>> paths;
+  for (const Traced_curve& curve : curves) {
+    paths.push_back(insert_polyline(t, curve.points));
+    if (curve.status == Status::not_traceable || paths.back().status != Move_status::done)
+      throw Invalid_input(Element_kind::none, 0,
+                          name(paths.size() - 1) +
+                              " cannot be inserted into the triangulation; choose another");
+  }
+  return paths;
+}
+
+template <class Triangulation, class Label>
+Marked_edges<Triangulation, std::uint32_t>
+labels_along(const Triangulation& t, const std::vector<Inserted_polyline<Triangulation>>& paths,
+             const Label& label) {
+  Marked_edges<Triangulation, std::uint32_t> labels(t);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    for (const auto h : paths[i].halfedges)
+      put(labels, edge(h, t.mesh()), static_cast<std::uint32_t>(label(i)));
+  return labels;
+}
+
+} // namespace internal
+
+/*!
+\brief inserts curves over the input: they become paths of edges, along which `cut_along()` cuts.
+They may cross.
+\tparam Triangulation a model of `RefinableTriangulation` and of `CorrespondingTriangulation`
+\param t the triangulation
+\param curves the curves, such as isolines and traced geodesics
+\return for each edge the number of the last curve along it, plus one; 0 for all others
+\throws Invalid_input naming a curve that cannot be inserted, or is a point
+\complexity see `insert_polyline()`
+*/
+template <RefinableTriangulation Triangulation>
+  requires QueriedTriangulation<Triangulation> Marked_edges<Triangulation, std::uint32_t>
+  insert_curves(Triangulation& t, const std::vector<Traced_curve>& curves) {
+    const auto name = [](std::size_t i) { return "curves[" + std::to_string(i) + "]"; };
+    const auto paths = internal::insert_named_curves(t, curves, name);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      if (paths[i].halfedges.empty())
+        throw Invalid_input(Element_kind::none, 0,
+                            name(i) + " is a point, along which nothing can be cut; leave it out");
+    return internal::labels_along(t, paths, [](std::size_t i) { return i + 1; });
+  }
+
 /*!
 \brief inserts isolines of a triangulation: they become paths of its edges, along which
 `cut_along()` cuts.
@@ -109,22 +163,15 @@ template <RefinableTriangulation Triangulation>
   requires QueriedTriangulation<Triangulation> Marked_edges<Triangulation, std::uint32_t>
   insert_isolines(Triangulation& t, const std::vector<Isoline>& lines) {
     std::vector<Traced_curve> ways;
-    for (const Isoline& line : lines) ways.push_back(trace_isoline(t, line));
-    Marked_edges<Triangulation, std::uint32_t> labels(t);
-    std::vector<Inserted_polyline<Triangulation>> paths;
-    for (const Traced_curve& way : ways) {
-      paths.push_back(insert_polyline(t, way.points));
-      if (way.status != Status::done || paths.back().status != Move_status::done)
-        throw Invalid_input(
-            Element_kind::none, 0,
-            "isoline " + std::to_string(paths.size() - 1) + ", of level " +
-                std::to_string(lines[paths.size() - 1].level) +
-                ", cannot be inserted into the triangulation; choose another level");
+    for (const Isoline& line : lines) {
+      ways.push_back(trace_isoline(t, line));
+      if (ways.back().status != Status::done) ways.back().status = Status::not_traceable;
     }
-    for (std::size_t i = 0; i < paths.size(); ++i)
-      for (const auto h : paths[i].halfedges)
-        put(labels, edge(h, t.mesh()), static_cast<std::uint32_t>(lines[i].number_of_level + 1));
-    return labels;
+    const auto paths = internal::insert_named_curves(t, ways, [&](std::size_t i) {
+      return "isoline " + std::to_string(i) + ", of level " + std::to_string(lines[i].level) + ",";
+    });
+    return internal::labels_along(t, paths,
+                                  [&](std::size_t i) { return lines[i].number_of_level + 1; });
   }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -119,6 +119,10 @@ void add_polyline(std::size_t level, bool is_closed,
 
 } // namespace internal
 
+/// returns so many levels, evenly between the least and the greatest finite value; none without
+/// finite values.
+std::vector<double> even_levels(std::span<const double> values, std::size_t count);
+
 /*!
 \brief finds the lines on which a function has given values.
 

@@ -11,12 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include <CGAL/Interval_nt.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ranges>
@@ -43,36 +45,14 @@ struct Traced_curve {
   Interval_nt<> length_enclosure{0};
 };
 
+/// describes a point from the halfedge of a face that it lies in, or on the boundary of; there may
+/// be several ways if the face is glued to itself. A point that is not there is returned as it is.
+Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f);
+
 namespace internal {
 
-// Describes a point from the halfedge of a face that it lies in, or on the boundary of; there may
-// be several ways if the face is glued to itself.
-inline Surface_point seen_in_face(const Input& input, const Surface_point& p, std::uint32_t f) {
-  const std::uint32_t base = input.halfedge_of_face(f);
-  if (input.face(p.halfedge) == f) return seen_from(input, p, base);
-  std::uint32_t h = p.halfedge;
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-    const double x = p.weights[(k + 1) % 3];
-    if (p.weights[(k + 2) % 3] == 0 && !input.is_border(h ^ 1U) && input.face(h ^ 1U) == f)
-      return seen_from(input, {h ^ 1U, {x, 1 - x, 0}}, base);
-  }
-  for (std::size_t k = 0; k < 3; ++k, h = input.next(h))
-    if (p.weights[k] == 1)
-      for (std::uint32_t g = base, n = 0; n < 3; ++n, g = input.next(g))
-        if (input.names().row(input.source(g)) == input.names().row(input.source(h)))
-          return seen_from(input, {g, {1, 0, 0}}, base); // or a copy of it, on a cover
-  return p;
-}
-
 // Appends a curve to another, which ends where it starts.
-inline void append(const Traced_curve& way, Traced_curve& all) {
-  if (way.points.empty()) return;
-  all.points.insert(all.points.end(), way.points.begin() + (all.points.empty() ? 0 : 1),
-                    way.points.end());
-  all.faces.insert(all.faces.end(), way.faces.begin(), way.faces.end());
-  all.length += way.length;
-  all.length_enclosure += way.length_enclosure;
-}
+void append(const Traced_curve& way, Traced_curve& all);
 
 template <class Triangulation>
 void append_edge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
@@ -115,6 +95,14 @@ Traced_curve trace_curve(const Triangulation& t, const HalfedgeRange& halfedges)
   return curve;
 }
 
+/// returns where a point of the input is in space. \param points coordinates of the user's vertices
+std::array<double, 3> point_in_space(const Input& input, const Surface_point& p,
+                                     const std::vector<std::array<double, 3>>& points);
+
+/// returns a geodesic that was traced over the input, see `trace_geodesic_on_input()`, as a curve.
+/// Its length has no bounds.
+Traced_curve traced_curve(const Input& input, const Geodesic& geodesic);
+
 /*!
 \brief returns the points of a curve in space, in the type of points of the user's mesh.
 \param t the triangulation
@@ -146,8 +134,7 @@ std::vector<Face_location<Mesh>> face_locations(const Triangulation& t, const Tr
   std::vector<Face_location<Mesh>> result;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const std::size_t piece = i < curve.faces.size() ? i : i - 1;
-    result.push_back(
-        named.on_mesh(internal::seen_in_face(input, curve.points[i], curve.faces[piece])));
+    result.push_back(named.on_mesh(seen_in_face(input, curve.points[i], curve.faces[piece])));
   }
   return result;
 }

@@ -25,6 +25,20 @@ Edge_point Isoline::end_of_piece(std::size_t piece) const {
   return {p.halfedge ^ 1U, 1 - p.parameter};
 }
 
+std::vector<double> even_levels(std::span<const double> values, std::size_t count) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (const double x : values) {
+    if (!std::isfinite(x)) continue;
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+  }
+  std::vector<double> levels;
+  for (std::size_t k = 1; k <= count && least <= greatest; ++k)
+    levels.push_back(
+        std::lerp(least, greatest, static_cast<double>(k) / static_cast<double>(count + 1)));
+  return levels;
+}
+
 namespace internal {
 
 namespace {
