@@ -23,10 +23,14 @@ using CGAL::Intrinsic_triangulations::internal::Delaunay_star;
 using Points = std::vector<std::array<double, 2>>;
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
+Delaunay_star::Neighbour in_plane(const std::array<double, 2>& at, std::uint32_t number) {
+  return {at, number, {at[0], at[1], 0}};
+}
+
 // the sides opposite the origin of the triangles there, sorted
 Pairs star(const Points& points, std::uint32_t center = 1000) {
   std::vector<Delaunay_star::Neighbour> s;
-  for (std::uint32_t i = 0; i < points.size(); ++i) s.push_back({points[i], i});
+  for (std::uint32_t i = 0; i < points.size(); ++i) s.push_back(in_plane(points[i], i));
   const bool is_closed = Delaunay_star::find(center, s);
   Pairs result;
   for (std::size_t i = 0; i + 1 < s.size(); ++i) result.emplace_back(s[i].number, s[i + 1].number);
@@ -88,6 +92,32 @@ TEST(Delaunay_star, stays_when_points_are_turned) {
   }
 }
 
+// A quadrilateral that is bent a little, unfolded about each of its corners: it has one diagonal.
+TEST(Delaunay_star, has_the_same_diagonal_from_every_corner_of_a_bent_quadrilateral) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> x(-0.03, 0.03);
+  for (int run = 0; run < 500; ++run) {
+    std::array<std::array<double, 3>, 4> z{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+    for (auto& p : z)
+      for (double& coordinate : p) coordinate += x(random);
+    std::array<bool, 4> has_diagonal{};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      std::vector<Delaunay_star::Neighbour> s;
+      for (std::uint32_t i = 1; i < 4; ++i) {
+        const auto &p = z[(k + i) % 4], &c = z[k];
+        const std::array<double, 3> v{p[0] - c[0], p[1] - c[1], p[2] - c[2]};
+        const double factor = std::hypot(1, v[2] / std::hypot(v[0], v[1])); // keeps distances
+        s.push_back({{factor * v[0], factor * v[1]}, (k + i) % 4, v});
+      }
+      Delaunay_star::find(k, s);
+      has_diagonal[k] = s.size() == 3;
+    }
+    EXPECT_EQ(has_diagonal[0], has_diagonal[2]) << run;
+    EXPECT_EQ(has_diagonal[1], has_diagonal[3]) << run;
+    EXPECT_NE(has_diagonal[0], has_diagonal[1]) << run;
+  }
+}
+
 TEST(Delaunay_star, compares_distances_whose_squares_vanish) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> x(-1, 1);
@@ -115,7 +145,8 @@ TEST(Delaunay_star, chooses_diagonals_by_number_whichever_point_it_is_of) {
   const Points square{{1, 1}, {1, 0}, {0, 1}};
   EXPECT_EQ(star(square, 7), (Pairs{{0, 2}, {1, 0}})) << "0 is across";
   EXPECT_EQ(star({{1, 0}, {1, 1}, {0, 1}}, 7), (Pairs{{0, 2}})) << "0 is beside";
-  std::vector<Delaunay_star::Neighbour> s{{{1, 0}, 5}, {{1, 1}, 6}, {{0, 1}, 7}};
+  std::vector<Delaunay_star::Neighbour> s{in_plane({1, 0}, 5), in_plane({1, 1}, 6),
+                                          in_plane({0, 1}, 7)};
   Delaunay_star::find(0, s);
   EXPECT_EQ(s.size(), 3U) << "0 is here";
   // on every point of a circle of eight, all triangles are at the least number
@@ -123,8 +154,8 @@ TEST(Delaunay_star, chooses_diagonals_by_number_whichever_point_it_is_of) {
     const Points circle{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {0, -5}};
     std::vector<Delaunay_star::Neighbour> others;
     for (std::uint32_t i = 1; i < 8; ++i)
-      others.push_back(
-          {{circle[i][0] - circle[0][0], circle[i][1] - circle[0][1]}, (i + 8 - least) % 8});
+      others.push_back(in_plane({circle[i][0] - circle[0][0], circle[i][1] - circle[0][1]},
+                                (i + 8 - least) % 8));
     Delaunay_star::find(8 - least, others);
     EXPECT_EQ(others.size(), least == 1 || least == 7 ? 2U : 3U) << least;
   }

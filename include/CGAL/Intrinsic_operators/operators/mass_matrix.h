@@ -44,11 +44,43 @@ Eigen::VectorXd areas_at_vertices(const Triangulation& t) {
 } // namespace internal
 
 /*!
+\brief assembles the mass matrix of the Voronoi dual (§4.1 of the course; Meyer, Desbrun, Schroeder
+and Barr 2003): on the diagonal the area of the circumcentric cell of each vertex
+
+    M_ii = 1/4 sum over edges ij of w_ij |ij|^2,    w_ij the cotangent weight,
+
+as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the
+cells of the intrinsic Voronoi diagram: nonnegative except at a border edge that faces an obtuse
+angle. In other triangulations, areas at obtuse angles can be negative. The trace is the area of the
+surface, up to rounding.
+\tparam Triangulation a model of `MeasuredTriangulation`
+\param t the triangulation, whose predicates may sharpen stored values
+\return a compressed diagonal matrix as that of `lumped_mass_matrix()`
+\throws Invalid_input if a face has no area
+\complexity linear
+*/
+template <MeasuredTriangulation Triangulation>
+Eigen::SparseMatrix<double> voronoi_mass_matrix(const Triangulation& t) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(t));
+  internal::for_each_cotangent_weight(
+      t, [&](typename Triangulation::edge_descriptor e, double weight) {
+        const double half_of_diamond = weight * t.squared_length(e) / t.input().names().sheets / 4;
+        const auto h = halfedge(e, t.mesh());
+        sum[t.input_vertex(source(h, t.mesh()))] += half_of_diamond;
+        sum[t.input_vertex(target(h, t.mesh()))] += half_of_diamond;
+      });
+  return symmetric_matrix({}, sum);
+}
+
+/*!
 \brief assembles the lumped mass matrix (§2.5.1 of the course, Eq. 5): a third of the area of the
 faces at each vertex, on the diagonal.
 
 A face that has a vertex at several corners counts at each. The trace is the area of the surface; on
-a cover, of the user's surface, whose vertices number the rows.
+a cover, of the user's surface, whose vertices number the rows. The faces of a point cloud are not
+the user's, and where four points are on a circle, rounding decides between two pairs of faces: its
+masses are those of `voronoi_mass_matrix()`, which are the same for both, nonnegative and as
+accurate.
 
 \tparam Triangulation a model of `MeasuredTriangulation`
 \param t the triangulation
@@ -59,6 +91,7 @@ a cover, of the user's surface, whose vertices number the rows.
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
+  if (t.input().names().sheets > 2) return voronoi_mass_matrix(t); // a point cloud
   return symmetric_matrix({}, internal::areas_at_vertices(t) / 3);
 }
 
@@ -98,35 +131,6 @@ Eigen::SparseMatrix<double> galerkin_mass_matrix(const Triangulation& t) {
       entries.push_back({i, j, area / 12});
   }
   return symmetric_matrix(entries, diagonal);
-}
-
-/*!
-\brief assembles the mass matrix of the Voronoi dual (§4.1 of the course; Meyer, Desbrun, Schroeder
-and Barr 2003): on the diagonal the area of the circumcentric cell of each vertex
-
-    M_ii = 1/4 sum over edges ij of w_ij |ij|^2,    w_ij the cotangent weight,
-
-as the dual of an edge has length w_ij |ij|. In a Delaunay triangulation these are the areas of the
-cells of the intrinsic Voronoi diagram: nonnegative except at a border edge that faces an obtuse
-angle. In other triangulations, areas at obtuse angles can be negative. The trace is the area of the
-surface, up to rounding.
-\tparam Triangulation a model of `MeasuredTriangulation`
-\param t the triangulation, whose predicates may sharpen stored values
-\return a compressed diagonal matrix as that of `lumped_mass_matrix()`
-\throws Invalid_input if a face has no area
-\complexity linear
-*/
-template <MeasuredTriangulation Triangulation>
-Eigen::SparseMatrix<double> voronoi_mass_matrix(const Triangulation& t) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(checked_matrix_size(t));
-  internal::for_each_cotangent_weight(
-      t, [&](typename Triangulation::edge_descriptor e, double weight) {
-        const double half_of_diamond = weight * t.squared_length(e) / t.input().names().sheets / 4;
-        const auto h = halfedge(e, t.mesh());
-        sum[t.input_vertex(source(h, t.mesh()))] += half_of_diamond;
-        sum[t.input_vertex(target(h, t.mesh()))] += half_of_diamond;
-      });
-  return symmetric_matrix({}, sum);
 }
 
 /// \cond

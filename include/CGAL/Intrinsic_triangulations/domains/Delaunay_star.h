@@ -11,14 +11,18 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Finds the triangles at the origin in the Delaunay triangulation of the origin and points in the
-// plane: they are the facets of the hull of the inverted points that face it. If four points are on
-// a circle up to rounding, the diagonal ends at the one of least number, in all stars alike; three
-// are on a line up to rounding, too. So the result stays the same if points are turned.
+// plane: they are the facets of the hull of the inverted points that face it. The plane was turned
+// or bent to the points, differently at each center. Where four are nearly on a circle there, their
+// places in space decide, so that all stars have the same diagonal: it ends at the two corners of
+// the quadrilateral with the larger sum of angles, which is Delaunay if they are in a plane. If the
+// sums are equal up to rounding, it ends at the one of least number; three points are on a line up
+// to rounding, too. So the result stays the same if points are turned.
 class Delaunay_star {
 public:
   struct Neighbour {
-    std::array<double, 2> at;
+    std::array<double, 2> at; // in the plane
     std::uint32_t number;
+    std::array<double, 3> in_space; // from the origin
     double direction = 0; // set here: grows with the angle, from 0 to 4, half a turn is 2; rounded
   };
 

@@ -43,7 +43,8 @@ std::vector<std::uint32_t> first_points_at_places(const std::vector<std::array<d
 
 /*!
 \brief finds the triangles at each point of a cloud among its neighbours, see `make_point_cloud()`:
-the point first, then counterclockwise, seen from either side of the surface.
+the point first, then counterclockwise, seen from either side of the surface; in an order that
+depends neither on axes nor, but for ties, on numbers.
 \param points the points, in any order
 \param neighbours how many are triangulated around each point
 \param report gets what was found
@@ -67,9 +68,12 @@ struct Point_cloud : Domain {
 
 The nearest neighbours of each point are turned about it into the plane that fits them best, with
 their distances from it. The triangles at the point in their planar Delaunay triangulation
-approximate the surface there. Where four points are on a circle up to rounding (2^-30), the numbers
-of the points decide, and neighbours that are as far as the last one count, too: so triangles stay
-the same if all points are turned. The union of these triangles over all points has every
+approximate the surface there. Where four points are nearly on a circle in the plane, their angles
+in space decide, the same ones at each of the four, so that lattices on curved surfaces are covered
+evenly; the numbers of the points decide if those are equal up to rounding (2^-30). Neighbours that
+are as far as the last one count, too, and the order of faces is that of distances to neighbours. So
+matrices stay the same if all points are turned, and, but for symmetric borders and ridges, if they
+are numbered otherwise. The union of these triangles over all points has every
 neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six
 sheets, and matrices are divided by that many: they approximate those of the surface. With exact
 traits no weight of the Delaunay Laplacian is negative. Rows are points.

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,24 +91,21 @@ public:
     tree_.build();
   }
 
-  // Appends the triangles at a point, by names. \return whether they go all around it
-  bool add(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  // Appends the star of a point, by names: the corners around it, in either direction.
+  // \return whether it goes all around
+  bool add(std::uint32_t center, std::vector<std::uint32_t>& corners) {
     find_neighbours(center);
     const bool is_closed = Delaunay_star::find(names_[center], star_);
-    std::vector<std::uint32_t>& corners = corners_;
-    corners.clear();
     for (const Delaunay_star::Neighbour& a : star_) corners.push_back(a.number);
-    // the side from which the star is seen, and where it begins, are those of the axes
-    if (is_closed) {
-      std::ranges::rotate(corners, std::ranges::min_element(corners));
-      if (corners[1] > corners.back()) std::ranges::reverse(corners.begin() + 1, corners.end());
-      corners.push_back(corners.front());
-    } else if (!corners.empty() && corners.front() > corners.back()) {
-      std::ranges::reverse(corners);
-    }
-    for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-      triangles.push_back({names_[center], corners[i], corners[i + 1]});
     return is_closed;
+  }
+
+  // A number that the last point has wherever the axes are and whatever the names, and hardly any
+  // other: the logarithm of the sum of the squared distances of its neighbours, up to rounding.
+  std::int64_t signature() const {
+    double sum = 0;
+    for (const auto& [i, squared_distance] : nearest_) sum += squared_distance;
+    return sum > 0 ? std::llround(std::ldexp(std::log2(sum), 30)) : 0;
   }
 
 private:
@@ -143,7 +141,7 @@ private:
       if (i == center) continue;
       Vector& v = vectors_.emplace_back();
       for (int k = 0; k < 3; ++k) v[unsigned(k)] = points_[i][k] - points_[center][k];
-      star_.push_back({{}, names_[i]});
+      star_.push_back({{}, names_[i], v});
     }
     const auto even = [](std::size_t) { return 1.; };
     // weights that depend on names alone choose one of several planes
@@ -209,7 +207,6 @@ private:
   std::vector<Search::Point_with_transformed_distance> nearest_;
   std::vector<Delaunay_star::Neighbour> star_;
   std::vector<Vector> vectors_;
-  std::vector<std::uint32_t> corners_;
 };
 
 std::vector<std::uint32_t>
@@ -262,6 +259,56 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
+// The stars of all points.
+struct Stars {
+  std::vector<std::uint32_t> corners;            // of one star after the other, by names
+  std::vector<std::array<std::size_t, 2>> range; // for each name; empty if it has no star
+  std::vector<char> is_open;                     // for each name
+  std::vector<std::pair<std::int64_t, std::uint32_t>> order; // of names, by signatures
+};
+
+static Stars find_stars(const std::vector<std::array<double, 3>>& points,
+                        const std::vector<std::uint32_t>& members, std::size_t neighbours) {
+  const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
+  Local_triangulator triangulator(ordered, members, neighbours);
+  Stars stars{{}, {}, std::vector<char>(points.size(), 0), {}};
+  stars.range.assign(points.size(), {0, 0});
+  stars.corners.reserve(6 * points.size() + 6); // the usual number
+  for (std::uint32_t i = 0; const std::uint32_t center : members) {
+    const std::size_t begin = stars.corners.size();
+    stars.is_open[center] = triangulator.add(i++, stars.corners) ? 0 : 1;
+    stars.range[center] = {begin, stars.corners.size()};
+    stars.order.emplace_back(triangulator.signature(), center);
+  }
+  std::ranges::sort(stars.order);
+  return stars;
+}
+
+// The triangles of all stars, ordered by what depends neither on axes nor on names: where faces of
+// the cover are alike, their order decides how they are glued.
+static std::vector<std::array<std::uint32_t, 3>> triangles_of(Stars stars) {
+  std::vector<std::uint32_t> rank(stars.range.size(), 0);
+  for (std::uint32_t i = 0; i < stars.order.size(); ++i) rank[stars.order[i].second] = i;
+  const auto is_before = [&rank](std::uint32_t v, std::uint32_t w) { return rank[v] < rank[w]; };
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(stars.corners.size());
+  for (const auto& [signature, center] : stars.order) {
+    const auto [from, to] = stars.range[center];
+    const std::span<std::uint32_t> star(stars.corners.data() + from, to - from);
+    if (star.empty()) continue;
+    const bool is_open = stars.is_open[center] != 0;
+    if (!is_open) {
+      std::ranges::rotate(star, std::ranges::min_element(star, is_before));
+      if (is_before(star.back(), star[1])) std::ranges::reverse(star.subspan(1));
+    } else if (is_before(star.back(), star.front())) {
+      std::ranges::reverse(star);
+    }
+    for (std::size_t i = 0; i + is_open < star.size(); ++i)
+      triangles.push_back({center, star[i], star[(i + 1) % star.size()]});
+  }
+  return triangles;
+}
+
 } // namespace internal
 
 std::vector<std::array<std::uint32_t, 3>>
@@ -272,25 +319,12 @@ triangles_at_points(const std::vector<std::array<double, 3>>& points, std::size_
       internal::distinct_points(points, internal::first_points_at_places(points));
   report.duplicated_points = points.size() - members.size();
   report.neighbours = members.empty() ? 0 : std::min(neighbours, members.size() - 1);
-  report.is_on_border.assign(points.size(), 0);
   if (members.size() < 3) internal::fail_without_triangles(points.size());
-  const std::vector<internal::Local_triangulator::Point> ordered =
-      internal::points_to_triangulate(points, members);
-  internal::Local_triangulator triangulator(ordered, members, report.neighbours);
-  std::vector<std::array<std::uint32_t, 3>> found;
-  found.reserve(6 * points.size() + 6); // the usual number
-  std::vector<std::size_t> begins(points.size()), ends(points.size());
-  for (std::uint32_t i = 0; i < members.size(); ++i) {
-    const std::uint32_t center = members[i];
-    begins[center] = found.size();
-    report.is_on_border[center] = triangulator.add(i, found) ? 0 : 1;
-    ends[center] = found.size();
-    if (begins[center] == ends[center]) ++report.points_without_triangles;
-  }
-  std::vector<std::array<std::uint32_t, 3>> triangles; // in the user's order
-  triangles.reserve(found.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (std::size_t k = begins[v]; k < ends[v]; ++k) triangles.push_back(found[k]);
+  internal::Stars stars = internal::find_stars(points, members, report.neighbours);
+  report.is_on_border = stars.is_open;
+  for (const std::uint32_t v : members)
+    if (stars.range[v][0] == stars.range[v][1]) ++report.points_without_triangles;
+  std::vector<std::array<std::uint32_t, 3>> triangles = internal::triangles_of(std::move(stars));
   report.triangles = triangles.size();
   if (triangles.empty()) internal::fail_without_triangles(points.size());
   return triangles;
@@ -306,8 +340,7 @@ Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,
   Point_cloud cloud;
   static_cast<Domain&>(cloud) =
       make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);
-  cloud.input.names.sheets *= 3;
-  cloud.report.sheets = cloud.input.names.sheets;
+  cloud.report.sheets = cloud.input.names.sheets *= 3;
   cloud.report.reason =
       "the triangles at every point among its " + std::to_string(report.neighbours) + " neighbours";
   cloud.points = std::move(report);

@@ -162,13 +162,52 @@ static bool take_turns(const std::vector<std::uint32_t>& apices,
   return true;
 }
 
+// Whether the half planes of two points at the line from `a` to `b` are the same up to rounding:
+// the sine of their angle is below 2^-30, as for ties of `Delaunay_star`.
+static bool is_same_half_plane(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                               const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  using Vector = std::array<double, 3>;
+  const auto from_a = [&a](const Vector& to) { // of length about 1
+    Vector v{to[0] - a[0], to[1] - a[1], to[2] - a[2]};
+    const double size = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    for (double& x : v) x = size > 0 ? x / size : 0;
+    return v;
+  };
+  const auto product = [](const Vector& v, const Vector& w) {
+    return Vector{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
+  };
+  const Vector m = product(from_a(b), from_a(p)), n = product(from_a(b), from_a(q));
+  const Vector sine = product(m, n);
+  const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+  return cosine > 0 && std::hypot(sine[0], sine[1], sine[2]) <= 0x1p-30 * cosine;
+}
+
+// Faces in one half plane up to rounding keep their order: how they differ depends on the axes.
+static void ignore_rounding(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
+                            std::uint32_t b, const std::vector<std::uint32_t>& apices,
+                            std::vector<std::uint32_t>& order) {
+  const auto is_same = [&](std::uint32_t i, std::uint32_t j) {
+    return apices[i] == apices[j] ||
+           is_same_half_plane(points[a], points[b], points[apices[i]], points[apices[j]]);
+  };
+  std::size_t last = order.size(); // those before the first are next to it, too
+  while (last > 1 && is_same(order[last - 1], order[last % order.size()])) --last;
+  std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(last % order.size()));
+  for (auto from = order.begin(); from != order.end();) {
+    auto to = from + 1;
+    while (to != order.end() && is_same(*(to - 1), *to)) ++to;
+    std::sort(from, to);
+    from = to;
+  }
+}
+
 // Orders the faces at an edge by their angles, and lets those that are repeated go around once
 // more: each is then glued to other faces, as if none were repeated, and not to a copy of itself.
 static std::vector<std::uint32_t>
 order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_t a,
                   std::uint32_t b, const std::vector<std::uint32_t>& apices) {
-  std::vector<std::uint32_t> order =
-      sort_around_edge(points, std::min(a, b), std::max(a, b), apices);
+  std::vector<std::uint32_t> order = sort_around_edge(points, a, b, apices);
+  ignore_rounding(points, a, b, apices, order);
   std::vector<std::uint32_t> by_apex = order, round(apices.size(), 0);
   std::stable_sort(by_apex.begin(), by_apex.end(),
                    [&apices](std::uint32_t i, std::uint32_t j) { return apices[i] < apices[j]; });
@@ -196,6 +235,8 @@ Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
     const std::uint32_t h = fan[0].halfedge;
     if (!take_turns(apices, order))
       order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
+    // the order that repeated faces have is that about the first face's own direction
+    if (!fan[0].is_along) std::ranges::reverse(order);
     sorted.clear();
     for (const std::uint32_t i : order) sorted.push_back(fan[i]);
     cover.glue(sorted);
