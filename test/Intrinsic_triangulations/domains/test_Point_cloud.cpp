@@ -131,7 +131,7 @@ Points thin_torus(std::size_t n, double r, unsigned seed) {
 
 // Where a tube is thin, points of its other side are neighbours. Projected, they come before nearer
 // points, and areas are 4 to 15 % too large for these radii. In their distances they do not: areas
-// are 0.5 to 1.7 % too small, since triangles with random vertices are chords.
+// are 1.5 to 2.2 % too small, since triangles with random vertices are chords.
 TEST(Point_cloud, of_a_thin_tube_does_not_join_its_sides) {
   std::mt19937 random(3);
   for (unsigned seed = 1; seed <= 6; ++seed) {
