@@ -18,8 +18,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 // Paths on faces of which any number meet at an edge. Oracles: two pages of a book unfold, and the
@@ -165,6 +167,113 @@ TEST(PathsOnFaces, that_can_be_shortened_are_not_certified) {
   const IT::Path_on_faces straight = find({IT::Place::at_vertex(2), IT::Place::at_vertex(4)});
   EXPECT_DOUBLE_EQ(straight.curve.length, 2);
   EXPECT_TRUE(straight.certificate.is_geodesic());
+}
+
+// A book of flat pages: grids of squares on directions (a, b, 0), each divided along a diagonal.
+struct Grid_book {
+  explicit Grid_book(std::mt19937& random) {
+    static constexpr std::array<std::array<int, 2>, 6> all{
+        {{1, 0}, {3, 4}, {-1, 1}, {-4, 3}, {-2, -1}, {0, -1}}};
+    const std::size_t skipped = random() % all.size();
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (k != skipped && (pages.size() < 3 || random() % 2 == 0)) pages.push_back(all[k]);
+    for (std::uint32_t page = 0; page < pages.size(); ++page)
+      for (int j = 0; j < width; ++j)
+        for (int i = 0; i < height; ++i) {
+          std::array<std::uint32_t, 4> q{vertex(page, j, i), vertex(page, j + 1, i),
+                                         vertex(page, j + 1, i + 1), vertex(page, j, i + 1)};
+          if (random() % 2 == 0) std::ranges::rotate(q, q.begin() + 1);
+          if (random() % 2 == 0) std::ranges::reverse(q);
+          soup.triangles.push_back({q[0], q[1], q[2]});
+          soup.triangles.push_back({q[2], q[3], q[0]});
+        }
+  }
+
+  /// A vertex of a page, so many squares from the spine and from below.
+  std::uint32_t vertex(std::uint32_t page, int j, int i) {
+    const auto [place, is_new] =
+        numbers.try_emplace({j == 0 ? 0 : page, std::uint32_t(j), std::uint32_t(i)},
+                            static_cast<std::uint32_t>(numbers.size()));
+    if (is_new)
+      soup.points.push_back({double(j * pages[page][0]), double(j * pages[page][1]), double(i)});
+    return place->second;
+  }
+  /// The square of the width of a square.
+  int square(std::uint32_t page) const {
+    return pages[page][0] * pages[page][0] + pages[page][1] * pages[page][1];
+  }
+
+  static constexpr int width = 3, height = 5;
+  std::vector<std::array<int, 2>> pages;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
+  IT::Triangle_soup soup;
+};
+
+// Angles of exactly pi, at vertices of pages and of the spine. Oracle: integers.
+TEST(PathsOnFaces, that_are_straight_at_vertices_are_certified) {
+  std::mt19937 random(54);
+  const auto below = [&random](int n) { return static_cast<int>(random() % unsigned(n)); };
+  std::array<int, 2> seen{};
+  for (int k = 0; k < 12; ++k) {
+    Grid_book book(random);
+    const Triangulation t = triangulation(book.soup);
+    IT::Paths_on_faces<Triangulation> find(t);
+    for (int n = 0; n < 25; ++n) {
+      SCOPED_TRACE(std::to_string(k) + ", " + std::to_string(n));
+      const auto a = std::uint32_t(random() % book.pages.size());
+      const bool bends = random() % 3 == 0; // at the spine
+      const auto b = bends ? std::uint32_t((a + 1) % book.pages.size()) : a;
+      // from the middle vertex along the page of one end, and along the other one
+      const int j = bends ? 0 : below(book.width + 1), i = below(book.height + 1);
+      const int dj = below(book.width + 1) - j, di = below(book.height + 1) - i;
+      const int ej = below(2) == 0 ? below(book.width + 1) - j
+                                   : std::clamp(bends ? dj : -dj, -j, book.width - j),
+                ei = below(2) == 0 ? below(book.height + 1) - i
+                                   : std::clamp(-di, -i, book.height - i);
+      if ((dj == 0 && di == 0) || (ej == 0 && ei == 0) || (bends && (dj == 0 || ej == 0))) continue;
+      // collinear: dj / di = -ej / ei, where widths of squares differ by page; and on both sides
+      const int m = bends ? -1 : 1;
+      const int l = book.square(a) * dj * dj * ei * ei, r = book.square(b) * ej * ej * di * di;
+      const bool is_straight = l == r && dj * ej * m <= 0 && di * ei <= 0;
+      const auto at = [&](std::uint32_t page, int x, int y) {
+        return IT::Place::at_vertex(book.vertex(page, x, y));
+      };
+      IT::Path_on_faces first = find({at(a, j + dj, i + di), at(a, j, i)});
+      const IT::Path_on_faces second = find({at(b, j, i), at(b, j + ej, i + ei)});
+      EXPECT_EQ(first.certificate.obstacle, "");
+      EXPECT_EQ(second.certificate.obstacle, "");
+      first.curve.points.back() = second.curve.points.front();
+      IT::internal::append(second.curve, first.curve);
+      EXPECT_EQ(IT::certify_on_faces(t.input(), first.curve).is_geodesic(), is_straight);
+      ++seen[is_straight ? 1 : 0];
+    }
+  }
+  EXPECT_GT(std::min(seen[0], seen[1]), 25);
+}
+
+// From page to page, also through vertices.
+TEST(PathsOnFaces, of_books_of_grids_are_certified) {
+  std::mt19937 random(55);
+  for (int k = 0; k < 8; ++k) {
+    Grid_book book(random);
+    const Triangulation t = triangulation(book.soup);
+    IT::Paths_on_faces<Triangulation> find(t);
+    for (int n = 0; n < 25; ++n) {
+      SCOPED_TRACE(std::to_string(k) + ", " + std::to_string(n));
+      const auto a = std::uint32_t(random() % book.pages.size()),
+                 b = std::uint32_t((a + 1) % book.pages.size());
+      const int x = 1 + int(random() % unsigned(book.width)),
+                y = 1 + int(random() % unsigned(book.width)),
+                z = int(random() % unsigned(book.height + 1)),
+                w = int(random() % unsigned(book.height + 1));
+      const IT::Path_on_faces path = find(
+          {IT::Place::at_vertex(book.vertex(a, x, z)), IT::Place::at_vertex(book.vertex(b, y, w))});
+      EXPECT_EQ(path.certificate.obstacle, "");
+      const double length =
+          std::hypot(x * std::sqrt(book.square(a)) + y * std::sqrt(book.square(b)), z - w);
+      EXPECT_NEAR(path.curve.length, length, 1e-13 * length);
+    }
+  }
 }
 
 TEST(PathsOnFaces, name_places_that_cannot_be_joined) {

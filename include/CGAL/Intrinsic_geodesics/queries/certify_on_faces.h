@@ -34,13 +34,14 @@ struct Certificate_on_faces {
 Between two vertices, the faces that the path passes are unfolded, each pair along the edge that is
 crossed, from the exact lengths of the input, in balls of many bits: the straight line between the
 ends must leave the ends of all crossed edges strictly on its two sides. At a vertex on the path,
-every way around through the faces that meet there, at edges of any number of faces, must turn by
-more than pi. An angle of exactly pi, as at a vertex in a plane, cannot be told from a smaller one:
-then nothing is proven.
+every way around through the faces that meet there, at edges of any number of faces, must turn by at
+least pi. An angle of exactly pi, as at a vertex in a plane, is proven in the field of the square
+roots of the areas, as in a triangulation (`Multiquadratic_number`). If numbers there have too many
+terms, nothing is proven.
 \param input the double cover \param path a path on the fronts of its faces, as
 `trace_shortest_path()` returns it for a search on the faces
-\complexity quadratic in the number of crossed edges, for the bits; and linear in the faces if the
-  path passes a vertex
+\complexity quadratic in the number of crossed edges, for the bits; and linear in the faces for each
+  vertex that the path passes. Proofs in the field are bounded by `thresholds::words_over_prisms`.
 */
 Certificate_on_faces certify_on_faces(const Input& input, const Traced_curve& path);
 

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Residues.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Square_class_basis.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/thresholds.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Faces_in_field.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Question.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/field.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/images.h>
@@ -50,37 +51,6 @@ const typename Asked::Figure& decisive_part(const Asked& q,
   }
   return part ? *part : q.figure;
 }
-
-// The values of input faces in one field, where roots are those of a basis.
-class Faces_in_field {
-public:
-  struct Face {
-    std::array<Gmpq, 3> squared_lengths;
-    Square_root area; // quadruple
-  };
-
-  explicit Faces_in_field(const Input_metric& input) : input_(input) {}
-
-  // throws std::length_error if there are too many roots
-  const Face& operator()(std::uint32_t f) {
-    const auto found = faces_.find(f);
-    return found != faces_.end() ? found->second : faces_.emplace(f, face(f)).first->second;
-  }
-  Square_class_basis& basis() { return basis_; }
-
-private:
-  Face face(std::uint32_t f) {
-    const auto area = basis_.sqrt_of(input_.squared_quadruple_area<Gmpq>(f));
-    if (!area) throw std::length_error("too many square roots");
-    return {{input_.squared_length<Gmpq>(f, 0), input_.squared_length<Gmpq>(f, 1),
-             input_.squared_length<Gmpq>(f, 2)},
-            *area};
-  }
-
-  const Input_metric& input_;
-  Square_class_basis basis_;
-  std::unordered_map<std::uint32_t, Face> faces_;
-};
 
 double log2_of(const Gmpz& n) {
   long exponent = 0;
