@@ -119,11 +119,12 @@ Directions directions(Surface& s, int degree, const std::optional<double>& stren
     }
     if (!asked.are_at_vertices()) refuse("directions can be fixed at vertices only");
     Vector_finder find(t, s.points);
-    const IT::Direction_field f =
-        smooth_field(t, s, degree, strength, find.at_vertices(asked), watch);
+    const auto fixed = find.at_vertices(asked);
+    const IT::Direction_field f = smooth_field(t, s, degree, strength, fixed, watch);
     const auto singular = IT::singularities(t, f);
-    Directions result{{find.sheets().averaged(f.directions(), degree), IT::first_copies_of_rows(t)},
-                      singular.index};
+    Directions result{
+        {find.sheets().averaged(f.directions(), degree, fixed), IT::first_copies_of_rows(t)},
+        singular.index};
     result.sum = singular.sum();
     for (const auto& [h, turns] : singular.turns) result.border_turns += turns;
     add_singularities(t, s.points, result);

@@ -27,7 +27,6 @@ class Check(NamedTuple):
     on: tuple = ALL
     converges: bool = False  # under refinement, at the vertices of the base
     changes: tuple = ()  # all of the kind if there are none
-    fails: dict = {}  # the reasons why it does not hold yet, by surfaces
 
 
 class Left_out(NamedTuple):

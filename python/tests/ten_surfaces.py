@@ -128,12 +128,12 @@ def _soup(random):
     return np.array(V), F
 
 
-def _book(random):
-    n, V, F = 5, [], []
+def _book(random, pages=4, n=5):
+    V, F = [], []
     for i in range(n):
         V.append([0, 0, 0.4 * i + random.uniform(-0.08, 0.08)])
-    for page in range(4):
-        angle = 2 * np.pi * page / 4 + random.uniform(-0.3, 0.3)
+    for page in range(pages):
+        angle = 2 * np.pi * page / pages + random.uniform(-0.3, 0.3)
         at = {(i, 0): i for i in range(n)}
         for j in range(1, 4):
             for i in range(n):
@@ -145,6 +145,13 @@ def _book(random):
         F += _quads(random, at, [((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))
                                  for i in range(n - 1) for j in range(3)])
     return np.array(V), F
+
+
+def of_many_sheets(random):
+    """A book or a soup at random, with edges of several faces."""
+    if random.random() < 0.5:
+        return _book(random, pages=int(random.integers(3, 7)), n=int(random.integers(2, 5)))
+    return _soup(random)
 
 
 def _cloud(random):

@@ -314,7 +314,7 @@ Computed direction_field(const Triangulation& t, const Options& options, const P
   int turns = 0;
   for (const auto& [h, n] : singular.turns) turns += n;
   Computed computed{"field", {}, {}};
-  computed.directions = {"direction", sheets.averaged(field.directions(), degree),
+  computed.directions = {"direction", sheets.averaged(field.directions(), degree, fixed),
                          options.application.degree, IT::first_copies_of_rows(t), singular.index};
   computed.marks = {"singularities", centres(t, singular.index, points)};
   computed.json = {

@@ -50,9 +50,9 @@ Vectors at vertices are those of a `Tangent_field`. At border vertices, computat
 angles; a vector that points out of the surface stays in the half of the circle beyond the border.
 Points are places on the triangulation with vectors in the frame of their halfedge, as
 `Tangent_vector`; `surface_point(t, face_location)` makes one. Unknown vectors are NaN: on
-components without a source, and without direction. Heat falls with distance, below the range of
-doubles after some hundred edges; values have separate exponents, so distances and lengths may have
-any size.
+components without a source, and without direction, as where sources cancel. Heat falls with
+distance, below the range of doubles after some hundred edges; values have separate exponents, so
+distances and lengths may have any size.
 
 The first call of a const function factors matrices: only then may threads call them at once.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
@@ -161,7 +161,7 @@ public:
 
   /*!
   \brief transports vectors from vertices to all vertices.
-  \param sources vertices, and vectors in their coordinates
+  \param sources vertices, and vectors in their coordinates; those at one vertex add up
   \return the vectors
   \throws std::invalid_argument as `extend_scalars()`
   \complexity that of solving with a factored complex matrix; with a real one too, unless all

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
+#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
@@ -35,8 +36,9 @@ on the back of the face that it points into.
 
 As sources of transport, and as fixed directions, both together have results that do not depend on
 which side of a face is its front, if those on both sheets are averaged. At a vertex both are about
-the same copy where the cover turns from one side to the other, as over a border: then only the
-given one is returned. On other surfaces it is the only one.
+the same copy where the cover turns from one side to the other, as over a border: together they
+count there by what they have in common, at a border the part along it. On other surfaces the given
+one is the only one.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
 template <QueriedTriangulation Triangulation>
@@ -60,7 +62,9 @@ public:
   /// \pre the vector is at a vertex
   std::pair<Vertex, std::complex<double>> at_vertex(const Tangent_vector& v) {
     if (!frames_) frames_.emplace(t_);
-    const Vertex there = t_.numbers().vertex_at(vertex(v.point));
+    const Intrinsic_view<Triangulation> view(t_);
+    const std::uint32_t h = sides_of_face(view, v.point.halfedge)[internal::corner_of(v.point)];
+    const Vertex there = t_.numbers().vertex_at(view.source(h));
     return {there,
             frames_->to_field(frames_->number(there), frames_->at_corner(v.point, v.vector))};
   }
@@ -80,9 +84,12 @@ public:
   sheet of its first copy, the first one gets the mean direction, and any one that is known.
   \param field a vector per copy, by the numbers of a `Tangent_field`
   \param degree the number of equivalent directions that each vector stands for
+  \param fixed vectors that keep their directions, see `smoothest_direction_field()`; of several at
+  a vertex, the first one
   \complexity linear on other surfaces; else that of `tangent_to_input()` for each vertex
   */
-  Tangent_field averaged(Tangent_field field, int degree = 1) {
+  Tangent_field averaged(Tangent_field field, int degree = 1,
+                         const std::vector<std::pair<Vertex, std::complex<double>>>& fixed = {}) {
     if (!sheets_.is_cover()) return field;
     const std::vector<std::uint32_t> first = internal::first_copies(t_);
     const Vertex_copies<Triangulation> copies(t_);
@@ -104,31 +111,23 @@ public:
     for (std::size_t i = 0; i < field.size(); ++i)
       if (const auto u = internal::unit_vector(sums[i]); u != 0.)
         field[i] = std::polar(std::abs(field[i]), std::arg(u) / degree);
+    for (auto given = fixed.rbegin(); given != fixed.rend(); ++given)
+      field[copies(given->first)] = internal::unit_vector(given->second);
     return field;
   }
 
 private:
-  // the number of the vertex where a point is
-  std::uint32_t vertex(const Surface_point& p) const {
-    const Intrinsic_view<Triangulation> view(t_);
-    return view.source(sides_of_face(view, p.halfedge)[internal::corner_of(p)]);
-  }
-
   std::optional<Tangent_vector> other(const Tangent_vector& v) const {
     if (!sheets_.is_cover()) return std::nullopt;
     std::optional<Tangent_vector> here = tangent_to_input(t_, v);
     const double length = std::hypot(v.vector[0], v.vector[1]);
     if (!here || !(length > 0)) return std::nullopt;
+    here->point = internal::within_rounding(t_.correspondence().input(), here->point);
     const Geodesic_walk<Input> walk(t_.correspondence().input(), here->point, here->vector);
     if (!walk.is_blocked()) here = internal::at_start(walk, length); // in the face it points into
     const auto& w = here->point.weights;
     const Surface_point p{sheets_.other_side(here->point.halfedge), {w[1], w[0], w[2]}};
-    std::optional<Tangent_vector> there =
-        tangent_to_intrinsic(t_, {p, {-here->vector[0], here->vector[1]}});
-    if (there && internal::corner_of(there->point) < 3 && internal::corner_of(v.point) < 3 &&
-        vertex(there->point) == vertex(v.point))
-      return std::nullopt;
-    return there;
+    return tangent_to_intrinsic(t_, {p, {-here->vector[0], here->vector[1]}});
   }
 
   const Triangulation& t_;

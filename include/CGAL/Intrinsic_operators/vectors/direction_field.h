@@ -19,6 +19,7 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -81,13 +82,24 @@ Direction_problem direction_problem(const Triangulation& t, int degree,
   const Vertex_copies<Triangulation> copies(t);
   Direction_problem problem{
       degree, Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(copies.size())), 0, {}};
+  std::map<std::size_t, std::pair<std::complex<double>, double>> sums; // and the number of each
   for (const auto& [v, z] : fixed) {
     const std::complex<double> u = unit_vector(z);
     if (u == 0. || Intrinsic_triangulations::internal::is_isolated(t, v))
       throw std::invalid_argument("the direction at vertex " + std::to_string(copies(v)) +
                                   " cannot be fixed: it is zero or not finite, or the vertex has "
                                   "no face");
-    problem.fixed.push_back({copies(v), power_of(u, degree)});
+    auto& [sum, count] = sums[copies(v)];
+    sum += power_of(u, degree);
+    ++count;
+  }
+  for (const auto& [i, sum] : sums) {
+    if (!(std::abs(sum.first) > cancelled * sum.second))
+      throw std::invalid_argument(
+          "the directions at vertex " + std::to_string(i) +
+          " cancel, such as one across a border of a cover, which points there from both sides; "
+          "give one along the border, or fix another vertex");
+    problem.fixed.push_back({i, unit_vector(sum.first)});
   }
   return problem;
 }
@@ -117,7 +129,8 @@ solution of a linear problem.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`, Delaunay
 \param t the triangulation
 \param degree the number of equivalent directions at a vertex: 1 for vectors, 4 for crosses
-\param fixed vertices, and their fixed directions in polar coordinates
+\param fixed vertices, and their fixed directions in polar coordinates; if there are several at a
+  vertex, the mean of their powers counts
 \param np optional named parameters:
   - `visitor(v)`: `v.progress(step)` is called with a `Direction_step` after each step that takes
     long but the last, and returns whether to go on.

@@ -108,8 +108,10 @@ public:
     std::complex<double> result = unknown_vector;
     for (const Tangent_vector& x : sheets_(*front)) {
       const auto corner = frames_.corners(x.point)[0];
-      if (is_known(result) && corner.vertex != frames_.number(v_)) continue;
+      const bool is_here = corner.vertex == frames_.number(v_);
+      if (is_known(result) && !is_here) continue;
       result = frames_.to_field(corner.vertex, corner.to_here({x.vector[0], x.vector[1]}));
+      if (is_here) break;
     }
     return result;
   }

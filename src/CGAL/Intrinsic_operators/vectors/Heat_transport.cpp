@@ -110,7 +110,10 @@ Eigen::VectorXd Heat_transport::extended(const Vector_sources& sources) const {
 
 Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources,
                                              const Eigen::VectorXd& lengths) const {
-  const auto z = vectors()(sources.vectors, reached(sources.weights));
+  Eigen::VectorXcd start = sources.vectors;
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    if (!(std::abs(start[i]) > cancelled * sources.lengths[i])) start[i] = 0;
+  const auto z = vectors()(start, reached(sources.weights));
   Eigen::VectorXcd result = z.value.unaryExpr(&unit_vector);
   for (Eigen::Index i = 0; i < result.size(); ++i)
     result[i] = lengths[i] == 0 ? 0 : result[i] == 0. ? unknown_vector : lengths[i] * result[i];

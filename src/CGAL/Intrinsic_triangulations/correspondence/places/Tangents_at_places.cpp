@@ -25,10 +25,13 @@ struct In_corner {
   double cosine;        // of the angle between the vector and that of these coefficients
 };
 
-// Coefficients along the sides from the source of `h` in its face. `stays_inside`: of the nearest
-// vector between the sides.
+// Where a vector may point: anywhere in the plane of a face, to the side of `h` where the face is,
+// or into the corner at its source.
+enum class Stays_in { plane, half_plane, corner };
+
+// Coefficients along the sides from the source of `h` in its face, of the nearest vector there.
 In_corner in_corner(const Input& input, const std::vector<Vector_in_space>& coordinates,
-                    std::uint32_t h, const Vector_in_space& v, bool stays_inside) {
+                    std::uint32_t h, const Vector_in_space& v, Stays_in where) {
   const std::uint32_t n = input.next(h);
   const auto point = [&](std::uint32_t vertex) { return coordinates[input.names().row(vertex)]; };
   const Vector_in_space o = point(input.source(h)), p = point(input.target(h)),
@@ -40,15 +43,16 @@ In_corner in_corner(const Input& input, const std::vector<Vector_in_space>& coor
                vb = inner_product_in_space(v, b);
   const double det = aa * bb - ab * ab;
   In_corner result{(va * bb - vb * ab) / det, (vb * aa - va * ab) / det, -1};
-  if (stays_inside && !(result.first >= 0 && result.second >= 0)) {
+  if (where == Stays_in::half_plane && !(result.second >= 0)) result = {va / aa, 0, -1};
+  if (where == Stays_in::corner && !(result.first >= 0 && result.second >= 0)) {
     const bool is_first = va / std::sqrt(aa) >= vb / std::sqrt(bb);
     result = is_first ? In_corner{1, 0, -1} : In_corner{0, 1, -1};
   }
   const Vector_in_space w{result.first * a[0] + result.second * b[0],
                           result.first * a[1] + result.second * b[1],
                           result.first * a[2] + result.second * b[2]};
-  result.cosine = inner_product_in_space(v, w) /
-                  std::sqrt(inner_product_in_space(v, v) * inner_product_in_space(w, w));
+  const double squares = inner_product_in_space(v, v) * inner_product_in_space(w, w);
+  result.cosine = squares > 0 ? inner_product_in_space(v, w) / std::sqrt(squares) : 0;
   return result;
 }
 
@@ -92,9 +96,9 @@ struct Nearest_face {
   }
 
   // in the faces at a point that is no vertex
-  void take_all(const Surface_point& p) {
+  void take_all(const Surface_point& p, Stays_in where) {
     for (const Surface_point& q : descriptions(input, p))
-      take(q, in_corner(input, coordinates, q.halfedge, v, false));
+      take(q, in_corner(input, coordinates, q.halfedge, v, where));
   }
 
   void take_about(std::uint32_t vertex) {
@@ -104,11 +108,11 @@ struct Nearest_face {
     const Fan_angle fan = measure_fan(input, first, [&](std::uint32_t h, double) {
       if (input.is_border(h)) return;
       last = h;
-      take(at_source(h), in_corner(input, coordinates, h, v, true));
+      take(at_source(h), in_corner(input, coordinates, h, v, Stays_in::corner));
     });
     if (!fan.is_on_border) return;
     for (const std::uint32_t h : {first, last}) {
-      const In_corner here = in_corner(input, coordinates, h, v, false);
+      const In_corner here = in_corner(input, coordinates, h, v, Stays_in::plane);
       const double beyond = angle_beyond(input, h, here, h == first, h == last);
       const double gap = 2 * std::numbers::pi - fan.sum;
       if (!(beyond > 0x1p-40 && beyond <= gap / 2 && here.cosine > best.cosine - 0x1p-50)) continue;
@@ -122,9 +126,13 @@ struct Nearest_face {
 
 Tangent_vector Space_projector::at_point(const Surface_point& p, const Vector_in_space& v) const {
   Nearest_face nearest{input_, points_, v};
-  nearest.take_all(p);
-  if (sheets_.is_cover())
-    for (const Surface_point& q : sheets_.others(p)) nearest.take_all(q);
+  const std::vector<Surface_point> others =
+      sheets_.is_cover() ? sheets_.others(p) : std::vector<Surface_point>();
+  // On an edge of several faces, a vector that points out of one of them over the edge has no face
+  // to go on in. The others are named along the edge.
+  if (others.size() < 2) nearest.take_all(p, Stays_in::plane);
+  const Stays_in where = others.size() < 2 ? Stays_in::plane : Stays_in::half_plane;
+  for (const Surface_point& q : others) nearest.take_all(q, where);
   return tangent_of(input_, nearest.point, nearest.best);
 }
 
