@@ -64,13 +64,27 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
   return c;
 }
 
-// Improves a triangulation and measures it, as all commands of the program do: measuring sharpens
-// what is stored, so that values that are computed later are those of the program to the last bit.
+// What was done to the triangulation of a surface, which it keeps for its statistics. These are
+// found only when they are asked for: that takes as long as all flips.
+struct Done {
+  Options options;
+  program::Improved improved;
+};
+
 template <class Triangulation>
-const Json& improve(Surface& s, program::Loaded<Triangulation>& loaded, const Options& options,
-                    Watch& watch) {
+const Json& statistics(Surface& s, program::Loaded<Triangulation>& loaded, Watch& watch) {
   return s.cached<Json>("statistics", [&] {
-    return new Json(program::improve_and_measure(loaded, options, watch, {}));
+    auto labels = program::constrained_edges(loaded.triangulation, loaded.constraints);
+    Done& done = s.cached<Done>("done", [&] {
+      Options options;
+      options.input = s.name;
+      options.no_flip = true;
+      program::Improved improved = program::improve(loaded, labels, options, watch);
+      return new Done{options, std::move(improved)};
+    });
+    Json json = program::loaded_json(loaded, done.options);
+    program::measure(loaded, labels, done.improved, done.options, json, watch);
+    return new Json(std::move(json));
   });
 }
 
@@ -82,8 +96,9 @@ Surface_ptr copy(Surface& s, bool is_improved) {
     result->points = s.points;
     result->name = s.name;
     result->is_flipped = s.is_flipped;
-    if (const auto known = s.cache.find("statistics"); known != s.cache.end() && !is_improved)
-      result->cache.insert(*known);
+    for (const char* key : {"done", "statistics"})
+      if (const auto known = s.cache.find(key); known != s.cache.end() && !is_improved)
+        result->cache.insert(*known);
     return result;
   });
 }
@@ -97,7 +112,10 @@ Surface_ptr improved_copy(Surface& s, Options options, const Kept& keep, std::ve
     loaded.constraints = constraints_of(loaded.triangulation.input(), keep);
     if (loaded.constraints.count > 0) program::restore_constrained_edges(loaded, options);
     loaded.sizes = std::move(sizes);
-    improve(*result, loaded, options, watch);
+    auto labels = program::constrained_edges(loaded.triangulation, loaded.constraints);
+    program::Improved improved = program::improve(loaded, labels, options, watch);
+    result->cached<Done>("done", [&] { return new Done{options, std::move(improved)}; });
+    if (s.loaded.index() != 0) statistics(*result, loaded, watch); // checks rounding
   });
   result->is_flipped = true;
   return result;
@@ -122,14 +140,14 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
                    const py::object& progress) {
   Options options;
   options.refines = true;
-  program::Refinement_criteria& criteria = options.refinement;
+  IT::Refine_criteria& criteria = options.refinement;
   criteria.minimum_angle = min_angle;
   if (max_edge_length) criteria.maximum_edge_length = *max_edge_length;
   if (max_circumradius) criteria.maximum_circumradius = *max_circumradius;
   criteria.maximum_insertions = max_insertions;
   criteria.order = order_of(order);
   criteria.is_conforming = conforming;
-  options.odt_length = odt_length;
+  criteria.odt_length = odt_length;
   std::vector<double> values;
   if (sizes) values.assign(sizes->data(), sizes->data() + sizes->size());
   return improved_copy(s, options, kept(s, keep, sharp_angle), std::move(values), progress);
@@ -139,21 +157,13 @@ Surface_ptr adapt(Surface& s, std::uint32_t source, double heat_time, double tol
                   std::size_t max_vertices, double min_angle, const std::optional<Integers>& keep,
                   std::optional<double> sharp_angle, const py::object& progress) {
   Options options;
-  options.adaptive = {true, source, heat_time, tolerance, max_vertices};
+  options.is_adaptive = true;
+  options.adaptive = {source, heat_time, tolerance, max_vertices, min_angle};
   options.refinement.minimum_angle = min_angle;
   return improved_copy(s, options, kept(s, keep, sharp_angle), {}, progress);
 }
 
 // ---- Measuring ---------------------------------------------------------------------------------
-
-// The lock is held.
-template <class Triangulation>
-const Json& statistics(Surface& s, program::Loaded<Triangulation>& loaded, Watch& watch) {
-  Options options;
-  options.input = s.name;
-  options.no_flip = true;
-  return improve(s, loaded, options, watch); // has been done if edges were flipped
-}
 
 std::string statistics_text(Surface& s) {
   Watch watch;

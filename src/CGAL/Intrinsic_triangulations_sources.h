@@ -90,6 +90,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.cpp>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.cpp>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.cpp>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/extrinsic/extrinsic_delaunay.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.cpp>
 

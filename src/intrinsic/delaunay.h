@@ -55,7 +55,7 @@ inline double area(const IT::Common_subdivision& s, const std::vector<Point>& po
   for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
     const auto corners = s.face(f);
     for (std::size_t k = 2; k < corners.size(); ++k)
-      sum += area(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
+      sum += IT::area_in_space(points[corners[0]], points[corners[k - 1]], points[corners[k]]);
   }
   return static_cast<double>(sum);
 }

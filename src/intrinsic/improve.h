@@ -4,20 +4,21 @@
 #ifndef INTRINSIC_IMPROVE_H
 #define INTRINSIC_IMPROVE_H
 
-#include "adaptive.h"
+#include "accuracy.h"
+#include "constraints.h"
 #include "load.h"
 #include "options.h"
-#include "refine.h"
 #include "statistics.h"
+#include "support/naming_file.h"
 #include "support/progress.h"
 
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_operators/improvement/improve.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace program {
@@ -26,58 +27,93 @@ namespace program {
 /// It returns whether there were any.
 using Insertion = std::function<bool()>;
 
-/// inserts vertices, and flips to Delaunay again, if options say so.
-template <class Triangulation, class Constrained>
-void insert_and_flip(Loaded<Triangulation>& loaded, const Constrained& constrained,
-                     const Options& options, const Insertion& insert) {
-  if (!insert || !insert()) return;
+/// What was done to a triangulation, before it is measured.
+struct Improved {
+  IT::Improvement done;
+  double input_area = 0; ///< of its points, before any move
+};
+
+/// returns what options ask for.
+IT::Improve_options asked_improvement(const Options& options, const std::vector<double>& sizes,
+                                      Progress& progress);
+
+/// checks what was done, and warns of what is not.
+/// \throws std::runtime_error if rounding has spoilt the triangulation
+void check_improvement(const IT::Improvement& done, const Options& options, Progress& progress);
+
+/// flips to Delaunay, refines and inserts vertices, as options say.
+/// \param insert called after refinement, which may remove vertices that were inserted before
+/// \throws std::runtime_error if rounding has spoilt the triangulation
+template <class Triangulation>
+Improved improve(Loaded<Triangulation>& loaded, Edge_labels<Triangulation>& constrained,
+                 const Options& options, Progress& progress, const Insertion& insert = {}) {
   Triangulation& t = loaded.triangulation;
+  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
+    progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
+                  options.metric + " violates the triangle inequality");
+  Improved result{{}, IT::area_of_points(t, loaded.points)};
+  result.done = naming_file(options.input, [&] {
+    return IT::improve(t, asked_improvement(options, loaded.sizes, progress), constrained);
+  });
+  check_improvement(result.done, options, progress);
+  if (!insert || !insert()) return result;
   const auto kept = constrained_edges(t, loaded.constraints); // with the parts of edges that split
   for (const auto e : edges(t.mesh())) put(constrained, e, get(kept, e));
   if (!options.no_flip)
     IT::flip_to_delaunay(t, edges(t.mesh()), IT::parameters::edge_is_constrained_map(constrained));
+  result.done.statistics = t.metric().statistics();
+  return result;
 }
 
-/// flips to Delaunay, refines and inserts vertices, as options say, and measures.
-/// \param insert called after refinement, which may remove vertices that were inserted before
+/// measures a triangulation, and adds that and what was done to the statistics.
+/// \throws std::runtime_error if rounding has changed the area
+template <class Triangulation>
+void measure(Loaded<Triangulation>& loaded, const Edge_labels<Triangulation>& constrained,
+             const Improved& improved, const Options& options, Json& json, Progress& progress) {
+  constexpr bool is_exact = Triangulation::Metric::is_exact;
+  Triangulation& t = loaded.triangulation;
+  add_improvement(json, improved.done, options);
+  progress.show("verifying");
+  Stopwatch watch;
+  // coordinates of inserted vertices are not known to the metric
+  const std::vector<Point> none;
+  const bool has_points = num_vertices(t.mesh()) == loaded.scaled_points().size();
+  const IT::Measurements measured =
+      IT::measure(t, constrained, has_points ? loaded.scaled_points() : none);
+  const double area = improved.input_area;
+  // lengths that were changed have another area than the points
+  const bool is_area_known = std::isfinite(area) && area > 0 && options.metric.empty() &&
+                             t.report().mollification.kind != IT::Mollification::lengths;
+  if (!is_exact)
+    expect_area_kept(is_area_known ? area : improved.done.area_before, measured.area, options);
+  add_measurements(json, measured, improved.done, loaded.constraints, area, is_exact);
+  json["seconds"]["verify"] = watch.lap();
+}
+
+/*!
+\brief improves as options say, and measures; the common part of all commands.
+\param insert see `improve()`
+\param constrain called with the statistics before; returns labels of the edges that are kept
+\return the statistics so far
+*/
+template <class Triangulation, class Constrain>
+Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options, Progress& progress,
+                         const Insertion& insert, const Constrain& constrain) {
+  Json json = loaded_json(loaded, options);
+  Edge_labels<Triangulation> constrained = constrain(json);
+  const Improved improved = improve(loaded, constrained, options, progress, insert);
+  measure(loaded, constrained, improved, options, json, progress);
+  return json;
+}
+
+/// the same, with the edges that options keep.
 template <class Triangulation>
 Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options, Progress& progress,
-                         const Insertion& insert) {
-  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
-    progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
-                  options.metric + " violates the triangle inequality");
-  const auto constrain = [&](Json&) {
+                         const Insertion& insert = {}) {
+  return improve_and_measure(loaded, options, progress, insert, [&](Json&) {
     return constrained_edges(loaded.triangulation, loaded.constraints);
-  };
-  const auto refine_as_asked = [&](Json& json, const auto& constrained) {
-    if constexpr (std::is_same_v<typename Triangulation::Correspondence, IT::Integer_coordinates>)
-      if (options.adaptive.is_asked_for)
-        return refine_adaptively(loaded.triangulation, constrained, options, json, progress);
-    if (options.refines) refine(loaded, constrained, options, json, progress);
-  };
-  const auto improve = [&](Json& json, const auto& constrained) {
-    refine_as_asked(json, constrained);
-    insert_and_flip(loaded, constrained, options, insert);
-  };
-  return flip_and_measure(loaded, !options.no_flip, options, progress, constrain, improve);
+  });
 }
-
-/// \cond
-// declares after `extern template`, or instantiates after `template`, what improves and measures.
-#define INTRINSIC_IMPROVEMENTS(prefix, ...)                                                        \
-  prefix Json improve_and_measure(Loaded<__VA_ARGS__>&, const Options&, Progress&,                 \
-                                  const Insertion&);                                               \
-  prefix void refine(Loaded<__VA_ARGS__>&, const Edge_labels<__VA_ARGS__>&, const Options&, Json&, \
-                     Progress&);                                                                   \
-  prefix Delaunay_check check(__VA_ARGS__&, const Edge_labels<__VA_ARGS__>&);                      \
-  prefix IT::Quality quality_of(__VA_ARGS__&, const Delaunay_check&);                              \
-  prefix Integrals integrals_of(__VA_ARGS__&, const std::vector<Point>&, const Delaunay_check&);   \
-  prefix double input_area(const Loaded<__VA_ARGS__>&);                                            \
-  prefix Json loaded_json(const Loaded<__VA_ARGS__>&, const Options&)
-
-INTRINSIC_IMPROVEMENTS(extern template, Exact_triangulation);
-INTRINSIC_IMPROVEMENTS(extern template, Double_triangulation);
-/// \endcond
 
 } // namespace program
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "commands.h"
+#include "improve.h"
 #include "load.h"
 #include "output_files.h"
 #include "statistics.h"
@@ -15,7 +16,9 @@ namespace program {
 void run_info(const Options& options) {
   Progress_line progress(options.logs_progress);
   with_loaded(options, progress, [&](auto& loaded) {
-    Json json = flip_and_measure(loaded, false, options, progress);
+    Options as_it_is = options;
+    as_it_is.no_flip = true;
+    Json json = improve_and_measure(loaded, as_it_is, progress);
     Stopwatch watch;
     Output_files files;
     finish(json, options, files, watch);

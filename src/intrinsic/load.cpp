@@ -3,6 +3,7 @@
 
 #include "load.h"
 #include "support/file_formats.h"
+#include "support/text_lines.h"
 
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,16 @@ template Loaded<Exact_triangulation> load_mesh(const Options&, Progress&, const 
 template Loaded<Double_triangulation> load_mesh(const Options&, Progress&, const Cutter&);
 template Loaded<Exact_triangulation> load_triangulation(const Options&, Progress&);
 template Loaded<Double_triangulation> load_triangulation(const Options&, Progress&);
+
+std::vector<double> read_sizes(const Options& options, std::size_t vertices) {
+  if (options.sizes.empty()) return {};
+  const Number_table table = read_numbers(options.sizes, vertices, "vertices of " + options.input);
+  if (table.columns != 1) table.refuse(0, "give one number on each line");
+  table.expect_rows(vertices, "vertices of " + options.input);
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (!(table.values[v] > 0)) table.refuse(v, "a length must be positive; correct it");
+  return table.values;
+}
 
 Surface_choice surface_of(const Options& options) {
   Surface_choice choice = surface_named(options.domain);

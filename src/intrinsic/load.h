@@ -7,7 +7,6 @@
 #include "constraints.h"
 #include "metric.h"
 #include "options.h"
-#include "sizes.h"
 #include "support/Cut.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
@@ -75,6 +74,10 @@ std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
   }
   return points;
 }
+
+/// reads the wanted lengths of edges, one per vertex of the input; none without `--size`.
+/// \throws std::runtime_error naming the line that is wrong
+std::vector<double> read_sizes(const Options& options, std::size_t vertices);
 
 /// returns which surface options ask for.
 Surface_choice surface_of(const Options& options);

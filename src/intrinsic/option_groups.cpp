@@ -139,7 +139,7 @@ void add_metric_option(CLI::App& command, Options& options) {
 }
 
 void add_refinement_options(CLI::App& command, Options& options) {
-  Refinement_criteria& r = options.refinement;
+  CGAL::Intrinsic_triangulations::Refine_criteria& r = options.refinement;
   command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
       ->check(between(0, 59));
   command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")
@@ -168,7 +168,7 @@ void add_refinement_options(CLI::App& command, Options& options) {
   command.add_flag("--conforming", r.is_conforming,
                    "split kept edges until all edges are Delaunay");
   command
-      .add_option("--odt", options.odt_length,
+      .add_option("--odt", r.odt_length,
                   "then move inserted vertices to an optimal Delaunay triangulation, split edges "
                   "longer than "
                   "this, and refine to the least angle again")
@@ -177,9 +177,9 @@ void add_refinement_options(CLI::App& command, Options& options) {
 
 // The vertex may be named by another option.
 void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) {
-  Adaptive_criteria& a = options.adaptive;
+  CGAL::Intrinsic_triangulations::Adapt_criteria& a = options.adaptive;
   CLI::Option* const adaptive =
-      command.add_flag("--adaptive", a.is_asked_for,
+      command.add_flag("--adaptive", options.is_adaptive,
                        "refine where the Green's function of a vertex has large errors");
   for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
                             "--order", "--conforming", "--odt"})

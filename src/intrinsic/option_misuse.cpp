@@ -66,7 +66,7 @@ bool lacks_correspondence(const Options& o) {
 }
 
 bool has_other_correspondence(const Options& o) {
-  return o.adaptive.is_asked_for && !o.correspondence.empty() && o.correspondence != "integer";
+  return o.is_adaptive && !o.correspondence.empty() && o.correspondence != "integer";
 }
 
 // What is wrong with the file of curves.
@@ -88,7 +88,7 @@ std::string batch_misuse(const Options& o) {
   if (!a.sources.empty() || !a.curves.empty() || !a.targets.empty() || a.is_signed)
     return "--pairs and --sources say where distances start; give them without --source, "
            "--targets, --curve and --signed";
-  if (o.adaptive.is_asked_for)
+  if (o.is_adaptive)
     return "--adaptive refines about one point; give it with --source, or another criterion";
   if (!a.voronoi.empty() && !a.pairs.empty())
     return "--voronoi divides the surface among sources; give them with --source or --sources";

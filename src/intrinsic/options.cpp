@@ -20,7 +20,7 @@ bool needs_subdivision(const Options& options) {
 }
 
 bool needs_correspondence(const Options& options) {
-  return needs_subdivision(options) || !options.sizes.empty() || options.adaptive.is_asked_for;
+  return needs_subdivision(options) || !options.sizes.empty() || options.is_adaptive;
 }
 
 } // namespace program

@@ -4,37 +4,14 @@
 #ifndef INTRINSIC_OPTIONS_H
 #define INTRINSIC_OPTIONS_H
 
-#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_operators/improvement/Improve_options.h>
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace program {
-
-/// Criteria that refined faces meet.
-struct Refinement_criteria {
-  double minimum_angle = 30;
-  double maximum_circumradius = std::numeric_limits<double>::infinity();
-  double maximum_edge_length = std::numeric_limits<double>::infinity();
-  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
-  CGAL::Intrinsic_triangulations::Refinement_order order =
-      CGAL::Intrinsic_triangulations::Refinement_order::first_come;
-  bool is_conforming = false;
-};
-
-/// What adaptive refinement does.
-struct Adaptive_criteria {
-  bool is_asked_for = false;
-  std::uint32_t source = 0; ///< vertex of the input
-  /// of the heat kernel, in squares of the mean edge; 0: the Green's function
-  double heat_time = 0;
-  double tolerance = 0.01; ///< in units of the root of the area, or of the norm of the kernel
-  std::size_t maximum_vertices = 100000;
-};
 
 /// Which curves are made geodesic, and how far.
 struct Geodesic_options {
@@ -119,13 +96,13 @@ struct Options {
   std::string input_interpolation;   ///< from the input to the subdivision; empty: none
   std::optional<double> sharp_angle; ///< in degrees: edges folded by more are kept
   std::string constraints;           ///< file that lists edges to be kept; empty: none
-  double odt_length = 0; ///< target of `odt_optimize()` after refinement; 0: it is not called
-  std::optional<double> time_limit; ///< in seconds
+  std::optional<double> time_limit;  ///< in seconds
   bool logs_progress = false;
   bool no_flip = false;
   bool refines = false;
-  Refinement_criteria refinement;
-  Adaptive_criteria adaptive;
+  CGAL::Intrinsic_triangulations::Refine_criteria refinement;
+  bool is_adaptive = false; ///< whether faces are refined for a function in place of that
+  CGAL::Intrinsic_triangulations::Adapt_criteria adaptive;
   Geodesic_options geodesic;
   Application_options application;
   std::string sizes;              ///< file of wanted lengths of edges, one per vertex; empty: none

@@ -4,13 +4,11 @@
 #include "statistics.h"
 #include "support/messages.h"
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <iterator>
 #include <numbers>
@@ -22,36 +20,6 @@
 #include <sys/resource.h>
 
 namespace program {
-
-namespace {
-
-// twice the area of a triangle; `scale` is set to the sum of all products, without signs
-template <class FT>
-double cross_product(const Point& p, const Point& q, const Point& r, double& scale) {
-  std::array<FT, 3> u{}, v{};
-  for (unsigned k = 0; k < 3; ++k) {
-    u[k] = FT(q[k]) - FT(p[k]);
-    v[k] = FT(r[k]) - FT(p[k]);
-  }
-  std::array<double, 3> normal{};
-  scale = 0;
-  for (unsigned k = 0; k < 3; ++k) {
-    const FT x = u[(k + 1) % 3] * v[(k + 2) % 3], y = u[(k + 2) % 3] * v[(k + 1) % 3];
-    normal[k] = CGAL::to_double(FT(x - y));
-    scale += std::abs(CGAL::to_double(x)) + std::abs(CGAL::to_double(y));
-  }
-  return std::hypot(normal[0], normal[1], normal[2]);
-}
-
-} // namespace
-
-double area(const Point& p, const Point& q, const Point& r) {
-  double scale = 0;
-  const double twice = cross_product<double>(p, q, r, scale);
-  // rounding is below 2^-49 of the products: where they cancel, as on needles, rationals are right
-  if (twice > 0x1p-7 * scale) return twice / 2;
-  return cross_product<CGAL::Gmpq>(p, q, r, scale) / 2;
-}
 
 namespace {
 
@@ -145,14 +113,11 @@ Json metric_json(const Metric_report& report) {
           {"largest_relative_change", report.largest_relative_change}};
 }
 
-Json constraints_json(const Constraints& constraints, const Delaunay_check& check) {
-  return {{"input_edges", constraints.count},
-          {"edges", check.constrained_edges},
-          {"non_delaunay_edges", check.constrained_non_delaunay_edges}};
-}
+namespace {
 
-Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
-                   const IT::Predicate_statistics& statistics, const Delaunay_check& check) {
+Json delaunay_json(const IT::Improvement& done, const IT::Tested_edges& tested) {
+  const IT::Flip_to_delaunay_result& flips = done.flips;
+  const IT::Predicate_statistics& statistics = done.statistics;
   Json json;
   json["checks"] = flips.checks;
   json["flips"] = flips.flips;
@@ -173,15 +138,10 @@ Json delaunay_json(const IT::Flip_to_delaunay_result& flips,
                                                               {"zeros", rung.zeros},
                                                               {"seconds", rung.seconds}};
   json["certified_zero"] = statistics.certified_zero;
-  json["probable_zero"] = statistics.probable_zero + check.probable_zero;
-  json["non_delaunay_edges"] = check.non_delaunay_edges;
-  json["cocircular_edges"] = check.cocircular_edges;
+  json["probable_zero"] = statistics.probable_zero + tested.probable_zero;
+  json["non_delaunay_edges"] = tested.non_delaunay;
+  json["cocircular_edges"] = tested.cocircular;
   return json;
-}
-
-std::string certificate(bool is_exact, std::uint64_t probable_zero, const Delaunay_check& check) {
-  if (!is_exact || check.non_delaunay_edges > 0) return "none";
-  return probable_zero + check.probable_zero > 0 ? "interval" : "exact";
 }
 
 Json quality_json(const IT::Quality& quality) {
@@ -195,13 +155,94 @@ Json quality_json(const IT::Quality& quality) {
           {"cotan_weight_histogram", quality.weights}};
 }
 
-void add_integrals(Json& json, const Integrals& integrals, double input_area, bool has_points) {
-  json["laplacian"]["trace"] = integrals.trace;
-  if (has_points)
-    json["dirichlet"] = {{"x", integrals.dirichlet[0]},
-                         {"y", integrals.dirichlet[1]},
-                         {"z", integrals.dirichlet[2]}};
-  json["area"] = {{"input", input_area}, {"intrinsic", integrals.area}};
+Json refine_json(const IT::Refined_faces& r, const Options& options) {
+  const IT::Refinement_counts& counts = r.counts;
+  Json json = {{"status", IT::name_of(r.status)},
+               {"asked_angle_deg", options.refinement.minimum_angle},
+               // negative if more vertices of an earlier refinement, or of curves, were removed
+               {"insertions", static_cast<std::int64_t>(counts.inserted_vertices())},
+               {"points", r.points},
+               {"circumcenters", counts.circumcenters},
+               {"segment_splits", counts.segment_splits},
+               {"removals", counts.removals},
+               {"flips", counts.flips},
+               {"refused", counts.refused},
+               {"without_copies", counts.without_copies},
+               {"min_angle_deg", r.minimum_angle},
+               {"satisfied_min_angle_deg", r.satisfied_minimum_angle},
+               {"unsatisfied_faces", r.unsatisfied_faces()},
+               {"unsatisfied",
+                {{"needle", r.unsatisfied[0]},
+                 {"small_angle", r.unsatisfied[1]},
+                 {"refused", r.unsatisfied[2]},
+                 {"stopped", r.unsatisfied[3]}}}};
+  if (r.longest_side) json["max_relative_edge_length"] = *r.longest_side;
+  return json;
+}
+
+Json odt_json(const IT::Odt_result& result, const Options& options) {
+  return {{"status", result.status == IT::Status::done ? "converged" : "cap"},
+          {"target_length", options.refinement.odt_length},
+          {"iterations", result.iterations},
+          {"splits", result.splits},
+          {"moves", result.moves},
+          {"refused", result.refused},
+          {"energy_before", result.energy_before},
+          {"energy_after", result.energy_after},
+          {"insertions", result.insertions},
+          {"min_angle_deg", result.minimum_angle},
+          {"unsatisfied_faces", result.unsatisfied_faces}};
+}
+
+Json adaptive_json(const IT::Adapted_faces& adapted, const IT::Adapt_criteria& criteria) {
+  Json rounds = Json::array();
+  for (const IT::Adaptive_refinement_round& r : adapted.result.rounds)
+    rounds.push_back({{"vertices", r.vertices},
+                      {"estimated_error", r.estimated_error / adapted.unit},
+                      {"marked_faces", r.marked_faces}});
+  Json json = {{"status", IT::name_of(adapted.result.status)},
+               {"source", criteria.source},
+               {"tolerance", criteria.tolerance},
+               {"rounds", rounds}};
+  if (criteria.heat_time > 0) json["heat_time"] = criteria.heat_time;
+  return json;
+}
+
+} // namespace
+
+void add_improvement(Json& json, const IT::Improvement& done, const Options& options) {
+  json["seconds"]["delaunay"] = done.seconds_of_flips;
+  if (const auto& r = done.refined) {
+    json["quality_before"] = quality_json(r->quality_before);
+    json["seconds"]["refine"] = r->seconds;
+    json["refine"] = refine_json(*r, options);
+    if (r->odt) {
+      json["seconds"]["odt"] = r->seconds_of_odt;
+      json["odt"] = odt_json(*r->odt, options);
+    }
+  }
+  if (!done.adapted) return;
+  json["adaptive"] = adaptive_json(*done.adapted, options.adaptive);
+  json["seconds"]["refine"] = done.adapted->seconds;
+}
+
+void add_measurements(Json& json, const IT::Measurements& measured, const IT::Improvement& done,
+                      const Constraints& constraints, double input_area, bool is_exact) {
+  const IT::Tested_edges& tested = measured.edges;
+  if (constraints.is_asked_for)
+    json["constraints"] = {{"input_edges", constraints.count},
+                           {"edges", tested.constrained},
+                           {"non_delaunay_edges", tested.constrained_non_delaunay}};
+  json["delaunay"] = delaunay_json(done, tested);
+  const bool is_probable = done.statistics.probable_zero + tested.probable_zero > 0;
+  json["certificate"] = !is_exact || tested.non_delaunay > 0 ? "none"
+                        : is_probable                        ? "interval"
+                                                             : "exact";
+  json["quality"] = quality_json(measured.quality);
+  json["laplacian"]["trace"] = measured.laplacian_trace;
+  if (const auto& d = measured.dirichlet)
+    json["dirichlet"] = {{"x", (*d)[0]}, {"y", (*d)[1]}, {"z", (*d)[2]}};
+  json["area"] = {{"input", input_area}, {"intrinsic", measured.area}};
 }
 
 double peak_rss_mib() {

@@ -71,7 +71,7 @@ bool insert_curves(Triangulation& t, const std::vector<Asked_curve>& asked,
 // Adaptive refinement is about the first vertex from which something is computed.
 Options about_source(Options options, const std::vector<Asked_curve>& asked,
                      const Sources& sources) {
-  if (!options.adaptive.is_asked_for || asked.empty()) return options;
+  if (!options.is_adaptive || asked.empty()) return options;
   const IT::Place& first = sources.front().front();
   if (!first.is_vertex())
     throw std::runtime_error(

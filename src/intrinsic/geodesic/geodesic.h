@@ -83,10 +83,7 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   };
   Json json;
   if (options.refines) {
-    json =
-        flip_and_measure(loaded, true, options, progress, shorten, [&](Json& j, const auto& kept) {
-          refine(loaded, kept, options, j, progress);
-        });
+    json = improve_and_measure(loaded, options, progress, {}, shorten);
   } else {
     json = loaded_json(loaded, options);
     shorten(json);

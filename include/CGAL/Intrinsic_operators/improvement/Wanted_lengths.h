@@ -1,44 +1,35 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_SIZES_H
-#define INTRINSIC_SIZES_H
+#ifndef CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_WANTED_LENGTHS_H
+#define CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_WANTED_LENGTHS_H
 
-#include "options.h"
-#include "support/text_lines.h"
-
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
-namespace program {
-
-namespace IT = CGAL::Intrinsic_triangulations;
-
-/// reads the wanted lengths of edges, one per vertex of the input; none without `--size`.
-/// \throws std::runtime_error naming the line that is wrong
-std::vector<double> read_sizes(const Options& options, std::size_t vertices);
+namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief says how long edges may be: as long as the mean of the wanted lengths at their ends. Wanted
 lengths are linear between the vertices of the input.
 */
-class Sizes {
+class Wanted_lengths {
 public:
   /// edges may have any length.
-  Sizes() = default;
-  /// \param sizes one per vertex of the input
-  explicit Sizes(std::vector<double> sizes) : sizes_(std::move(sizes)) {}
+  Wanted_lengths() = default;
+  /// \param lengths one per vertex of the input
+  explicit Wanted_lengths(std::vector<double> lengths) : lengths_(std::move(lengths)) {}
 
-  bool empty() const { return sizes_.empty(); }
+  bool empty() const { return lengths_.empty(); }
 
   /// returns the largest ratio of the length of a side of a face to the length wanted there.
-  template <class Triangulation>
+  template <QueriedTriangulation Triangulation>
   double longest_side(const Triangulation& t, typename Triangulation::face_descriptor f) const {
     const auto& mesh = t.mesh();
     auto h = halfedge(f, mesh);
@@ -56,17 +47,16 @@ public:
 private:
   template <class Triangulation>
   double at(const Triangulation& t, typename Triangulation::vertex_descriptor v) const {
-    if (!t.is_inserted(v)) return sizes_[t.input_vertex(v)];
-    const IT::Weighted_vertices w =
-        IT::weighted_vertices(t, t.correspondence().location(t.index(v)));
+    if (!t.is_inserted(v)) return lengths_[t.input_vertex(v)];
+    const Weighted_vertices w = weighted_vertices(t, t.correspondence().location(t.index(v)));
     double size = 0;
-    for (std::size_t i = 0; i < w.size; ++i) size += w.weights[i] * sizes_[w.vertices[i]];
+    for (std::size_t i = 0; i < w.size; ++i) size += w.weights[i] * lengths_[w.vertices[i]];
     return size;
   }
 
-  std::vector<double> sizes_;
+  std::vector<double> lengths_;
 };
 
-} // namespace program
+} // namespace CGAL::Intrinsic_triangulations
 
-#endif // INTRINSIC_SIZES_H
+#endif // CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_WANTED_LENGTHS_H

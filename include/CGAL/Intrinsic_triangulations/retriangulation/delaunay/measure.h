@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
+
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// What says of edges whether they are kept.
+template <class Map, class Triangulation>
+concept Marks_edges_of = requires(const Map& map,
+                                  const typename Triangulation::edge_descriptor& e) {
+  { get(map, e) } -> std::convertible_to<bool>;
+};
+
+} // namespace internal
+
+/// What a test of every edge for the Delaunay property finds.
+struct Tested_edges {
+  std::size_t non_delaunay = 0;             ///< without constrained edges
+  std::size_t cocircular = 0;               ///< ties, without constrained edges
+  std::size_t constrained = 0;              ///< edges that are kept
+  std::size_t constrained_non_delaunay = 0; ///< of these, the ones that are not Delaunay
+  std::uint64_t probable_zero = 0;          ///< ties taken for such without proof
+  std::vector<char> is_tie;                 ///< per edge, by number
+};
+
+/// What is known of a triangulation as it is, in the units of the input; of a cover, integrals are
+/// over the faces below it.
+struct Measurements {
+  Tested_edges edges;         ///< how they pass the test
+  Quality quality;            ///< shapes of faces
+  double area = 0;            ///< of all faces
+  double laplacian_trace = 0; ///< sum of the diagonal of the cotangent Laplacian
+  /// x^T L x of each coordinate function, if there are points.
+  std::optional<std::array<double, 3>> dirichlet{};
+};
+
+/*!
+\brief tests every edge.
+\tparam Constrained a readable property map from edges to whether they are kept
+\complexity that of `check_delaunay()`
+*/
+template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
+Tested_edges test_edges(Triangulation& t, const Constrained& constrained) {
+  const std::uint64_t before = t.metric().statistics().probable_zero;
+  const auto report = check_delaunay(t);
+  Tested_edges result;
+  result.is_tie.assign(t.numbers().edge_capacity(t.mesh()), 0);
+  for (const typename Triangulation::edge_descriptor e : report.cocircular_edges) {
+    result.is_tie[t.index(e)] = 1;
+    if (!get(constrained, e)) ++result.cocircular;
+  }
+  {
+    const typename Triangulation::Const_session session(t);
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
+      if (!get(constrained, e)) continue;
+      ++result.constrained;
+      if (!session.is_locally_delaunay(halfedge(e, t.mesh()))) ++result.constrained_non_delaunay;
+    }
+  }
+  result.non_delaunay = report.non_delaunay_edges - result.constrained_non_delaunay;
+  result.probable_zero = t.metric().statistics().probable_zero - before;
+  return result;
+}
+
+/// measures the shapes of faces, with the ties that a test of the edges has found.
+template <IntrinsicTriangulation Triangulation>
+Quality measure_quality(const Triangulation& t, const Tested_edges& tested) {
+  return measure_quality(
+      t, [&](typename Triangulation::edge_descriptor e) { return tested.is_tie[t.index(e)] != 0; });
+}
+
+/// returns the area of a triangulation as its metric stores it, in the units of the input; of a
+/// cover, that of the faces below it. \complexity linear
+template <IntrinsicTriangulation Triangulation>
+double stored_area(const Triangulation& t) {
+  long double sum = 0;
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    sum += t.metric().approximate_quadruple_area(t.index(f));
+  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
+         t.input().names().sheets;
+}
+
+/// returns the area of a triangle in space, which also rounding on a needle does not spoil.
+double area_in_space(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                     const std::array<double, 3>& r);
+
+namespace internal {
+
+// Integrates over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
+// cancellation. Weights of edges from a vertex to itself do not count. Ties have the weight zero,
+// which is not decided again.
+template <class Triangulation>
+void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& scaled_points,
+               Measurements& result) {
+  const auto& mesh = t.mesh();
+  const int s = t.metric().scale_exponent();
+  long double area = 0, trace = 0;
+  std::array<long double, 3> dirichlet = {};
+  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
+    t.area(f, statistics_tolerance); // makes what is stored accurate, which does not underflow
+    area += t.metric().approximate_quadruple_area(t.index(f));
+  }
+  typename Triangulation::Session session(t);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);
+    if (t.input_vertex(i) == t.input_vertex(j)) continue;
+    const bool is_tie = result.edges.is_tie[t.index(e)] != 0;
+    const double weight =
+        is_tie ? 0 : session.cotangent_weight(e, statistics_tolerance) / t.input().names().sheets;
+    trace += 2 * weight;
+    if (scaled_points.empty()) continue;
+    for (unsigned k = 0; k < 3; ++k) {
+      const double d = scaled_points[i.index][k] - scaled_points[j.index][k];
+      dirichlet[k] += weight * d * d;
+    }
+  }
+  result.area = std::ldexp(static_cast<double>(area), -2 * s - 2) / t.input().names().sheets;
+  result.laplacian_trace = static_cast<double>(trace);
+  if (scaled_points.empty()) return;
+  result.dirichlet.emplace();
+  for (unsigned k = 0; k < 3; ++k)
+    (*result.dirichlet)[k] = std::ldexp(static_cast<double>(dirichlet[k]), -2 * s);
+}
+
+} // namespace internal
+
+/// returns the area of the input from its coordinates, before any mollification, in its units; NaN
+/// where the coordinates are not known; where polygons became planar, that of its faces.
+/// \param scaled_points one per vertex of the input, scaled as the metric is; none: those that the
+///   input has
+/// \pre no edge was flipped, unless traits are exact or it is known where edges run
+template <IntrinsicTriangulation Triangulation>
+double area_of_points(const Triangulation& t,
+                      const std::vector<std::array<double, 3>>& scaled_points = {}) {
+  const auto& p = scaled_points.empty() ? t.input().metric().points() : scaled_points;
+  if (p.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (!t.input().planar_polygons().empty()) return stored_area(t);
+  long double sum = 0;
+  if constexpr (Triangulation::Metric::is_exact) {
+    if (scaled_points.empty()) { // the metric keeps input faces whatever was flipped
+      const Input_metric& input = t.input().metric();
+      for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+        sum += area_in_space(p[input.sides(f)[0]], p[input.sides(f)[1]], p[input.sides(f)[2]]);
+      return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
+             t.input().names().sheets;
+    }
+  }
+  if constexpr (Triangulation::has_correspondence) { // stored ones were flipped
+    const Input& input = t.input();
+    for (std::uint32_t f = 0; f < input.number_of_faces(); ++f) {
+      const std::uint32_t h = input.halfedge_of_face(f);
+      sum += area_in_space(p[input.source(h)], p[input.target(h)], p[input.target(input.next(h))]);
+    }
+  } else
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+      sum += area_in_space(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
+                           p[target(n, t.mesh()).index]);
+    }
+  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
+         t.input().names().sheets;
+}
+
+/*!
+\brief tests all edges, and measures faces and integrals.
+
+With exact traits, stored values become as accurate as `statistics_tolerance`.
+\param t the triangulation
+\param constrained a readable property map from edges to whether they are kept
+\param scaled_points one per vertex of the triangulation, scaled as its metric is; or none
+\complexity linear, and that of `check_delaunay()`
+*/
+template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
+Measurements measure(Triangulation& t, const Constrained& constrained,
+                     const std::vector<std::array<double, 3>>& scaled_points = {}) {
+  Measurements result;
+  result.edges = test_edges(t, constrained);
+  result.quality = measure_quality(t, result.edges);
+  internal::integrate(t, scaled_points, result);
+  return result;
+}
+
+/// measures a triangulation none of whose edges is kept.
+template <IntrinsicTriangulation Triangulation>
+Measurements measure(Triangulation& t) {
+  return measure(t, Static_boolean_property_map<typename Triangulation::edge_descriptor, false>());
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
