@@ -135,7 +135,8 @@ public:
 
 private:
   // doubles near the values of a face, from where it is on the input
-  Face_values<double> rebuilt_values(const Indexed_face& face) const {
+  Face_values<double> rebuilt_values(const Indexed_face& face)
+      const requires internal::Stores_nothing<typename Triangulation::Metric> {
     const auto v = t_.exact_values().values(std::span(&face, 1)).front();
     const auto& [l, a] = v;
     return {{CGAL::to_double(l[0]), CGAL::to_double(l[1]), CGAL::to_double(l[2])},

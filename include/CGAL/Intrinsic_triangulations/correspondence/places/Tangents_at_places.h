@@ -54,9 +54,10 @@ vectors in space.
 In a face, the real axis of the tangent plane runs along its first side; at a place that is named as
 a vertex, coordinates are polar, see `Tangent_field`. A vector in space is projected to the face of
 the place, whichever face named it: on an edge to the nearer one of both, and of more than two to
-the nearest one that it does not point out of; at a vertex it keeps its length and is turned into the face whose plane is nearest to it. At the border the planes of the
-first and the last face go on beyond it: a vector that points out of the surface stays outside. On a
-cover, vectors are on the front of the nearest face.
+the nearest one that it does not point out of; at a vertex it keeps its length and is turned into
+the face whose plane is nearest to it. At the border the planes of the first and the last face go on
+beyond it: a vector that points out of the surface stays outside. On a cover, vectors are on the
+front of the nearest face.
 \tparam Triangulation a model of `CorrespondingTriangulation`
 */
 template <QueriedTriangulation Triangulation>
