@@ -31,7 +31,7 @@ GROUPS = ROOT / "doc" / "Intrinsic_triangulations" / "groups.h"
 # The lines of a topic that name its headers, and the name of the topic.
 GROUP = re.compile(r"((?:^// Headers: .*\n)+)/\*!\n\\defgroup (\w+)", re.MULTILINE)
 TOPIC = re.compile(r"\\defgroup (\w+) ([^\n]+)\n\\ingroup page_reference\n\\brief (.*?)(?=\n\n|\n\*/)", re.DOTALL)
-INTERNAL = re.compile(r"^namespace internal \{$.*?^\} // namespace internal$", re.MULTILINE | re.DOTALL)
+INTERNAL = re.compile(r"^(namespace (?:CGAL::Intrinsic_triangulations::)?internal) \{$.*?^\} // \1$", re.MULTILINE | re.DOTALL)
 # A comment of an entity in a namespace: others are indented. What follows is its declaration.
 ENTITY = re.compile(r"^(?:/\*!\n\\brief (.*?)\*/\n|((?:/// [^\n]*\n)+))(?!#|$)", re.MULTILINE | re.DOTALL)
 CLOSED = {"<": ">", "(": ")", "{": "}"}

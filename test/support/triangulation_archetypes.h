@@ -80,7 +80,7 @@ public:
   bool is_inserted(std::uint32_t v) const { return s_.is_inserted(v); }
   const IT::Surface_point& location(std::uint32_t v) const { return s_.location(v); }
   IT::Geodesic_target target(std::uint32_t v) const { return s_.target(v); }
-  IT::Geodesic_walk<IT::Input> walk(std::uint32_t h, double turn = 0) const {
+  IT::internal::Geodesic_walk<IT::Input> walk(std::uint32_t h, double turn = 0) const {
     return s_.walk(h, turn);
   }
 

@@ -26,8 +26,7 @@ are doubles in scaled units.
 
 | operation | needs |
 |---|---|
-| \itc{Geodesic_face}, \itc{Geodesic_walk}, \itf{trace_geodesic} | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
-| \itf{trace_to_target} | also `source` |
+| \itc{Geodesic_face}, \itf{trace_geodesic} | `next`, `is_border`, `face`, `squared_length`, `quadruple_area` |
 | \itf{vector_between} | as `Geodesic_face`, and `scale_exponent` |
 | \itf{locate_circumcenter} | as `trace_geodesic()` |
 | \itc{Constrained_segments} | `is_border`, `source`, `target`, `squared_length` |

@@ -45,7 +45,8 @@ public:
   location(std::uint32_t inserted_vertex) const;
   /// returns a vertex as the end of geodesics on the input.
   CGAL::Intrinsic_triangulations::Geodesic_target target(std::uint32_t vertex) const;
-  /// starts an intrinsic halfedge on the input, turned counterclockwise by an angle.
-  CGAL::Intrinsic_triangulations::Geodesic_walk<CGAL::Intrinsic_triangulations::Input>
+  /// starts an intrinsic halfedge on the input, turned counterclockwise by an angle. Walks are in
+  /// scaled units, and no part of the interface for users.
+  CGAL::Intrinsic_triangulations::internal::Geodesic_walk<CGAL::Intrinsic_triangulations::Input>
   walk(std::uint32_t halfedge, double turn = 0) const;
 };

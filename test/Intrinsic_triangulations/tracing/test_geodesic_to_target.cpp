@@ -23,10 +23,10 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Geodesic_target;
-using IT::Geodesic_to_target;
 using IT::Input;
 using IT::Surface_point;
-using Walk = IT::Geodesic_walk<Input>;
+using IT::internal::Geodesic_to_target;
+using Walk = IT::internal::Geodesic_walk<Input>;
 using Point = std::array<double, 3>;
 // A correspondence whose input must keep its surface.
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> outgoing(const Input& s) {
 struct Attempt {
   Point from, to;
   Geodesic_to_target result;
-  std::vector<IT::Strip_side> strip;
+  std::vector<IT::internal::Strip_side> strip;
 };
 
 /// Traces from vertex to vertex in a direction and for a length that are slightly wrong.
@@ -84,8 +84,8 @@ Attempt attempt(const Planar& p, std::uint32_t h, std::uint32_t w, double bend, 
                                                        (b[1] - a.from[1]) * (a.to[1] - a.from[1]));
   const double length = std::hypot(a.to[0] - a.from[0], a.to[1] - a.from[1]) * p.unit;
   const Walk walk(p.surface, IT::Corner_direction{h, angle + bend});
-  a.result = IT::trace_to_target(p.surface, walk, Geodesic_target::at_vertex(w),
-                                 length * (1 + stretch), a.strip);
+  a.result = IT::internal::trace_to_target(p.surface, walk, Geodesic_target::at_vertex(w),
+                                           length * (1 + stretch), a.strip);
   return a;
 }
 
@@ -108,7 +108,7 @@ TEST(Geodesic_to_target, Joins_vertices_in_the_plane_by_the_segment_between_them
       ++reached;
       EXPECT_TRUE(a.result.is_certain);
       EXPECT_NEAR(a.result.slope, -1e-10, 1e-13);
-      for (const IT::Strip_side& s : a.strip) {
+      for (const IT::internal::Strip_side& s : a.strip) {
         const Point &c = p.corner(s.halfedge), &d = p.corner(s.halfedge ^ 1U);
         const double right = -turn(a.from, a.to, c), left = turn(a.from, a.to, d);
         ASSERT_GE(right, 0);
@@ -137,12 +137,12 @@ TEST(Geodesic_to_target, Does_not_claim_a_target_that_is_elsewhere) {
 TEST(Geodesic_to_target, Tells_edges_and_parts_of_edges_that_it_runs_along) {
   const Planar p(meshes::random_planar(40, 1000, 9));
   const std::vector<std::uint32_t> from = outgoing(p.surface);
-  std::vector<IT::Strip_side> strip;
+  std::vector<IT::internal::Strip_side> strip;
   for (std::uint32_t h = 0; h < p.surface.number_of_halfedges(); ++h) {
     const double length = std::sqrt(p.surface.squared_length(h / 2));
     for (const double bend : {0.0, 1e-14, -1e-14}) {
       const Walk walk(p.surface, IT::Corner_direction{h, bend});
-      const Geodesic_to_target r = IT::trace_to_target(
+      const Geodesic_to_target r = IT::internal::trace_to_target(
           p.surface, walk, Geodesic_target::at_vertex(p.surface.target(h)), length, strip);
       if (!r.is_reached) continue; // bent out of the surface
       EXPECT_EQ(r.along, h);
@@ -151,9 +151,9 @@ TEST(Geodesic_to_target, Tells_edges_and_parts_of_edges_that_it_runs_along) {
     if (p.surface.is_border(h)) continue;
     const Surface_point a{h, {0.75, 0.25, 0}}, b{h, {0.125, 0.875, 0}};
     for (const auto& [x, y, sign] : {std::tuple{a, b, 1.0}, {b, a, -1.0}}) {
-      const Geodesic_to_target r =
-          IT::trace_to_target(p.surface, Walk(p.surface, x, {sign, 0}),
-                              Geodesic_target::at_point(p.surface, y), 0.625 * length, strip);
+      const Geodesic_to_target r = IT::internal::trace_to_target(
+          p.surface, Walk(p.surface, x, {sign, 0}), Geodesic_target::at_point(p.surface, y),
+          0.625 * length, strip);
       EXPECT_TRUE(r.is_reached);
       EXPECT_EQ(r.along, sign > 0 ? h : h ^ 1U);
     }

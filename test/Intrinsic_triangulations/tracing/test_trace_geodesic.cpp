@@ -150,8 +150,8 @@ void expect_straight_lines(const meshes::Mesh& mesh, unsigned seed, double lengt
 template <class Complex>
 Geodesic_end trace_from_vertex(const Complex& complex, Corner_direction start, double length,
                                std::vector<Geodesic_crossing>& crossings) {
-  return IT::internal::finish_walk(complex, IT::Geodesic_walk<Complex>(complex, start), length, {},
-                                   crossings);
+  return IT::internal::finish_walk(complex, IT::internal::Geodesic_walk<Complex>(complex, start),
+                                   length, {}, crossings);
 }
 
 TEST(Trace_geodesic, Is_a_straight_line_in_the_plane) {

@@ -123,7 +123,8 @@ private:
     const double length = std::hypot(v.vector[0], v.vector[1]);
     if (!here || !(length > 0)) return std::nullopt;
     here->point = internal::within_rounding(t_.correspondence().input(), here->point);
-    const Geodesic_walk<Input> walk(t_.correspondence().input(), here->point, here->vector);
+    const internal::Geodesic_walk<Input> walk(t_.correspondence().input(), here->point,
+                                              here->vector);
     if (!walk.is_blocked()) here = internal::at_start(walk, length); // in the face it points into
     const auto& w = here->point.weights;
     const Surface_point p{sheets_.other_side(here->point.halfedge), {w[1], w[0], w[2]}};

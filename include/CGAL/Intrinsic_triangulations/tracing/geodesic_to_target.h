@@ -77,6 +77,8 @@ struct Geodesic_target {
   }
 };
 
+namespace internal {
+
 /// An edge that a traced line crosses: the halfedge of the face left, and where its ends are, along
 /// the line and to the left of it.
 struct Strip_side {
@@ -111,8 +113,6 @@ struct Geodesic_to_target {
   /// Unit vector along the straight line, in the frame of `end`.
   Plane_vector<double> direction{1, 0};
 };
-
-namespace internal {
 
 template <NumberedComplex Complex>
 class Target_tracer {
@@ -210,8 +210,6 @@ private:
   unsigned end_side_ = 0;
 };
 
-} // namespace internal
-
 /*!
 \brief traces a geodesic to a known target, despite errors of direction and length.
 
@@ -234,9 +232,10 @@ Geodesic_to_target trace_to_target(const Complex& complex, const Geodesic_walk<C
                                    const Geodesic_target& target, double length,
                                    std::vector<Strip_side>& strip,
                                    std::size_t maximum_faces = std::size_t{1} << 22U) {
-  return internal::Target_tracer<Complex>(complex, target, length, strip)
-      .trace(walk, maximum_faces);
+  return Target_tracer<Complex>(complex, target, length, strip).trace(walk, maximum_faces);
 }
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

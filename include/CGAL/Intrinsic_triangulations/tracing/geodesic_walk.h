@@ -23,6 +23,8 @@ struct Geodesic_crossing {
   double parameter;       ///< 0 at the source of the halfedge, 1 at its target
 };
 
+namespace internal {
+
 /*!
 \brief is a straight line on its way through the faces of a surface: the common steps of all tracing
 algorithms (§2.4.2 of the course).
@@ -270,6 +272,8 @@ private:
   Origin origin_ = Origin::inside;
   bool is_blocked_ = false;
 };
+
+} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -24,7 +24,7 @@ A geodesic is straight inside faces and across edges. At an interior vertex it c
 straightest, with equal angles on both sides. It stops at the border, also at border vertices.
 
 **Vertices.** A line hits a vertex if it leaves a face so close to it that rounding may have decided
-the side (the distance is at most `Geodesic_walk::position_error()`, and at most 2^-30 of the side).
+the side (the distance is at most the error of the line, and at most 2^-30 of the side).
 On a flat vertex this changes nothing beyond rounding. A line that starts within rounding of a
 vertex starts there: it would seem to hit it sideways.
 */

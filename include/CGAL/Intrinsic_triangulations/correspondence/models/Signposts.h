@@ -97,7 +97,7 @@ public:
   /// starts a geodesic on the input from the source of an intrinsic halfedge.
   /// \param h the halfedge
   /// \param turn the angle from it to the geodesic, counterclockwise
-  Geodesic_walk<Input> walk(std::uint32_t h, double turn = 0) const {
+  internal::Geodesic_walk<Input> walk(std::uint32_t h, double turn = 0) const {
     const std::uint32_t f = signpost_[h].fan, fans = number_of_fans();
     const double a = reduced(f, signpost_[h].angle + turn);
     if (f < fans) return {*input_, frames_->corner(f, a)};
@@ -330,7 +330,7 @@ private:
   std::optional<Mapped_point> place_on_edge(const View& view, std::uint32_t h,
                                             double parameter) const {
     std::vector<Geodesic_crossing> crossings;
-    std::vector<Strip_side> strip;
+    std::vector<internal::Strip_side> strip;
     const std::uint32_t g = internal::trace_signpost(view, *this, h, crossings, strip).along;
     if (g == Gluing::none) return std::nullopt;
     return Mapped_point{point_between(g, view.source(h), view.target(h), parameter)};

@@ -43,8 +43,8 @@ concept SignpostDirections = requires(const Signposts& s, std::uint32_t i, doubl
   { s.is_inserted(i) } -> std::same_as<bool>;
   { s.location(i) } -> std::same_as<const Surface_point&>;
   { s.target(i) } -> std::same_as<Geodesic_target>;
-  { s.walk(i) } -> std::same_as<Geodesic_walk<Input>>;
-  { s.walk(i, turn) } -> std::same_as<Geodesic_walk<Input>>;
+  { s.walk(i) } -> std::same_as<internal::Geodesic_walk<Input>>;
+  { s.walk(i, turn) } -> std::same_as<internal::Geodesic_walk<Input>>;
 };
 
 namespace internal {
@@ -238,10 +238,10 @@ Edge_traces trace_edges(const Triangulation& t, const Signposts& signposts) {
   Edge_traces traces;
   traces.along.assign(exists.size(), Gluing::none);
   traces.begin.reserve(exists.size() + 1);
-  std::vector<Strip_side> strip;
+  std::vector<internal::Strip_side> strip;
   for (std::uint32_t e = 0; e < exists.size(); ++e) {
     if (exists[e] != 0) {
-      const Geodesic_to_target r =
+      const internal::Geodesic_to_target r =
           internal::trace_signpost(view, signposts, 2 * e, traces.crossings, strip);
       traces.along[e] = r.along;
       if (!r.is_reached && traces.failed++ == 0) traces.first_failed = e;

@@ -233,7 +233,7 @@ public:
   }
   /// starts a geodesic on the input from the source of a halfedge of the triangulation, at an angle
   /// from it.
-  Geodesic_walk<Input> walk_on_input(std::uint32_t h, double turn) const {
+  internal::Geodesic_walk<Input> walk_on_input(std::uint32_t h, double turn) const {
     return internal::walk_by_curves(t_, curves_, h, turn);
   }
   /// returns the direction on the triangulation at an angle from halfedge `x` of the input, at its

@@ -108,7 +108,7 @@ See `tangent_to_input()`.
 template <QueriedTriangulation Triangulation>
 std::optional<Tangent_vector> tangent_to_intrinsic(const Triangulation& t,
                                                    const Tangent_vector& v) {
-  using Walk = Geodesic_walk<Intrinsic_view<Triangulation>>;
+  using Walk = internal::Geodesic_walk<Intrinsic_view<Triangulation>>;
   const Intrinsic_view<Triangulation> view(t);
   const auto queries = internal::queries(t);
   return internal::take_tangent(

@@ -117,9 +117,9 @@ Located_circumcenter locate_circumcenter(const Complex& complex, std::uint32_t h
   const Plane_vector<double> v = x * face.edge[0] - y * face.edge[2];
   const double length = std::hypot(v[0], v[1]);
   if (!(length > 0) || !std::isfinite(length)) return nowhere;
-  Geodesic_walk<Complex> walk(complex, {h, {1 - 2 * third, third, third}}, v);
+  internal::Geodesic_walk<Complex> walk(complex, {h, {1 - 2 * third, third, third}}, v);
   for (std::size_t n = 0; n < internal::longest_walk; ++n) {
-    const typename Geodesic_walk<Complex>::Exit e = walk.exit();
+    const typename internal::Geodesic_walk<Complex>::Exit e = walk.exit();
     const double remaining = std::max(0.0, length - walk.travelled());
     if (remaining <= e.distance)
       return internal::arrived(walk.point(e, remaining), walk.face(), is_segment);
