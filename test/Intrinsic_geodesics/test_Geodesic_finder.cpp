@@ -15,6 +15,7 @@
 #include "../../benchmark/synthetic_meshes.h"
 #include "meshes.h"
 #include "numbered_as_mesh.h"
+#include "paths.h"
 #include "planar_bezier.h"
 #include "straight_segments.h"
 #include "unfolded_paths.h"

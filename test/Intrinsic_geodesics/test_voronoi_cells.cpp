@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -97,8 +98,7 @@ void expect_tie(const Case& c, const Surface_point& p, std::uint32_t a, std::uin
 
 Surface_point between(const std::array<Surface_point, 2>& piece, double s, const Triangulation& t) {
   // both in the order of corners of the first
-  const auto view = IT::internal::Accurate_view<Triangulation>(t);
-  const Surface_point q = IT::seen_from(view, piece[1], piece[0].halfedge);
+  const Surface_point q = IT::seen_from(IT::Intrinsic_view(t), piece[1], piece[0].halfedge);
   Surface_point p = piece[0];
   for (std::size_t k = 0; k < 3; ++k) p.weights[k] = std::lerp(p.weights[k], q.weights[k], s);
   return p;

@@ -5,6 +5,7 @@
 #define SUBDIVISIONS_H
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,40 @@ inline void add_input_vertices(IT::Common_subdivision& s, std::uint32_t n) {
   for (std::uint32_t v = 0; v < n; ++v)
     s.vertices.push_back(
         {v, IT::Subdivision_vertex_kind::input, 0, {1, {v, none, none}, {1, 0, 0}}});
+}
+
+// The weights of a corner of a face in the intrinsic face of `base`: it is on the halfedge of it
+// that the subdivision says.
+template <class View>
+std::array<double, 3> corner_in_face(const View& view, const IT::Common_subdivision& s,
+                                     std::uint32_t base, std::size_t c) {
+  const std::uint32_t h = s.intrinsic_halfedge[c];
+  const bool is_crossing = s.kind(s.corner[c]) == IT::Subdivision_vertex_kind::crossing;
+  const double x =
+      is_crossing ? s.crossings[s.corner[c] - s.vertices.size()].on_intrinsic.parameter : 0;
+  const double along = is_crossing && h % 2 != 0 ? 1 - x : x;
+  if (h == base) return {1 - along, along, 0};
+  if (h == view.next(base)) return {0, 1 - along, along};
+  return {along, 0, 1 - along};
+}
+
+// The weights of a corner of a face in the input face of `base`: at a vertex, on the halfedge that
+// the subdivision says, or from it, inside.
+inline std::array<double, 3> corner_in_input_face(const IT::Input& input,
+                                                  const IT::Common_subdivision& s,
+                                                  std::uint32_t base, std::size_t c) {
+  const std::uint32_t v = s.corner[c], h = s.input_halfedge[c];
+  std::array<double, 3> w{1, 0, 0}; // from `h`
+  if (s.kind(v) == IT::Subdivision_vertex_kind::crossing) {
+    const double x = s.crossings[v - s.vertices.size()].on_input.parameter;
+    w = h % 2 == 0 ? std::array{1 - x, x, 0.} : std::array{x, 1 - x, 0.};
+  } else if (s.kind(v) == IT::Subdivision_vertex_kind::inserted) {
+    w = s.vertices[v].on_input.weights;
+    if (h != s.vertices[v].input_halfedge) std::swap(w[0], w[1]);
+  }
+  if (h == base) return w;
+  if (h == input.next(base)) return {w[2], w[0], w[1]};
+  return {w[1], w[2], w[0]};
 }
 
 // A grid of n x n squares; the input has one diagonal of each, the intrinsic triangulation the other.

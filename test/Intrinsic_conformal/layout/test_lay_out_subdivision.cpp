@@ -26,6 +26,7 @@
 
 #include "flat_surfaces.h"
 #include "hyperbolic_surfaces.h"
+#include "surface_to_cut.h"
 
 #include <gtest/gtest.h>
 
@@ -70,14 +71,7 @@ Laid_out lay_out(const flat::Surface& s, std::mt19937& random, int flips,
   Triangulation t(r.in);
   flip_at_random(t, random, flips);
   if (flips == 0) IT::flip_to_delaunay(t);
-  std::vector<std::uint32_t> side;
-  IT::Surface_to_cut flat = IT::internal::surface_to_cut(t, side);
-  for (const auto f : faces(t.mesh())) { // after many flips the stored values are vague
-    const auto values = IT::internal::accurate_values(t, f);
-    for (std::size_t k = 0; k < 3; ++k)
-      flat.length[side[t.mesh().sides(f)[k].index]] =
-          std::ldexp(std::sqrt(values.squared_lengths[k]), -t.metric().scale_exponent());
-  }
+  const auto [flat, side] = surface_to_cut(t);
   IT::Common_subdivision subdivision = IT::common_subdivision(t);
   if (change) change(subdivision);
   IT::Flat_subdivision arrays{subdivision, flat, side, r.is_cut, is_wanted, {}, {}};

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <random>
 #include <set>
 #include <vector>
@@ -28,10 +29,18 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Gluing;
 
-// Joins corners across sides that are glued and not cut, with sets instead of walks: the vertices of
-// the opened surface are what this makes of corners.
+// For each corner the least one that is joined to it across sides that are glued and not cut, until
+// nothing changes, instead of walks: the vertices of the opened surface are what this makes of
+// corners.
 std::vector<std::uint32_t> fans(const Gluing& g, const std::vector<char>& is_cut) {
-  return IT::internal::joined_sets(g.origin.size(), [&](const auto& join) {
+  std::vector<std::uint32_t> least(g.origin.size());
+  std::iota(least.begin(), least.end(), 0U);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    const auto join = [&](std::uint32_t i, std::uint32_t j) {
+      has_changed = has_changed || least[i] != least[j];
+      least[i] = least[j] = std::min(least[i], least[j]);
+    };
     for (std::uint32_t h = 0; h < g.glue.size(); ++h) {
       const std::uint32_t p = Gluing::partner(g.glue[h]);
       if (p == Gluing::none || is_cut[h] != 0 || is_cut[p] != 0) continue;
@@ -39,7 +48,8 @@ std::vector<std::uint32_t> fans(const Gluing& g, const std::vector<char>& is_cut
       join(h, is_reversed ? p : Gluing::next(p));
       join(Gluing::next(h), is_reversed ? Gluing::next(p) : p);
     }
-  });
+  }
+  return least;
 }
 
 void expect_opened(const Gluing& g, const std::vector<char>& is_cut) {

@@ -14,6 +14,7 @@
 #include "gallery.h"
 #include "meshes.h"
 #include "refined_meshes.h"
+#include "surface_to_cut.h"
 
 #include <gtest/gtest.h>
 
@@ -387,9 +388,7 @@ TEST(Cut_to_disk, All_meshes_of_CGAL_become_disks) {
     } catch (const std::exception&) {
       continue; // no surface
     }
-    const Double_triangulation t(std::move(in));
-    std::vector<std::uint32_t> side;
-    const IT::Surface_to_cut s = IT::internal::surface_to_cut(t, side);
+    const IT::Surface_to_cut s = surface_to_cut(Double_triangulation(std::move(in))).first;
     expect_disks(s, IT::cut_to_disk(s, {}, 2), {});
     const std::vector<std::uint32_t> through = random_vertices(s.gluing, 5, 1);
     expect_disks(s, IT::cut_to_disk(s, through, 2), through);

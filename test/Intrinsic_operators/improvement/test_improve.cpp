@@ -24,7 +24,7 @@ namespace {
 using namespace operator_test;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                                   IT::Integer_coordinates>;
-using Labels = IT::Marked_edges<Triangulation, std::int32_t>;
+using Labels = IT::Marked_edges<Triangulation, std::uint32_t>;
 
 Shape rough(unsigned seed) { return rough_grid(6, .45, .8, seed); }
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
+#include "copies.h"
 #include "delaunay.h"
 #include "dense_eigenvalues.h"
 #include "gallery.h"

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "subdivisions.h"
 #include "transferred_meshes.h"
 
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
@@ -193,7 +194,7 @@ Complex rotation_by_query(const Case& c, std::size_t f) {
   const IT::Intrinsic_view<Triangulation> view(c.triangulation);
   IT::Surface_point centre{view.halfedge_of_face(s.intrinsic_face[f]), {0, 0, 0}};
   for (std::size_t i = s.face_begin[f]; i < s.face_begin[f + 1]; ++i) {
-    const auto w = IT::internal::corner_in_face(view, s, centre.halfedge, i);
+    const auto w = subdivisions::corner_in_face(view, s, centre.halfedge, i);
     for (std::size_t k = 0; k < 3; ++k)
       centre.weights[k] += w[k] / static_cast<double>(s.face_begin[f + 1] - s.face_begin[f]);
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 
 #include "Following.h"
+#include "copies.h"
 #include "delaunay.h"
 #include "gallery.h"
 #include "mesh_types.h"
@@ -306,7 +307,7 @@ TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexe
     const Heat heat(t);
     const IT::Vertex_copies copies(t);
     for (const auto v : vertices(t.mesh())) {
-      if (IT::internal::is_isolated(t, v)) continue;
+      if (copies::is_isolated(t, v)) continue;
       const IT::Tangent_field field = heat.transport(v, {1, 1});
       ASSERT_EQ(field.size(), copies.size());
       const std::vector<Complex> paths = heat.logarithmic_map(v);

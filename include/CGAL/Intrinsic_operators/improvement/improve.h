@@ -261,22 +261,22 @@ status of the flips is `cap`, and nothing more was done.
 */
 template <RefinableTriangulation Triangulation>
 Improvement improve(Triangulation& t, const Improve_options& options,
-                    const Marked_edges<Triangulation, std::int32_t>& constrained) {
+                    const Marked_edges<Triangulation, std::uint32_t>& constrained) {
   return internal::Improver(t, options, constrained)();
 }
 
 /// improves a triangulation, and keeps no edges.
 template <RefinableTriangulation Triangulation>
 Improvement improve(Triangulation& t, const Improve_options& options = {}) {
-  return improve(t, options, Marked_edges<Triangulation, std::int32_t>(t));
+  return improve(t, options, Marked_edges<Triangulation, std::uint32_t>(t));
 }
 
 /// \cond
 // instantiates what improves and measures a triangulation.
 #define CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS(prefix, ...)                                         \
   prefix Improvement improve(__VA_ARGS__&, const Improve_options&,                                 \
-                             const Marked_edges<__VA_ARGS__, std::int32_t>&);                      \
-  prefix Measurements measure(__VA_ARGS__&, const Marked_edges<__VA_ARGS__, std::int32_t>&,        \
+                             const Marked_edges<__VA_ARGS__, std::uint32_t>&);                      \
+  prefix Measurements measure(__VA_ARGS__&, const Marked_edges<__VA_ARGS__, std::uint32_t>&,        \
                               const std::vector<std::array<double, 3>>&)
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS, extern template);

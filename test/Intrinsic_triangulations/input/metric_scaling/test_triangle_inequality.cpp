@@ -76,7 +76,7 @@ TEST(Triangle_inequality, lists_the_faces_that_violate_it) {
   const IT::Gluing_map map(s.gluing);
   std::vector<double> l = gallery::squared_lengths(s);
   EXPECT_TRUE(IT::faces_violating_triangle_inequality(map, l).empty());
-  const auto spoke = IT::internal::edges_of_face(map, 2)[0]; // between faces 1 and 2
+  const std::uint32_t spoke = map.sides({2})[0].index / 2; // between faces 1 and 2
   l[spoke] = 9;
   EXPECT_EQ(IT::faces_violating_triangle_inequality(map, l), (std::vector<std::uint32_t>{1, 2}));
 }
