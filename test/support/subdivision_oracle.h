@@ -46,7 +46,7 @@ inline IT::Intrinsic_input input(const meshes::Mesh& m,
 
 // ---- any surface
 
-namespace internal {
+namespace expected {
 
 template <class T>
 class Checker {
@@ -116,13 +116,13 @@ private:
   std::set<std::uint32_t> starts_;
 };
 
-} // namespace internal
+} // namespace expected
 
 /// Empty if every part of an input edge starts once from each of its ends and arrives at the other,
 /// and the crossings of every face are those of curves that do not meet.
 template <class T>
 std::string defect(const T& t) {
-  return internal::Checker<T>(t).check();
+  return expected::Checker<T>(t).check();
 }
 
 /// Normal coordinates and curves of all edges, by number.

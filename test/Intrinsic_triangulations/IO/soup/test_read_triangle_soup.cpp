@@ -17,14 +17,18 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 namespace {
 
@@ -40,6 +44,39 @@ using CGAL::Intrinsic_triangulations::read_polygon_soup;
 using CGAL::Intrinsic_triangulations::read_triangle_soup;
 using CGAL::Intrinsic_triangulations::Triangle_soup;
 
+/// Whatever is written to a file descriptor while it lives.
+class Written {
+public:
+  explicit Written(int descriptor)
+      : descriptor_(descriptor), original_(dup(descriptor)), file_(std::tmpfile()) {
+    std::cout.flush();
+    std::fflush(nullptr);
+    dup2(fileno(file_), descriptor_);
+  }
+  ~Written() {
+    std::fflush(nullptr);
+    dup2(original_, descriptor_);
+    close(original_);
+    std::fclose(file_);
+  }
+  Written(const Written&) = delete;
+  Written& operator=(const Written&) = delete;
+
+  std::string text() const {
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::rewind(file_);
+    std::string result;
+    for (int c = std::fgetc(file_); c != EOF; c = std::fgetc(file_))
+      result.push_back(static_cast<char>(c));
+    return result;
+  }
+
+private:
+  int descriptor_, original_;
+  std::FILE* file_;
+};
+
 // Each test has a directory of its own, removed at the end; nothing may be printed.
 class Read_triangle_soup : public ::testing::Test {
 protected:
@@ -48,13 +85,11 @@ protected:
     directory_ = std::filesystem::temp_directory_path() /
                  (std::string("read_triangle_soup_") + test->name());
     std::filesystem::create_directories(directory_);
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
   }
 
   void TearDown() override {
-    EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
-    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(output_.text(), "");
+    EXPECT_EQ(errors_.text(), "");
     std::filesystem::remove_all(directory_);
   }
 
@@ -82,6 +117,7 @@ protected:
   }
 
   std::filesystem::path directory_;
+  Written output_{STDOUT_FILENO}, errors_{STDERR_FILENO};
 };
 
 const std::string tetrahedron_off = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"

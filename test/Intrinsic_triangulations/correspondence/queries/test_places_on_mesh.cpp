@@ -341,12 +341,11 @@ TEST(Renumbered_meshes, Keep_their_places_and_edges) {
     EXPECT_LT(distance(x, expected), 1e-12);
   }
   i = 0;
-  const IT::internal::Named_mesh_elements<Surface_mesh> named(t.input(), mesh);
   for (const auto h : halfedges(mesh)) {
     if (i++ % 100 != 0) continue;
-    const auto points = IT::polyline(t, IT::trace_input_edge(t, named.halfedge_on_input(h)), mesh);
-    EXPECT_EQ(points.front(), mesh.point(source(h, mesh)));
-    EXPECT_EQ(points.back(), mesh.point(target(h, mesh)));
+    const auto points = IT::polyline(t, IT::trace_input_edge(t, edge(h, mesh), mesh), mesh);
+    EXPECT_EQ(points.front(), mesh.point(source(edge(h, mesh), mesh)));
+    EXPECT_EQ(points.back(), mesh.point(target(edge(h, mesh), mesh)));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_edge.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/tangent_frames.h>
 
 #include "gallery.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -76,10 +78,21 @@ void for_each_halfedge_from_the_input(const T& t, Function f) {
       if (!t.correspondence().is_inserted(view.source(h))) f(h);
 }
 
+/// Where the input has the direction of an intrinsic halfedge, in the angles at its source.
 template <class T>
 double cone_angle_on_input(const T& t, const Tangent_frames& frames, std::uint32_t h) {
-  const IT::Corner_direction d = IT::internal::direction_on_input(t, t.correspondence(), h);
-  return frames.cone_angle(d.halfedge) + d.angle;
+  const bool is_border = IT::Intrinsic_view<T>(t).is_border(h); // then in the face beside it
+  const IT::Tangent_vector along = is_border ? IT::Tangent_vector{{h ^ 1U, {0, 1, 0}}, {-1, 0}}
+                                             : IT::Tangent_vector{{h, {1, 0, 0}}, {1, 0}};
+  const IT::Tangent_vector v = *IT::tangent_to_input(t, along);
+  const auto& input = t.correspondence().input();
+  const IT::Geodesic_face face(input, v.point.halfedge);
+  const auto corner =
+      static_cast<std::size_t>(std::ranges::max_element(v.point.weights) - v.point.weights.begin());
+  EXPECT_EQ(v.point.weights[corner], 1);
+  const auto& side = face.edge[corner];
+  return frames.cone_angle(face.side[corner]) +
+         std::arg(std::complex(v.vector[0], v.vector[1]) / std::complex(side[0], side[1]));
 }
 
 template <class Correspondence>
