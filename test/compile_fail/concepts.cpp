@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
-#include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
@@ -96,8 +96,10 @@ void misuse(const std::vector<std::array<double, 3>>& points) {
 
 namespace case_Factorization {
 // A matrix is not factored yet.
+template <Factorization Factored>
+class Solver;
 // error: satisfaction of .Factorization<
-void misuse(internal::Diffusion<Eigen::SparseMatrix<double>>* flow);
+void misuse(Solver<Eigen::SparseMatrix<double>>* solver);
 } // namespace case_Factorization
 
 namespace case_FieldNumber {

@@ -5,7 +5,6 @@
 #define TEST_INTRINSIC_TRIANGULATIONS_RANDOM_HISTORY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -16,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -43,7 +42,7 @@ class Walk {
 public:
   Walk(Map map, IT::Input_metric metric)
       : mesh(std::move(map)), input(std::move(metric)),
-        surface_(std::make_shared<IT::Input>(mesh, input)), number_(mesh) {
+        surface_(std::make_shared<IT::Input>(mesh, input)) {
     coordinates_.start(Started{surface_});
   }
 
@@ -85,7 +84,17 @@ public:
 
   // turns h clockwise
   void flip(Map::Halfedge h) {
-    const IT::Flip move = IT::internal::flip_record(h, mesh, number_);
+    const Map::Halfedge o = Map::opposite(h);
+    const std::uint32_t jk = mesh.next(h).index, ki = mesh.next(mesh.next(h)).index,
+                        im = mesh.next(o).index, mj = mesh.next(mesh.next(o)).index;
+    const IT::Flip move{
+        h.index,
+        jk,
+        ki,
+        im,
+        mj,
+        h.index,
+        {h.index / 2, jk / 2, ki / 2, im / 2, mj / 2, mesh.face(h).index, mesh.face(o).index}};
     is_counted_ = is_counted_ && coordinates_.before(*this, move);
     CGAL::Euler::flip_edge(h, mesh);
     if (is_counted_) coordinates_.after(*this, move);
@@ -139,7 +148,6 @@ private:
   };
 
   std::shared_ptr<const IT::Input> surface_;
-  IT::Mesh_adaptor<Map> number_;
   IT::Integer_coordinates coordinates_;
   bool is_counted_ = true; // whether the coordinates have stayed in bounds
   IT::Exact_ladder ladder_;

@@ -25,7 +25,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
+namespace delta_complex {
 
 // Checks a mesh without trust in its data: it follows a descriptor only after finding it among the
 // elements of the mesh, and no walk is longer than three steps.
@@ -229,7 +229,7 @@ private:
   std::vector<std::uint32_t> degree_; // of a vertex: halfedges that point to it
 };
 
-} // namespace internal
+} // namespace delta_complex
 
 /*!
 \brief finds out why a mesh is not a triangulated surface in the sense of a Delta-complex (§2.1 of
@@ -248,7 +248,7 @@ Corrupted data of any kind gives an answer; nothing is followed before it is che
 */
 template <class Mesh>
 std::optional<std::string> delta_complex_defect(const Mesh& mesh) {
-  return internal::Delta_complex_checker<Mesh>(mesh).run();
+  return delta_complex::Delta_complex_checker<Mesh>(mesh).run();
 }
 
 /*!

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "copies.h"
 #include "meshes.h"
 #include "refusals.h"
 #include "soups.h"
@@ -269,7 +270,7 @@ TEST(Cover, has_curves_through_any_copies_of_vertices) {
         std::shuffle(rows.begin(), rows.end(), random);
         rows.resize(curve.is_loop ? 3 : 2 + random() % 3);
         for (const std::uint32_t r : rows) {
-          const auto copies = IT::internal::copies_of_row(t, r);
+          const auto copies = copies::of_row(t, r);
           curve.vertices.push_back(copies[random() % copies.size()]);
         }
         SCOPED_TRACE(name + " " + ::testing::PrintToString(rows));

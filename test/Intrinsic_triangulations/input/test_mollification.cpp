@@ -45,8 +45,7 @@ meshes::Mesh chain_of_caps() {
 
 template <class T>
 bool needs_mollification(const meshes::Mesh& m) {
-  const T t(m.input());
-  return IT::internal::has_irremovable_degeneracy(m.map(), t.metric());
+  return T(m.input(Mollification::automatic)).report().mollification.kind != Mollification::none;
 }
 
 TEST(Mollification, is_needed_where_flips_cannot_remove_degenerate_faces) {
@@ -133,30 +132,6 @@ TEST(Mollification, both_kinds_give_all_faces_an_area_in_both_arithmetics) {
   expect_all_faces_proper<Double>(Mollification::lengths);
 }
 
-TEST(Mollification, epsilon_is_the_least_that_gives_every_inequality_the_margin) {
-  const IT::Gluing_map map = cap_on_the_border().map();
-  std::vector<double> lengths(map.number_of_edges());
-  for (std::uint32_t e = 0; e < lengths.size(); ++e) {
-    const auto p = cap_on_the_border().points[map.source({2 * e}).index];
-    const auto q = cap_on_the_border().points[map.target({2 * e}).index];
-    lengths[e] = std::hypot(p[0] - q[0], p[1] - q[1]);
-  }
-  for (const double delta : {1e-3, 0.25, 1.0}) {
-    const double epsilon = IT::internal::mollifying_epsilon(map, lengths, delta);
-    double least_margin = 1e300;
-    for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
-      auto h = map.halfedge(IT::Gluing_map::Face{f});
-      for (int k = 0; k < 3; ++k, h = map.next(h)) {
-        const auto l = [&](auto x) { return lengths[x.index / 2] + epsilon; };
-        const auto n = map.next(h), p = map.next(n);
-        least_margin = std::min(least_margin, l(h) + l(n) - l(p));
-      }
-    }
-    EXPECT_NEAR(least_margin, delta, 1e-14);
-  }
-  EXPECT_EQ(IT::internal::mollifying_epsilon(map, std::vector<double>(lengths.size(), 1.0), 0.5), 0);
-}
-
 std::vector<double> lengths_in_space(const meshes::Mesh& m) {
   const IT::Gluing_map map = m.map();
   std::vector<double> lengths(map.number_of_edges());
@@ -196,6 +171,29 @@ T mollified(const meshes::Mesh& m, Mollification kind, std::optional<double> amo
   input.may_renumber = false;
   input.mollification_amount = amount;
   return T(std::move(input));
+}
+
+TEST(Mollification, epsilon_is_the_least_that_gives_every_inequality_the_margin) {
+  const IT::Gluing_map map = cap_on_the_border().map();
+  const std::vector<double> lengths = lengths_in_space(cap_on_the_border());
+  for (const double amount : {1e-3, 0.25, 1.0}) { // of the mean edge
+    const double delta = amount * mean(lengths);
+    const double epsilon = mollified<Exact>(cap_on_the_border(), Mollification::lengths, amount)
+                               .report()
+                               .mollification.delta;
+    double least_margin = 1e300;
+    for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
+      auto h = map.halfedge(IT::Gluing_map::Face{f});
+      for (int k = 0; k < 3; ++k, h = map.next(h)) {
+        const auto l = [&](auto x) { return lengths[x.index / 2] + epsilon; };
+        const auto n = map.next(h), p = map.next(n);
+        least_margin = std::min(least_margin, l(h) + l(n) - l(p));
+      }
+    }
+    EXPECT_NEAR(least_margin, delta, 1e-14);
+  }
+  const meshes::Mesh regular{{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{0, 1, 2}}};
+  EXPECT_EQ(mollified<Exact>(regular, Mollification::lengths, 0.5).report().mollification.delta, 0);
 }
 
 TEST(Mollification, amount_is_in_units_of_the_mean_edge) {

@@ -38,8 +38,14 @@ using Inexact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic
 
 static_assert(IT::IntrinsicTriangulationTraits<IT::Exact_ideal_hyperbolic_traits>);
 static_assert(!IT::EuclideanMetric<IT::Exact_ideal_hyperbolic_metric>);
-static_assert(IT::internal::Decides_by_input<IT::Exact_ideal_hyperbolic_metric>);
-static_assert(!IT::internal::Decides_by_input<IT::Ideal_hyperbolic_metric<double>>);
+
+// decides from what it stores, without the input
+template <class Metric>
+concept Decides_alone = requires(const Metric& m, const IT::Diamond& d) {
+  m.is_locally_delaunay(d);
+};
+static_assert(!Decides_alone<IT::Exact_ideal_hyperbolic_metric>);
+static_assert(Decides_alone<IT::Ideal_hyperbolic_metric<double>>);
 
 // the ends of the edges of the tessellation, sorted
 template <class T>

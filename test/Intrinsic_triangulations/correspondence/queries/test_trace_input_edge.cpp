@@ -58,7 +58,7 @@ std::vector<std::pair<std::string, meshes::Mesh>> all_meshes() {
   std::vector<std::pair<std::string, meshes::Mesh>> result{{"rough grid", meshes::rough_grid(6, 5)},
                                                            {"box", meshes::box(3, 2, 4)},
                                                            {"potato", meshes::potato(2, 6)}};
-  if (T::Metric::is_exact || IT::internal::Has_curves<T>)
+  if (T::Metric::is_exact || IT::CurveCoordinates<typename T::Correspondence>)
     result.emplace_back("sheared grid", meshes::sheared_grid(5, 5, 7));
   return result;
 }
@@ -142,7 +142,7 @@ TYPED_TEST(Input_edges, Meet_intrinsic_edges_where_these_meet_them) {
     const auto add = [&](std::vector<Point>& to, const IT::Edge_path& path) {
       const std::vector<Point> points = points_of(t, path, m.points);
       for (std::size_t i = 1; i + 1 < points.size(); ++i)
-        if (IT::internal::corner_of(path.points[i].on_intrinsic) == 3) to.push_back(points[i]);
+        if (std::ranges::count(path.points[i].on_intrinsic.weights, 0) < 2) to.push_back(points[i]);
     };
     for (std::uint32_t x = 0; x < t.input().number_of_halfedges(); x += 2)
       add(of_input, IT::trace_input_edge(t, x));
@@ -167,7 +167,7 @@ TYPED_TEST(Input_edges, Of_delta_complexes_are_polylines_with_as_many_points_as_
     try {
       s = IT::common_subdivision(t);
     } catch (const IT::Invalid_input&) { // signposts that are rounded may say that they are lost
-      ASSERT_FALSE(T::Metric::is_exact || IT::internal::Has_curves<T>) << g;
+      ASSERT_FALSE(T::Metric::is_exact || IT::CurveCoordinates<typename T::Correspondence>) << g;
       continue;
     }
     ++done;

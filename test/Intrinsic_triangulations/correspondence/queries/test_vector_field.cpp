@@ -107,7 +107,7 @@ TYPED_TEST(Vector_field, Of_several_directions_does_not_depend_on_which_is_given
   for (const meshes::Mesh& shape :
        {meshes::random_planar(60, 1000, 2), meshes::scaled(meshes::grid(4, 12), 0.001)}) {
     const Surface_mesh mesh = surface_mesh(shape);
-    const std::vector<std::array<double, 3>> points = IT::internal::points_of(mesh);
+    const std::vector<std::array<double, 3>>& points = shape.points;
     T t(mesh);
     IT::delaunay_refine(t, IT::parameters::minimum_angle(28));
     const IT::Common_subdivision s = IT::common_subdivision(t);
@@ -170,6 +170,22 @@ TYPED_TEST(Vector_field, Keeps_lengths_on_curved_surfaces) {
   }
 }
 
+/// A vector in a face of the input, which has an area.
+std::array<double, 3> in_space(const IT::Input& input, const IT::Tangent_vector& v,
+                               const std::vector<std::array<double, 3>>& points) {
+  const auto corner = [&](std::uint32_t h) {
+    const auto& p = points[input.names().row(input.source(h))];
+    return Kernel::Point_3(p[0], p[1], p[2]);
+  };
+  const std::uint32_t h = v.point.halfedge, n = input.next(h);
+  const Kernel::Vector_3 side = corner(n) - corner(h), to_apex = corner(input.next(n)) - corner(h),
+                         left = to_apex - to_apex * side / side.squared_length() * side;
+  EXPECT_GT(left.squared_length(), 0x1p-40 * to_apex.squared_length());
+  const Kernel::Vector_3 x = v.vector[0] / std::sqrt(side.squared_length()) * side +
+                             v.vector[1] / std::sqrt(left.squared_length()) * left;
+  return {x[0], x[1], x[2]};
+}
+
 /// At vertices of the input, on edges, in faces and on borders, a sector has the vector that a query
 /// finds, in any direction, also out of the surface.
 TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
@@ -179,12 +195,10 @@ TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
        {meshes::random_planar(60, 1000, 2), meshes::scaled(meshes::grid(4, 12), 0.001),
         meshes::potato(2, 6), meshes::rough_grid(6, 3), meshes::box(2, 3, 4)}) {
     const Surface_mesh mesh = surface_mesh(shape);
-    const std::vector<std::array<double, 3>> points = IT::internal::points_of(mesh);
+    const std::vector<std::array<double, 3>>& points = shape.points;
     T t(mesh);
     IT::delaunay_refine(t, IT::parameters::minimum_angle(28));
     const IT::Vertex_sectors sectors(t, points);
-    const IT::Intrinsic_view<T> view(t);
-    const auto frames = IT::internal::intrinsic_frames(t, view);
     ASSERT_EQ(sectors.size(), t.number_of_vertices());
     for (int k = 0; k < 24; ++k) {
       const std::complex<double> z = std::polar(3., k < 12 ? k * std::numbers::pi / 6 : 0.3 + k);
@@ -194,11 +208,9 @@ TYPED_TEST(Vector_field, In_sectors_is_where_queries_find_it) {
         beyond += is_beyond;
         if (std::is_same_v<TypeParam, IT::Signposts> && is_beyond)
           continue; // the query turns it to the border
-        const auto x = IT::tangent_to_input(t, frames.at_vertex(t.index(v), z));
+        const auto x = IT::tangent_to_input(t, IT::tangent_vector(t, v, z));
         ASSERT_TRUE(x);
-        const auto wanted =
-            IT::internal::vector_in_space(t.input(), {x->point.halfedge, x->vector},
-                                          IT::internal::Placed_input{t.input(), points});
+        const auto wanted = in_space(t.input(), *x, points);
         if (is_beyond && z.real() < 1e-9) { // drawn in the plane of the nearer side, the last face
           EXPECT_NEAR(std::hypot(found[t.input_vertex(v)][0], found[t.input_vertex(v)][1],
                                  found[t.input_vertex(v)][2]),

@@ -15,6 +15,7 @@
 #include "flat_surfaces.h"
 #include "gallery.h"
 #include "ideal_triangulations.h"
+#include "subdivisions.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ private:
   // The place of a corner in the middle triangle of `base`: on a side of the second subdivision.
   Complex in_middle(std::uint32_t base, std::uint32_t c) const {
     const auto at = [&](std::uint32_t own) {
-      return combined(IT::internal::corner_in_input_face(ideal_.input(), second_, base, own),
+      return combined(subdivisions::corner_in_input_face(ideal_.input(), second_, base, own),
                       triangle(ideal_.input(), base));
     };
     const std::uint32_t h = s_.intrinsic_halfedge[c], own = overlay_.corner[h];
@@ -139,7 +140,7 @@ private:
     std::vector<Complex> p, q;
     for (std::uint32_t c = begin; c < s_.face_begin[f + 1]; ++c) {
       EXPECT_EQ(t_.input().face(s_.input_halfedge[c]), input_face);
-      p.push_back(combined(IT::internal::corner_in_input_face(t_.input(), s_, base, c),
+      p.push_back(combined(subdivisions::corner_in_input_face(t_.input(), s_, base, c),
                            triangle(t_.input(), base)));
       q.push_back(in_middle(middle, c));
     }
