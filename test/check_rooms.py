@@ -19,6 +19,7 @@ rooms in `src/`. Fails, and says where, if
 - a file of the program includes one of a higher folder by the headings of `src/intrinsic/README.md`,
 - the Python module includes a header of the program,
 - a file of the program or the module names `internal::` of the library,
+- a test names something of a namespace `internal`,
 - an exception below is not needed any more.
 """
 
@@ -56,6 +57,29 @@ ALLOWED_LENGTHS = {
 ALLOWED_SIZES = {}
 # file: reason
 ALLOWED_COLUMNS = {}
+# test of something internal: why it is tested at its own door
+IN_FEW = "rules that only rare surfaces come to through the functions that users call"
+ORACLE = "closed forms for one step of an algorithm, whose result would hide an error of it"
+HOSTILE = "input that callers do not make, whose handling they rely on"
+ALLOWED_INTERNALS = {
+    "Intrinsic_conformal/layout/test_turn_back.cpp": IN_FEW,
+    "Intrinsic_conformal/metric/test_conformal_metric.cpp": HOSTILE,
+    "Intrinsic_operators/solvers/test_factorizations.cpp": "that an analysis is shared shows only in time",
+    "Intrinsic_triangulations/connectivity/test_parameters.cpp": "how functions read the named parameters of users",
+    "Intrinsic_triangulations/domains/test_Delaunay_star.cpp": ORACLE,
+    "Intrinsic_triangulations/domains/test_tufted_cover.cpp": ORACLE,
+    "Intrinsic_triangulations/exact/test_expressions.cpp": ORACLE,
+    "Intrinsic_triangulations/input/metric_scaling/test_side_vectors.cpp": HOSTILE,
+    "Intrinsic_triangulations/input/test_Polygon_flattener.cpp": HOSTILE,
+    "Intrinsic_triangulations/retriangulation/optimization/test_odt_optimize.cpp": ORACLE,
+    "Intrinsic_triangulations/retriangulation/refinement/test_Marked_faces.cpp": ORACLE,
+    "Intrinsic_triangulations/retriangulation/refinement/test_Surface_check.cpp": HOSTILE,
+    "Intrinsic_triangulations/retriangulation/refinement/test_dijkstra_ball.cpp": ORACLE,
+    "Intrinsic_triangulations/tracing/test_geodesic_to_target.cpp": ORACLE,
+    "Intrinsic_triangulations/tracing/test_trace_geodesic.cpp": IN_FEW,
+    "Intrinsic_triangulations/triangulation/test_archetypes.cpp": "what concepts ask for, and no more",
+    "support/triangulation_archetypes.h": "what concepts ask for, and no more",
+}
 
 
 def read_rooms(include, package):
@@ -247,8 +271,19 @@ def check_program(root, used):
         yield from check_program_includes(file, text, files, places, used)
 
 
+def check_tests(root, used):
+    """Yields the tests that name something of a namespace `internal`, of this package or another one."""
+    for path in sorted((root / "test").rglob("*")):
+        if path.suffix not in (".h", ".cpp") or not re.search(r"\binternal\s*(::|;|{)", path.read_text()):
+            continue
+        name = path.relative_to(root / "test").as_posix()
+        used.add(name)
+        if name not in ALLOWED_INTERNALS:
+            yield f"test/{name} names something of a namespace `internal`: test what users see of it"
+
+
 def check_exceptions(used):
-    for name in [*ALLOWED_INCLUDES, *ALLOWED_LENGTHS, *ALLOWED_SIZES, *ALLOWED_COLUMNS]:
+    for name in [*ALLOWED_INCLUDES, *ALLOWED_LENGTHS, *ALLOWED_SIZES, *ALLOWED_COLUMNS, *ALLOWED_INTERNALS]:
         if name not in used:
             yield f"check_rooms.py allows {name}, which is not needed any more: remove it"
 
@@ -277,6 +312,7 @@ def check(include):
     yield from check_circles(headers)
     yield from check_lists_of_sources(sources)
     yield from check_program(include.parent, used)
+    yield from check_tests(include.parent, used)
     yield from check_exceptions(used)
 
 

@@ -27,7 +27,8 @@ def path(name, package=0):
 
 class Rooms(unittest.TestCase):
     def setUp(self):
-        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES", "ALLOWED_COLUMNS"):
+        for name in ("ALLOWED_INCLUDES", "ALLOWED_LENGTHS", "ALLOWED_SIZES", "ALLOWED_COLUMNS",
+                     "ALLOWED_INTERNALS"):
             patch = unittest.mock.patch.object(check_rooms, name, {})
             patch.start()
             self.addCleanup(patch.stop)
@@ -71,6 +72,18 @@ class Rooms(unittest.TestCase):
         with unittest.mock.patch.object(check_rooms, "ALLOWED_INCLUDES", {pair: "reason"}):
             self.assertEqual(self.errors({name: header(name, path("high/inner/b.h"))}), [])
             self.assert_one_error("not needed any more")
+
+    def test_tests_name_nothing_internal_but_by_an_exception_that_is_needed(self):
+        name = "../test/room/test_a.cpp"
+        for text in ("using CGAL::IT::internal::f;\n", "namespace hidden = IT::internal;\n",
+                     "using namespace IT::internal;\n", "namespace IT::internal {\n",
+                     "testing::internal::CaptureStdout();\n"):
+            self.assert_one_error("test/room/test_a.cpp names something", {name: text})
+        public = {name: "internal_only::f(); // internal edges\n"}
+        self.assertEqual(self.errors(public), [])
+        with unittest.mock.patch.object(check_rooms, "ALLOWED_INTERNALS", {"room/test_a.cpp": "reason"}):
+            self.assertEqual(self.errors({name: "IT::internal::f();\n"}), [])
+            self.assert_one_error("not needed any more", public)
 
     def test_headers_of_a_room_must_not_include_each_other_in_a_circle(self):
         one, two = path("low/c.h"), path("low/d.h")

@@ -72,31 +72,6 @@ std::vector<Weights> seen_from(const Triangulation& t,
   return result;
 }
 
-/// The points of a face of the input, from its first halfedge, that are a point of it or of its border: none if the point
-/// is elsewhere, several if a side or a vertex is there twice.
-inline std::vector<Surface_point> seen_in_face(const Input& input, Surface_point p,
-                                               std::uint32_t f) {
-  const std::uint32_t first = input.halfedge_of_face(f);
-  std::vector<Surface_point> result;
-  for (int turn = 0; turn < 3; ++turn) { // the point by each halfedge of its face
-    const Weights w = p.weights;
-    const std::uint32_t row = input.names().row(input.source(p.halfedge));
-    std::uint32_t h = first;
-    for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
-      if (h == p.halfedge && k == 0) result.push_back({first, w});
-      Weights u{0, 0, 0};
-      u[k] = w[1];
-      u[(k + 1) % 3] = w[0];
-      if ((h ^ 1U) == p.halfedge && w[2] == 0) result.push_back({first, u});
-      u = {0, 0, 0};
-      u[k] = 1;
-      if (w[0] == 1 && input.names().row(input.source(h)) == row) result.push_back({first, u});
-    }
-    p = {input.next(p.halfedge), {w[1], w[2], w[0]}};
-  }
-  return result;
-}
-
 /// The distance in the plane of points of a face with given weights; laid out along its longest side, as that is accurate in
 /// needles.
 template <class Triangulation>

@@ -275,8 +275,8 @@ Improvement improve(Triangulation& t, const Improve_options& options = {}) {
 // instantiates what improves and measures a triangulation.
 #define CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS(prefix, ...)                                         \
   prefix Improvement improve(__VA_ARGS__&, const Improve_options&,                                 \
-                             const Marked_edges<__VA_ARGS__, std::uint32_t>&);                      \
-  prefix Measurements measure(__VA_ARGS__&, const Marked_edges<__VA_ARGS__, std::uint32_t>&,        \
+                             const Marked_edges<__VA_ARGS__, std::uint32_t>&);                     \
+  prefix Measurements measure(__VA_ARGS__&, const Marked_edges<__VA_ARGS__, std::uint32_t>&,       \
                               const std::vector<std::array<double, 3>>&)
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS, extern template);
