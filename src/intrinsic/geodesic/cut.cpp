@@ -96,7 +96,7 @@ Json components_json(const IT::Cut_surface& s, const std::vector<Point>& points)
   for (std::size_t f = 0; f < s.component.size(); ++f) {
     const auto v = s.face(f);
     ++faces[s.component[f]];
-    areas[s.component[f]] += area(points[v[0]], points[v[1]], points[v[2]]);
+    areas[s.component[f]] += IT::area_in_space(points[v[0]], points[v[1]], points[v[2]]);
   }
   Json result = Json::array();
   for (std::size_t c = 0; c < faces.size(); ++c)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 
 #include <algorithm>
@@ -78,23 +79,11 @@ private:
     const double turned = b.direction - a.direction;
     return turned < -2 ? turned + 4 : turned > 2 ? turned - 4 : turned;
   }
-  using Vector = std::array<double, 3>;
-  static Vector product(const Vector& v, const Vector& w) {
-    return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-  }
-  static double dot(const Vector& v, const Vector& w) {
-    return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-  }
-  static double norm(const Vector& v) { return std::sqrt(dot(v, v)); }
-  static Vector difference(const Vector& v, const Vector& w) {
-    return {v[0] - w[0], v[1] - w[1], v[2] - w[2]};
-  }
-
   // By how much the angles of the quadrilateral at the ends of its diagonal from the origin to `b`
   // exceed those at `a` and `c`.
   static double excess_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
-    const auto angle = [](const Vector& v, const Vector& w) {
-      return std::atan2(norm(product(v, w)), dot(v, w));
+    const auto angle = [](const Space_vector<double>& v, const Space_vector<double>& w) {
+      return std::atan2(norm(cross_product(v, w)), inner_product(v, w));
     };
     const auto at_end = [&](const Neighbour& x) { // between the origin and b
       return angle(x.in_space, difference(x.in_space, b.in_space));
@@ -105,7 +94,8 @@ private:
   }
   // whether the triangle of the origin is about as large in the plane as in space
   static bool is_flat(const Neighbour& a, const Neighbour& b) {
-    return 2 * (a.at[0] * b.at[1] - a.at[1] * b.at[0]) > norm(product(a.in_space, b.in_space));
+    return 2 * (a.at[0] * b.at[1] - a.at[1] * b.at[0]) >
+           norm(cross_product(a.in_space, b.in_space));
   }
   // On which side of the circle through three points the origin is; on it, if the plane leaves that
   // open: it differs from the surface by about the square of a neighbour's distance over the radius

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 
 #include <algorithm>
@@ -168,18 +169,14 @@ static bool is_same_half_plane(const std::array<double, 3>& a, const std::array<
                                const std::array<double, 3>& p, const std::array<double, 3>& q) {
   using Vector = std::array<double, 3>;
   const auto from_a = [&a](const Vector& to) { // of length about 1
-    Vector v{to[0] - a[0], to[1] - a[1], to[2] - a[2]};
+    Vector v = difference(to, a);
     const double size = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     for (double& x : v) x = size > 0 ? x / size : 0;
     return v;
   };
-  const auto product = [](const Vector& v, const Vector& w) {
-    return Vector{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-  };
-  const Vector m = product(from_a(b), from_a(p)), n = product(from_a(b), from_a(q));
-  const Vector sine = product(m, n);
-  const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
-  return cosine > 0 && std::hypot(sine[0], sine[1], sine[2]) <= 0x1p-30 * cosine;
+  const Vector m = cross_product(from_a(b), from_a(p)), n = cross_product(from_a(b), from_a(q));
+  const double cosine = inner_product(m, n);
+  return cosine > 0 && norm(cross_product(m, n)) <= 0x1p-30 * cosine;
 }
 
 // Faces in one half plane up to rounding keep their order: how they differ depends on the axes.

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 
@@ -14,10 +15,6 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
-
-double inner_product_in_space(const Vector_in_space& a, const Vector_in_space& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // A vector in space, projected to the plane of a face, along both sides that start at a corner.
 struct In_corner {
@@ -36,11 +33,9 @@ In_corner in_corner(const Input& input, const std::vector<Vector_in_space>& coor
   const auto point = [&](std::uint32_t vertex) { return coordinates[input.names().row(vertex)]; };
   const Vector_in_space o = point(input.source(h)), p = point(input.target(h)),
                         q = point(input.target(n));
-  const Vector_in_space a{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
-  const Vector_in_space b{q[0] - o[0], q[1] - o[1], q[2] - o[2]};
-  const double aa = inner_product_in_space(a, a), ab = inner_product_in_space(a, b),
-               bb = inner_product_in_space(b, b), va = inner_product_in_space(v, a),
-               vb = inner_product_in_space(v, b);
+  const Vector_in_space a = difference(p, o), b = difference(q, o);
+  const double aa = inner_product(a, a), ab = inner_product(a, b), bb = inner_product(b, b),
+               va = inner_product(v, a), vb = inner_product(v, b);
   const double det = aa * bb - ab * ab;
   In_corner result{(va * bb - vb * ab) / det, (vb * aa - va * ab) / det, -1};
   if (where == Stays_in::half_plane && !(result.second >= 0)) result = {va / aa, 0, -1};
@@ -51,8 +46,8 @@ In_corner in_corner(const Input& input, const std::vector<Vector_in_space>& coor
   const Vector_in_space w{result.first * a[0] + result.second * b[0],
                           result.first * a[1] + result.second * b[1],
                           result.first * a[2] + result.second * b[2]};
-  const double squares = inner_product_in_space(v, v) * inner_product_in_space(w, w);
-  result.cosine = squares > 0 ? inner_product_in_space(v, w) / std::sqrt(squares) : 0;
+  const double squares = inner_product(v, v) * inner_product(w, w);
+  result.cosine = squares > 0 ? inner_product(v, w) / std::sqrt(squares) : 0;
   return result;
 }
 
