@@ -104,7 +104,7 @@ TEST(Smoothest_direction_field, exists_everywhere_with_the_right_sum_of_indices)
       const IT::Vertex_copies copies(t);
       ASSERT_EQ(field.powers.size(), copies.size());
       for (const auto v : vertices(t.mesh()))
-        EXPECT_NEAR(std::abs(field.powers[copies(v)]), copies::is_isolated(t, v) ? 0 : 1, 1e-12);
+        EXPECT_NEAR(std::abs(field.powers[copies(v)]), copies_test::is_isolated(t, v) ? 0 : 1, 1e-12);
       expect_exact_sum(t, field, n.name);
     }
   }

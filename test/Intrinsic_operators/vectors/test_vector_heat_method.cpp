@@ -307,7 +307,7 @@ TEST(Vector_heat_method, is_finite_where_paths_lead_on_covers_and_delta_complexe
     const Heat heat(t);
     const IT::Vertex_copies copies(t);
     for (const auto v : vertices(t.mesh())) {
-      if (copies::is_isolated(t, v)) continue;
+      if (copies_test::is_isolated(t, v)) continue;
       const IT::Tangent_field field = heat.transport(v, {1, 1});
       ASSERT_EQ(field.size(), copies.size());
       const std::vector<Complex> paths = heat.logarithmic_map(v);

@@ -270,7 +270,7 @@ TEST(Cover, has_curves_through_any_copies_of_vertices) {
         std::shuffle(rows.begin(), rows.end(), random);
         rows.resize(curve.is_loop ? 3 : 2 + random() % 3);
         for (const std::uint32_t r : rows) {
-          const auto copies = copies::of_row(t, r);
+          const auto copies = copies_test::of_row(t, r);
           curve.vertices.push_back(copies[random() % copies.size()]);
         }
         SCOPED_TRACE(name + " " + ::testing::PrintToString(rows));

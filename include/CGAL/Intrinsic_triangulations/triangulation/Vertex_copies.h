@@ -56,9 +56,9 @@ namespace CGAL::Intrinsic_triangulations {
 On a cover, several vertices are copies of one of the user's vertices and share its row. Data of a
 neighbourhood, such as a tangent plane, have a number for each copy: its name; inserted vertices
 follow in their order. Without copies these are rows.
-\tparam Triangulation a model of `NumberedTriangulation`
+\tparam Triangulation a model of `IndexedTriangulation`
 */
-template <NumberedTriangulation Triangulation>
+template <IndexedTriangulation Triangulation>
 class Vertex_copies {
   using Vertex = typename Triangulation::vertex_descriptor;
 

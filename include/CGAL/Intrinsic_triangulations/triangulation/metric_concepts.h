@@ -77,7 +77,10 @@ concept Decides_signs =
 
 // Has no values of its own: those that flips make are none.
 template <class Metric>
-concept Stores_nothing = std::is_empty_v<typename Metric::Flipped>;
+concept Stores_nothing = std::is_empty_v<typename Metric::Flipped> &&
+    requires(const Metric& metric) {
+  { metric.has_only_positive_areas() } -> std::same_as<bool>;
+};
 
 // Measures the angles at an edge.
 template <class Metric, class... Exact>
