@@ -207,7 +207,7 @@ class Arguments(unittest.TestCase):
                 ("curves", lambda: s.signed_distance([])),
                 ("curves", lambda: s.signed_distance([3])),
                 (r"curves\[1\]", lambda: s.signed_distance([[0, 1], [0, 16]])),
-                ("path", lambda: s.signed_distance([[15, it.Point(0, (0.5, 0.5, 0))]])),
+                ("not in one face", lambda: s.signed_distance([[15, it.Point(0, (0.5, 0.5, 0))]])),
                 ("curves", lambda: s.signed_distance([[it.Point(0, (0.5, 0.5, 0))]])),
                 ("another surface", lambda: s.signed_distance(it.Surface(*grid(9)).path(0, 80)))):
             with self.assertRaisesRegex(ValueError, message):

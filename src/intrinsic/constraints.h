@@ -64,6 +64,7 @@ using Edge_labels = IT::Marked_edges<Triangulation, std::uint32_t>;
 /// marks the constrained edges of a triangulation, before its first move or as it was stored.
 template <class Triangulation>
 IT::Marked_edges<Triangulation> marked_edges(const Triangulation& t, const Constraints& c) {
+  if (c.count == 0) return IT::Marked_edges<Triangulation>(t);
   if (c.is_stored) return IT::constrained_input_edges(t, c.is_constrained);
   const auto is_constrained = [&c](IT::Gluing_map::Edge e) {
     return c.is_constrained[e.index] != 0;

@@ -354,7 +354,7 @@ class Errors(Geodesic_test):
         with open(self.path("e.txt"), "w", encoding="ascii") as file:
             file.write("10 11\n11 12\n12 13\n13 14\n")
         self.assert_refused(("--marked", self.path("e.txt"), "--path", "2,22"), "--path 2,22",
-                            "crosses", "vertex 12", "--waypoints")
+                            "crosses", "vertex 12", "waypoints")
 
     def test_points_twice(self):
         self.assert_refused(("--path", "3,3"), "vertex 3", "follows itself")
