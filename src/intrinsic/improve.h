@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ using Insertion = std::function<bool()>;
 /// What was done to a triangulation, before it is measured.
 struct Improved {
   IT::Improvement done;
-  double input_area = 0; ///< of its points, before any move
+  /// of its points, before any move; NaN if that is not known
+  double input_area = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// returns what options ask for.
@@ -51,7 +53,9 @@ Improved improve(Loaded<Triangulation>& loaded, Edge_labels<Triangulation>& cons
   if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
     progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
                   options.metric + " violates the triangle inequality");
-  Improved result{{}, IT::area_of_points(t, loaded.points)};
+  Improved result;
+  if (!loaded.scaled_points().empty()) // else doubles that were stored, perhaps after flips
+    result.input_area = IT::area_of_points(t, loaded.points);
   result.done = naming_file(options.input, [&] {
     return IT::improve(t, asked_improvement(options, loaded.sizes, progress), constrained);
   });
