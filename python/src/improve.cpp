@@ -64,8 +64,7 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
   return c;
 }
 
-// What was done to the triangulation of a surface, which it keeps for its statistics. These are
-// found only when they are asked for: that takes as long as all flips.
+// What was done to the triangulation of a surface, which it keeps for its statistics.
 struct Done {
   Options options;
   program::Improved improved;
@@ -115,7 +114,9 @@ Surface_ptr improved_copy(Surface& s, Options options, const Kept& keep, std::ve
     auto labels = program::constrained_edges(loaded.triangulation, loaded.constraints);
     program::Improved improved = program::improve(loaded, labels, options, watch);
     result->cached<Done>("done", [&] { return new Done{options, std::move(improved)}; });
-    if (s.loaded.index() != 0) statistics(*result, loaded, watch); // checks rounding
+    // Measuring checks rounding. It also sharpens what is stored, so that values that are computed
+    // later are those of the program to the last bit.
+    statistics(*result, loaded, watch);
   });
   result->is_flipped = true;
   return result;

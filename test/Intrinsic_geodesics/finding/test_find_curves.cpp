@@ -214,7 +214,9 @@ TYPED_TEST(FindCurves, add_chains_of_marked_edges_first) {
   double border = 0;
   for (const auto e : edges(t.mesh()))
     if (CGAL::is_border(e, t.mesh())) border += t.length(e);
-  EXPECT_NEAR(found.curves[0].way.length, border, 1e-12 * border);
+  // the chain is shortened as others are: at the corners of the square, into it
+  EXPECT_NEAR(found.curves[0].initial_length, border, 1e-12 * border);
+  EXPECT_LT(found.curves[0].way.length, border);
   EXPECT_NEAR(found.curves[1].way.length, planar_bezier::distance(m.points[0], m.points[9]), 1e-9);
 }
 

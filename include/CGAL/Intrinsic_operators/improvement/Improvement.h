@@ -37,7 +37,8 @@ struct Refined_faces {
   /// Greatest ratio of the length of an edge to that wanted there, if lengths were given.
   std::optional<double> longest_side{};
   std::optional<Odt_result> odt{};        ///< if vertices were moved
-  double seconds = 0, seconds_of_odt = 0; ///< that it took
+  double seconds = 0;                     ///< that it took
+  double seconds_of_odt = 0;              ///< that moves took
 
   /// returns the number of faces that do not meet the criteria.
   std::size_t unsatisfied_faces() const {

@@ -26,6 +26,7 @@ public:
   /// \param lengths one per vertex of the input
   explicit Wanted_lengths(std::vector<double> lengths) : lengths_(std::move(lengths)) {}
 
+  /// tells whether edges may have any length.
   bool empty() const { return lengths_.empty(); }
 
   /// returns the largest ratio of the length of a side of a face to the length wanted there.
