@@ -64,27 +64,24 @@ program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
   return c;
 }
 
-// What was done to the triangulation of a surface, which it keeps for its statistics.
-struct Done {
-  Options options;
-  program::Improved improved;
-};
+// Improves a triangulation and measures it, as all commands of the program do: measuring checks
+// rounding, and sharpens what is stored, so that values that are computed later are those of the
+// program to the last bit.
+template <class Triangulation>
+const Json& improve(Surface& s, program::Loaded<Triangulation>& loaded, const Options& options,
+                    Watch& watch) {
+  return s.cached<Json>("statistics", [&] {
+    return new Json(program::improve_and_measure(loaded, options, watch, {}));
+  });
+}
 
+// The lock is held.
 template <class Triangulation>
 const Json& statistics(Surface& s, program::Loaded<Triangulation>& loaded, Watch& watch) {
-  return s.cached<Json>("statistics", [&] {
-    auto labels = program::constrained_edges(loaded.triangulation, loaded.constraints);
-    Done& done = s.cached<Done>("done", [&] {
-      Options options;
-      options.input = s.name;
-      options.no_flip = true;
-      program::Improved improved = program::improve(loaded, labels, options, watch);
-      return new Done{options, std::move(improved)};
-    });
-    Json json = program::loaded_json(loaded, done.options);
-    program::measure(loaded, labels, done.improved, done.options, json, watch);
-    return new Json(std::move(json));
-  });
+  Options options;
+  options.input = s.name;
+  options.no_flip = true;
+  return improve(s, loaded, options, watch); // has been done if edges were flipped
 }
 
 // \param is_improved whether the copy will be, so that other statistics hold
@@ -95,9 +92,8 @@ Surface_ptr copy(Surface& s, bool is_improved) {
     result->points = s.points;
     result->name = s.name;
     result->is_flipped = s.is_flipped;
-    for (const char* key : {"done", "statistics"})
-      if (const auto known = s.cache.find(key); known != s.cache.end() && !is_improved)
-        result->cache.insert(*known);
+    if (const auto known = s.cache.find("statistics"); known != s.cache.end() && !is_improved)
+      result->cache.insert(*known);
     return result;
   });
 }
@@ -111,12 +107,7 @@ Surface_ptr improved_copy(Surface& s, Options options, const Kept& keep, std::ve
     loaded.constraints = constraints_of(loaded.triangulation.input(), keep);
     if (loaded.constraints.count > 0) program::restore_constrained_edges(loaded, options);
     loaded.sizes = std::move(sizes);
-    auto labels = program::constrained_edges(loaded.triangulation, loaded.constraints);
-    program::Improved improved = program::improve(loaded, labels, options, watch);
-    result->cached<Done>("done", [&] { return new Done{options, std::move(improved)}; });
-    // Measuring checks rounding. It also sharpens what is stored, so that values that are computed
-    // later are those of the program to the last bit.
-    statistics(*result, loaded, watch);
+    improve(*result, loaded, options, watch);
   });
   result->is_flipped = true;
   return result;

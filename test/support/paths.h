@@ -4,7 +4,6 @@
 #ifndef TEST_INTRINSIC_TRIANGULATIONS_PATHS_H
 #define TEST_INTRINSIC_TRIANGULATIONS_PATHS_H
 
-#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +21,6 @@
 
 namespace paths {
 
-using CGAL::Intrinsic_triangulations::Input;
 using CGAL::Intrinsic_triangulations::Surface_point;
 using Weights = std::array<double, 3>;
 
