@@ -510,6 +510,33 @@ def mapped_conformally(start):
     return measure
 
 
+def places_in_plane(x, m):
+    """Where a conformal map of a disk takes each vertex."""
+    known = m.layout.vertices >= 0
+    at = np.empty((len(x.V), 2))
+    at[m.layout.vertices[known]] = m.layout.uv[known]
+    return at
+
+
+def flat_map(x):
+    """A map of a flat disk: it changes nothing."""
+    m = x.s.parametrize("conformal")
+    return [x.rows(m.u), distances_between(x.rows(places_in_plane(x, m))) / x.scale]
+
+
+def conformal_map(x, count):
+    """Scale factors at the first vertices, and what similarities and rotations leave unchanged of
+    their places; of a torus only the period."""
+    if x.name == "disk":
+        m = x.s.parametrize("conformal")
+        return [m.u[:count], distances_between(places_in_plane(x, m)[:count])]
+    m = x.s.uniformize()
+    if x.name == "torus":  # a factor of all lengths is free
+        tau = reduced_period(m.period)
+        return [m.u[:count] - m.u[:count].mean(), np.array([tau.real, tau.imag])]
+    return [m.u[:count], distances_between(m.positions[:count])]
+
+
 def cut_and_mapped(x):
     m = x.s.parametrize("lscm", cut="auto")
     return [m.status, bool((np.bincount(m.original_vertex) > 0)[x.vertex].any())]
@@ -543,14 +570,20 @@ def with_cones(x):
     return [m.status, x.rows(m.u)]
 
 
-def j_invariant(tau):
-    """Klein's invariant, the same for all bases of a lattice."""
+def reduced_period(tau):
+    """The period in the basis of the two shortest vectors of a lattice."""
     tau = complex(tau)
     for _ in range(50):
         tau -= round(tau.real)
         if abs(tau) >= 1:
             break
         tau = -1 / tau
+    return tau
+
+
+def j_invariant(tau):
+    """Klein's invariant, the same for all bases of a lattice."""
+    tau = reduced_period(tau)
     q = np.exp(2j * np.pi * tau)
     n = np.arange(1, 60)
     e4 = 1 + 240 * (n**3 * q**n / (1 - q**n)).sum()

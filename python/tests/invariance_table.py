@@ -160,6 +160,7 @@ TABLE = {
     "Surface.parametrize": [discrete(m.mapped(k), on=DISKS)
                             for k in ("harmonic", "lscm", "spectral")] + [
         vertices(m.mapped_conformally(k), on=DISKS) for k in ("delaunay", "input")] + [
+        intrinsic(m.flat_map, on=("plane",))] + [  # of others: test_invariance.Conformal_maps
         combinatorial(m.cut_and_mapped, on=CLOSED)],
     "Surface.uniformize": [vertices(m.uniformized(k), on=ORIENTED) for k in ("delaunay", "input")]
     + [vertices(m.with_cones, on=CLOSED), vertices(m.start_of_the_surface, on=CLOSED)],

@@ -19,7 +19,7 @@ def _outward(V, F):
     return F.tolist()
 
 
-def _ball(random, n):
+def ball(random, n):
     z = 1 - (2 * np.arange(n) + 1) / n
     angle = 2.399963 * np.arange(n)
     V = np.column_stack([np.sqrt(1 - z * z) * np.cos(angle), np.sqrt(1 - z * z) * np.sin(angle), z])
@@ -38,7 +38,7 @@ def _quads(random, at, quads):
     return F
 
 
-def _sheet(random, n, m, wraps_i=False, wraps_j=False, twisted=False):
+def sheet(random, n, m, wraps_i=False, wraps_j=False, twisted=False):
     """Quads of a grid, which may be closed."""
     at = {(i, j): (i % n) * m + j % m for i in range(n + 1) for j in range(m + 1)}
     if twisted:
@@ -48,19 +48,19 @@ def _sheet(random, n, m, wraps_i=False, wraps_j=False, twisted=False):
                                for j in range(m if wraps_j else m - 1)])
 
 
-def _grid(n, m):
+def grid(n, m):
     i, j = np.divmod(np.arange(n * m), m)
     return i.astype(float), j.astype(float)
 
 
 def _torus(random):
     n, m = 9, 6
-    i, j = _grid(n, m)
+    i, j = grid(n, m)
     i, j = (x + random.uniform(-0.25, 0.25, n * m) for x in (i, j))
     a, b = 2 * np.pi * i / n, 2 * np.pi * j / m
     r = 1 + 0.45 * np.cos(b)
     return np.column_stack([r * np.cos(a), r * np.sin(a), 0.45 * np.sin(b)]), \
-        _sheet(random, n, m, True, True)
+        sheet(random, n, m, True, True)
 
 
 def _genus_2(random):
@@ -78,7 +78,7 @@ def _genus_2(random):
     return V + random.uniform(-0.09, 0.09, V.shape), _quads(random, at, quads)
 
 
-def _disk(random):
+def disk(random):
     n = 44
     r, angle = np.sqrt((np.arange(n) + 0.5) / n), 2.399963 * np.arange(n)
     xy = np.column_stack([r * np.cos(angle), r * np.sin(angle)])
@@ -92,31 +92,31 @@ def _disk(random):
 
 
 def _plane(random):
-    i, j = (x + random.uniform(-0.2, 0.2, 42) for x in _grid(7, 6))
-    return np.column_stack([i, j, 0 * i]) / 4, _sheet(random, 7, 6)
+    i, j = (x + random.uniform(-0.2, 0.2, 42) for x in grid(7, 6))
+    return np.column_stack([i, j, 0 * i]) / 4, sheet(random, 7, 6)
 
 
 def _cone(random):
     n, m = 9, 4
-    i, j = (x + random.uniform(-0.2, 0.2, n * m) for x in _grid(n, m))
+    i, j = (x + random.uniform(-0.2, 0.2, n * m) for x in grid(n, m))
     angle, r = 2 * np.pi * i / n, (j + 1) / m
     V = np.vstack([np.column_stack([r * np.cos(angle), r * np.sin(angle), 1.5 - 1.5 * r]),
                    [[0, 0, 1.5]]])
-    F = [[c, b, a] for a, b, c in _sheet(random, n, m, True)]
+    F = [[c, b, a] for a, b, c in sheet(random, n, m, True)]
     return V, F + [[i * m, (i + 1) % n * m, n * m] for i in range(n)]
 
 
 def _moebius(random):
     n, m = 12, 4
-    i, j = (x + random.uniform(-0.2, 0.2, n * m) for x in _grid(n, m))
+    i, j = (x + random.uniform(-0.2, 0.2, n * m) for x in grid(n, m))
     a, w = 2 * np.pi * i / n, 0.25 * (j - 1.5)
     r = 1 + w * np.cos(a / 2)
     return np.column_stack([r * np.cos(a), r * np.sin(a), w * np.sin(a / 2)]), \
-        _sheet(random, n, m, twisted=True)
+        sheet(random, n, m, twisted=True)
 
 
 def _soup(random):
-    V, F = _ball(random, 30)
+    V, F = ball(random, 30)
     V, F = list(V), list(F)
     for k in 3, 17, 31:  # fins at edges of the ball, the last of two triangles
         a, b, _ = F[k]
@@ -155,11 +155,11 @@ def of_many_sheets(random):
 
 
 def _cloud(random):
-    return _ball(random, 150)[0], None
+    return ball(random, 150)[0], None
 
 
-MAKERS = {"sphere": lambda random: _ball(random, 42), "torus": _torus, "genus 2": _genus_2,
-          "disk": _disk, "plane": _plane, "cone": _cone, "Moebius": _moebius, "soup": _soup,
+MAKERS = {"sphere": lambda random: ball(random, 42), "torus": _torus, "genus 2": _genus_2,
+          "disk": disk, "plane": _plane, "cone": _cone, "Moebius": _moebius, "soup": _soup,
           "book": _book, "cloud": _cloud}
 ALL = tuple(MAKERS)
 MESHES = tuple(name for name in ALL if name != "cloud")
