@@ -1,7 +1,9 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proofs end: on soups whose faces coincide or overlap, on clouds of a curve, and for straight curves."""
+"""Proofs end: on soups whose faces coincide or overlap, on clouds of a curve, for straight curves,
+and on surfaces full of ties."""
 
+import contextlib
 import time
 import unittest
 
@@ -42,7 +44,87 @@ def tube(n, layers, rng):
                                             np.column_stack([p, q + n, p + n])])
 
 
+def blocks(cells, axes, rng, with_walls=False):
+    """The boxes at some cells of a grid, turned: their outer faces, or all faces of each box."""
+    at, F, e = {}, [], np.eye(3, dtype=int)
+    for cell in sorted(cells):
+        for axis, side in np.ndindex(3, 2):
+            if not with_walls and tuple(cell + (2 * side - 1) * e[axis]) in cells:
+                continue
+            p, u, v = cell + side * e[axis], e[axis - 2], e[axis - 1]
+            corners = [at.setdefault(tuple(c.tolist()), len(at))
+                       for c in (p, p + u, p + u + v, p + v)]
+            a, b, c, d = np.roll(corners if side else corners[::-1], rng.integers(2))
+            F += [(a, b, c), (a, c, d)]
+    V = np.array([[axis[k] for axis, k in zip(axes, c)] for c in at], dtype=float)
+    return V @ turned(rng), np.array(F)
+
+
+def boxes(rng):
+    """Boxes that touch: their faces coincide there, divided alike or not."""
+    cells = {c for c in np.ndindex(2, 2, 2) if rng.random() < 0.8} | {(0, 0, 0), (0, 0, 1)}
+    return blocks(cells, np.cumsum(rng.integers(1, 6, (3, 3)), axis=1), rng, with_walls=True)
+
+
+def fins(rng):
+    """A box with fins as thin as 1e-5, some of the coordinates rounded to 24 bits."""
+    n, thickness = rng.integers(3, 7), 10.0 ** -rng.uniform(0.5, 5)
+    x = np.ravel([(k, k + thickness) for k in range(n)])
+    cells = {(i, 0, 0) for i in range(2 * n - 1)} | {(2 * k, 0, 1) for k in range(n)}
+    V, F = blocks(cells, [x, [0, rng.integers(1, 6)], [0, 1, 1 + rng.integers(1, 6)]], rng)
+    return (V if rng.random() < 0.5 else np.float32(V).astype(float)), F
+
+
+def two_holes(rng):
+    """A surface of genus 2 whose sides have irrational ratios."""
+    cells = {(i, j, 0) for i in range(5) for j in range(3)} - {(1, 1, 0), (3, 1, 0)}
+    return blocks(cells, np.sqrt(rng.integers(2, 12, 3))[:, None] * np.arange(6), rng)
+
+
+def sphere(rng, n=36):
+    """Circles of latitude and longitude: over a thousand ties."""
+    a, b = 2 * np.pi * np.arange(n) / n, np.pi * np.arange(1, n) / n
+    V = [[np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)] for t in b for p in a]
+    i, r = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(n - 2)))
+    p, q = r * n + i, r * n + (i + 1) % n
+    i, last, ends = np.arange(n), (n - 2) * n, np.full(n, len(V))
+    F = [[p, p + n, q + n], [p, q + n, q], [ends, i, (i + 1) % n],
+         [ends + 1, last + (i + 1) % n, last + i]]
+    return np.array(V + [[0, 0, 1], [0, 0, -1]]) @ turned(rng), np.hstack(F).T
+
+
+def seconds(work):
+    """The processor time that work takes, also where it is refused."""
+    start = time.process_time()
+    with contextlib.suppress(ValueError, RuntimeError):
+        work()
+    return time.process_time() - start
+
+
 class Ends(unittest.TestCase):
+    def test_of_all_functions_on_hard_surfaces(self):
+        """None takes longer than the greater of 5 s and 20 times what doubles take."""
+        for make, seeds in (boxes, 6), (fins, 6), (two_holes, 6), (sphere, 2):
+            for seed in range(seeds):
+                rng = np.random.default_rng(seed)
+                V, F = make(rng)
+                p, q, r = (int(v) for v in rng.choice(len(V), 3, replace=False))
+                a, b = (it.Point(int(f), tuple(rng.dirichlet([1, 1, 1]).tolist()))
+                        for f in rng.integers(len(F), size=2))
+                doubles, exact = (it.Surface(V, F, arithmetic=k) for k in ("double", "exact"))
+                for name, work in {
+                        "delaunay": lambda s: s.delaunay(),
+                        "path": lambda s: s.path(a, b),
+                        "certified path": lambda s: s.network([[p, q]], certify=True),
+                        "loop": lambda s: s.loop([p, q, r], waypoints=True),
+                        "free loop": lambda s: s.loop([p, q, r]),
+                        "cut to disks": lambda s: s.cut(),
+                        "uniformize": lambda s: s.uniformize()}.items():
+                    with self.subTest(surface=make.__name__, seed=seed, work=name):
+                        rounded = seconds(lambda: work(doubles))
+                        self.assertLess(rounded, 5)
+                        self.assertLess(seconds(lambda: work(exact)), max(5, 20 * rounded))
+
     def test_ties_of_sheets_need_no_numbers(self):
         """The field took minutes for some of these, and left one of them undecided."""
         start, ties = time.perf_counter(), 0
