@@ -42,7 +42,7 @@ Options options_of(const std::string& name, const std::string& domain,
 template <class Triangulation>
 Surface_ptr surface_of(program::Loaded<Triangulation> loaded, const Options& options) {
   std::vector<Point> points = program::input_points(loaded);
-  if (loaded.scaled_points().empty()) points.clear();
+  if (!loaded.has_points()) points.clear();
   auto s = std::make_shared<Surface>(std::move(loaded));
   s->points = std::move(points);
   s->name = options.input;

@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -31,8 +30,7 @@ using Insertion = std::function<bool()>;
 /// What was done to a triangulation, before it is measured.
 struct Improved {
   IT::Improvement done;
-  /// of its points, before any move; NaN if that is not known
-  double input_area = std::numeric_limits<double>::quiet_NaN();
+  double input_area; ///< see `IT::area_of_points()`
 };
 
 /// returns what options ask for.
@@ -53,9 +51,7 @@ Improved improve(Loaded<Triangulation>& loaded, Edge_labels<Triangulation>& cons
   if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
     progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
                   options.metric + " violates the triangle inequality");
-  Improved result;
-  if (!loaded.scaled_points().empty()) // else doubles that were stored, perhaps after flips
-    result.input_area = IT::area_of_points(t, loaded.points);
+  Improved result{{}, IT::area_of_points(t, loaded.points)};
   result.done = naming_file(options.input, [&] {
     return IT::improve(t, asked_improvement(options, loaded.sizes, progress), constrained);
   });
@@ -81,9 +77,10 @@ void measure(Loaded<Triangulation>& loaded, const Edge_labels<Triangulation>& co
   Stopwatch watch;
   // coordinates of inserted vertices are not known to the metric
   const std::vector<Point> none;
-  const bool has_points = num_vertices(t.mesh()) == loaded.scaled_points().size();
+  const bool has_points =
+      loaded.has_points() && num_vertices(t.mesh()) == t.input().number_of_vertices();
   const IT::Measurements measured =
-      IT::measure(t, constrained, has_points ? loaded.scaled_points() : none);
+      IT::measure(t, constrained, has_points ? input_points(loaded) : none);
   const double area = improved.input_area;
   // lengths that were changed have another area than the points
   const bool is_area_known = std::isfinite(area) && area > 0 && options.metric.empty() &&

@@ -42,8 +42,8 @@ struct Loaded {
   Triangulation triangulation;
   Input_facts facts;
   Seconds seconds;
-  /// One point per vertex of the triangulation, scaled as its metric is; empty where that keeps
-  /// them itself or there are none.
+  /// One point per vertex of the mesh file, in its order and units; empty where the metric keeps
+  /// them or there are none.
   std::vector<Point> points;
   Constraints constraints;                       ///< edges of the input that are kept
   Metric_report metric{};                        ///< what changed lengths needed
@@ -53,19 +53,18 @@ struct Loaded {
   Cut cut{};                                     ///< if it was cut open
   std::vector<double> sizes{};                   ///< wanted lengths at vertices, or none
 
-  /// returns one scaled point per vertex of the triangulation, none of an abstract metric.
-  const std::vector<Point>& scaled_points() const {
-    if constexpr (Triangulation::Metric::is_exact)
-      if (points.empty()) return triangulation.input().metric().points();
-    return points;
+  /// tells whether it is known where vertices are in space.
+  bool has_points() const {
+    return !points.empty() || !triangulation.input().metric().points().empty();
   }
 };
 
-/// returns one point per vertex of the mesh file, in its order and units.
+/// returns one point per vertex of the mesh file, in its order and units; zeros if there are none.
 template <class Triangulation>
 std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
+  if (!loaded.points.empty()) return loaded.points;
   const Triangulation& t = loaded.triangulation;
-  const std::vector<Point>& scaled = loaded.scaled_points();
+  const std::vector<Point>& scaled = t.input().metric().points();
   std::vector<Point> points(t.input().number_of_rows());
   for (std::uint32_t v = 0; v < scaled.size(); ++v) {
     Point& p = points[t.input_vertex({v})];
@@ -141,11 +140,10 @@ Loaded<Triangulation> build(Mesh_file file, const Options& options, const Cutter
                                  polygons,
                                  std::move(file.cloud)};
     const Triangulation& t = loaded.triangulation;
-    loaded.points.reserve(points.size());
-    for (std::size_t v = 0; v < points.size(); ++v) {
-      loaded.points.push_back(
-          points[t.input().names().vertices.user(static_cast<std::uint32_t>(v))]);
-      for (double& x : loaded.points.back()) x = std::ldexp(x, t.metric().scale_exponent());
+    if (!points.empty() && t.input().metric().points().empty()) {
+      loaded.points.resize(t.input().number_of_rows());
+      for (std::uint32_t v = 0; v < points.size(); ++v)
+        loaded.points[t.input_vertex({v})] = points[t.input().names().vertices.user(v)];
     }
     loaded.seconds = {file.seconds, watch.lap()};
     describe(loaded);
@@ -195,8 +193,6 @@ Loaded<Triangulation> stored(Triangulation t) {
   const auto& input = loaded.triangulation.input();
   loaded.facts.polygons = number_of_polygons(input);
   loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
-  if constexpr (Triangulation::has_correspondence && !Triangulation::Metric::is_exact)
-    loaded.points = input.metric().points();
   return loaded;
 }
 

@@ -43,15 +43,14 @@ template <class Triangulation>
 Loaded<Triangulation> input_alone(const Loaded<Triangulation>& loaded, const Options& options) {
   expect_points(loaded, options);
   const IT::Input& input = loaded.triangulation.input();
-  IT::Intrinsic_input in(input.mesh(), loaded.scaled_points(), IT::Mollification::none);
-  for (Point& p : in.points)
-    for (double& x : p) x = std::ldexp(x, -input.scale_exponent());
+  const std::vector<Point> rows = input_points(loaded);
+  std::vector<Point> points;
+  for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v)
+    points.push_back(rows[input.names().row(v)]);
+  IT::Intrinsic_input in(input.mesh(), std::move(points), IT::Mollification::none);
   in.names = input.names();
   in.may_renumber = false;
-  Loaded<Triangulation> alone{Triangulation(std::move(in)), {}, {}, {}, {}};
-  if (!Triangulation::Metric::is_exact)
-    alone.points = alone.triangulation.input().metric().points();
-  return alone;
+  return {Triangulation(std::move(in)), {}, {}, {}, {}};
 }
 
 /// returns the index of each face that is drawn: of its intrinsic face, or on the input the sum of
@@ -130,7 +129,7 @@ Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
 template <class Triangulation>
 std::vector<std::vector<Point>> axes_in_space(const Loaded<Triangulation>& loaded,
                                               const Computed& computed) {
-  if (!computed.directions || loaded.scaled_points().empty()) return {};
+  if (!computed.directions || !loaded.has_points()) return {};
   if (const auto& axes = computed.directions->axes; !axes.empty()) {
     std::vector<std::vector<Point>> result(2);
     for (const IT::Point_cloud_vectors::Axes& a : axes)

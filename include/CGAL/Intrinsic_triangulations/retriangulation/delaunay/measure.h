@@ -111,8 +111,9 @@ namespace internal {
 // Integrates over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
 // cancellation. Weights of edges from a vertex to itself do not count. Ties have the weight zero,
 // which is not decided again.
+// \param points see `measure()`
 template <class Triangulation>
-void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& scaled_points,
+void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& points,
                Measurements& result) {
   const auto& mesh = t.mesh();
   const int s = t.metric().scale_exponent();
@@ -124,63 +125,73 @@ void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& scale
   }
   typename Triangulation::Session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const auto i = source(halfedge(e, mesh), mesh), j = target(halfedge(e, mesh), mesh);
-    if (t.input_vertex(i) == t.input_vertex(j)) continue;
+    const std::uint32_t i = t.input_vertex(source(halfedge(e, mesh), mesh)),
+                        j = t.input_vertex(target(halfedge(e, mesh), mesh));
+    if (i == j) continue;
     const bool is_tie = result.edges.is_tie[t.index(e)] != 0;
     const double weight =
         is_tie ? 0 : session.cotangent_weight(e, statistics_tolerance) / t.input().names().sheets;
     trace += 2 * weight;
-    if (scaled_points.empty()) continue;
+    if (points.empty()) continue;
     for (unsigned k = 0; k < 3; ++k) {
-      const double d = scaled_points[i.index][k] - scaled_points[j.index][k];
+      const double d = std::ldexp(points[i][k] - points[j][k], s); // its square does not underflow
       dirichlet[k] += weight * d * d;
     }
   }
   result.area = std::ldexp(static_cast<double>(area), -2 * s - 2) / t.input().names().sheets;
   result.laplacian_trace = static_cast<double>(trace);
-  if (scaled_points.empty()) return;
+  if (points.empty()) return;
   result.dirichlet.emplace();
   for (unsigned k = 0; k < 3; ++k)
     (*result.dirichlet)[k] = std::ldexp(static_cast<double>(dirichlet[k]), -2 * s);
+}
+
+// Calls a function with the three vertices of each face of the input, by their numbers there. Where
+// only changed lengths are kept, and no connectivity, faces are those of the triangulation.
+template <class Triangulation, class Function>
+void for_each_input_face(const Triangulation& t, const Function& function) {
+  const Input_metric& metric = t.input().metric();
+  if (!metric.points().empty()) {
+    for (std::uint32_t f = 0; f < metric.number_of_faces(); ++f) {
+      const auto& [p, q, r] = metric.sides(f);
+      function(p, q, r);
+    }
+  } else if (const Input* input = t.input().surface()) {
+    for (std::uint32_t f = 0; f < input->number_of_faces(); ++f) {
+      const std::uint32_t h = input->halfedge_of_face(f);
+      function(input->source(h), input->target(h), input->target(input->next(h)));
+    }
+  } else
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
+      function(source(h, t.mesh()).index, target(h, t.mesh()).index, target(n, t.mesh()).index);
+    }
 }
 
 } // namespace internal
 
 /// returns the area of the input from its coordinates, before any mollification, in its units; NaN
 /// where the coordinates are not known; where polygons became planar, that of its faces.
-/// \param scaled_points one per vertex of the input, scaled as the metric is; none: those that the
-///   input has
-/// \pre no edge was flipped, unless traits are exact or it is known where edges run
+/// \param points one per row, in the units of the input; none: those that the input has
+/// \pre no edge was flipped, unless the input has points or it is known where edges run
 template <IntrinsicTriangulation Triangulation>
 double area_of_points(const Triangulation& t,
-                      const std::vector<std::array<double, 3>>& scaled_points = {}) {
-  const auto& p = scaled_points.empty() ? t.input().metric().points() : scaled_points;
-  if (p.empty()) return std::numeric_limits<double>::quiet_NaN();
+                      const std::vector<std::array<double, 3>>& points = {}) {
+  const std::vector<std::array<double, 3>>& kept = t.input().metric().points();
+  if (points.empty() && kept.empty()) return std::numeric_limits<double>::quiet_NaN();
   if (!t.input().planar_polygons().empty()) return stored_area(t);
+  const int s = t.input().scale_exponent();
+  const auto at = [&](std::uint32_t v) { // in units in which no product underflows
+    if (points.empty()) return kept[v];
+    std::array<double, 3> p = points[t.input().names().row(v)];
+    for (double& x : p) x = std::ldexp(x, s);
+    return p;
+  };
   long double sum = 0;
-  if constexpr (Triangulation::Metric::is_exact) {
-    if (scaled_points.empty()) { // the metric keeps input faces whatever was flipped
-      const Input_metric& input = t.input().metric();
-      for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
-        sum += area_in_space(p[input.sides(f)[0]], p[input.sides(f)[1]], p[input.sides(f)[2]]);
-      return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
-             t.input().names().sheets;
-    }
-  }
-  if constexpr (Triangulation::has_correspondence) { // stored ones were flipped
-    const Input& input = t.input();
-    for (std::uint32_t f = 0; f < input.number_of_faces(); ++f) {
-      const std::uint32_t h = input.halfedge_of_face(f);
-      sum += area_in_space(p[input.source(h)], p[input.target(h)], p[input.target(input.next(h))]);
-    }
-  } else
-    for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-      const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-      sum += area_in_space(p[source(h, t.mesh()).index], p[target(h, t.mesh()).index],
-                           p[target(n, t.mesh()).index]);
-    }
-  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent()) /
-         t.input().names().sheets;
+  internal::for_each_input_face(t, [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+    sum += area_in_space(at(p), at(q), at(r));
+  });
+  return std::ldexp(static_cast<double>(sum), -2 * s) / t.input().names().sheets;
 }
 
 /*!
@@ -189,16 +200,17 @@ double area_of_points(const Triangulation& t,
 With exact traits, stored values become as accurate as `statistics_tolerance`.
 \param t the triangulation
 \param constrained a readable property map from edges to whether they are kept
-\param scaled_points one per vertex of the triangulation, scaled as its metric is; or none
+\param points where each row is in space, in the units of the input, or none: then the energy of
+coordinates is not known. See `points_of_rows()`
 \complexity linear, and that of `check_delaunay()`
 */
 template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
 Measurements measure(Triangulation& t, const Constrained& constrained,
-                     const std::vector<std::array<double, 3>>& scaled_points = {}) {
+                     const std::vector<std::array<double, 3>>& points = {}) {
   Measurements result;
   result.edges = test_edges(t, constrained);
   result.quality = measure_quality(t, result.edges);
-  internal::integrate(t, scaled_points, result);
+  internal::integrate(t, points, result);
   return result;
 }
 
