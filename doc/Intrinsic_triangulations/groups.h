@@ -174,7 +174,7 @@ These pages describe the files: \ref page_file_format, \ref page_output_formats,
 // Headers: connectivity/moves.h domains/Delaunay_star.h domains/triangulate_polygons.h
 // Headers: domains/tufted_cover.h input/Input_metric.h input/Polygon_shaper.h
 // Headers: input/initial_values.h input/position_on_face.h input/renumbering.h input/scaling.h
-// Headers: input/triangulate_face_graph.h retriangulation/covers/
+// Headers: input/triangulate_face_graph.h metric/nearest_lengths.h retriangulation/covers/
 // Headers: retriangulation/delaunay/Delaunay_flipper.h retriangulation/optimization/Odt_optimizer.h
 // Headers: retriangulation/optimization/Planar_star.h
 // Headers: retriangulation/refinement/Constrained_segments.h

@@ -82,7 +82,7 @@ namespace case_FaceNorm {
 // A norm is of a vector in a face, not of a vector alone.
 // error: satisfaction of .FaceNorm<
 void misuse() {
-  scale_by_norm(Gluing_map(), [](Plane_vector<double>) { return 1.0; });
+  scale_by_norm(Gluing_map(), [](Unscaled_vector) { return 1.0; });
 }
 } // namespace case_FaceNorm
 

@@ -43,7 +43,7 @@ static_assert(IT::ScalableSurface<IT::Intrinsic_input>);
 static_assert(IT::ScalableSurface<archetypes::Readable_mesh>);
 static_assert(!IT::ScalableSurface<IT::Triangle_soup>);
 static_assert(IT::VertexFactors<archetypes::Vertex_factors, IT::Gluing_map>);
-static_assert(IT::FaceNorm<archetypes::Face_norm, IT::Gluing_map, IT::Plane_vector<double>>);
+static_assert(IT::FaceNorm<archetypes::Face_norm, IT::Gluing_map, IT::Unscaled_vector>);
 static_assert(IT::ConnectedTriangulation<archetypes::Measured_and_numbered_triangulation>);
 static_assert(!IT::ConnectedTriangulation<archetypes::Measured_triangulation>);
 static_assert(!IT::ConnectedTriangulation<archetypes::Numbered_triangulation>);

@@ -38,7 +38,7 @@ using Exact = IT::Intrinsic_triangulation<>;
 using Double = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>>;
 using Long_double = IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<long double>>;
 using Vector = std::array<double, 3>;
-using Planar = IT::Plane_vector<double>;
+using Planar = IT::Unscaled_vector;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 

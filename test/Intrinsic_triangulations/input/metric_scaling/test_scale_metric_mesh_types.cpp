@@ -25,7 +25,7 @@ using IT::Triangle_inequality;
 namespace {
 
 using Vector = std::array<double, 3>;
-using Planar = IT::Plane_vector<double>;
+using Planar = IT::Unscaled_vector;
 
 using properties::expect_near;
 

@@ -44,7 +44,7 @@ public:
   \param along factor along the direction, positive
   \param across factor across it, positive
   */
-  static Tensor_norm from_stretches(const Plane_vector<double>& direction, double along,
+  static Tensor_norm from_stretches(const Unscaled_vector& direction, double along,
                                     double across) {
     const double l = std::hypot(direction[0], direction[1]);
     const double x = direction[0] / l, y = direction[1] / l;
@@ -54,7 +54,7 @@ public:
   }
 
   /// measures a vector.
-  double operator()(const Plane_vector<double>& v) const {
+  double operator()(const Unscaled_vector& v) const {
     return std::hypot(map_[0] * v[0] + map_[1] * v[1], map_[2] * v[0] + map_[3] * v[1]);
   }
 

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
-#include <CGAL/Intrinsic_triangulations/input/scaling.h>
 
 #include <CGAL/number_utils.h>
 
@@ -73,6 +72,12 @@ Intrinsic_input scaled_input(Intrinsic_input&& in, std::vector<double> squared_l
 Scaled_metric scale_conformally(Metric_source&& s, const std::vector<double>& u,
                                 const Metric_scaling_options& options);
 
+// A vector of space in the units of the input, see `unscaled()` for those of the plane.
+inline std::array<double, 3> unscaled(std::array<double, 3> v, int scale_exponent) {
+  for (double& x : v) x = std::ldexp(x, -scale_exponent);
+  return v;
+}
+
 // Squared lengths: for each edge, the square of the mean of `norm(face, vector)` over its sides.
 // `sides(face number)` are the vectors; it may refer to `s`, which is left as it is until the last
 // line.
@@ -81,17 +86,14 @@ Scaled_metric scale_by_norm(const Mesh& mesh, Metric_source&& s, const Sides& si
                             const Norm& norm, const Metric_scaling_options& options) {
   std::vector<double> sum(s.in.mesh.number_of_edges(), 0);
   std::vector<unsigned char> count(sum.size(), 0);
-  const Power_of_two unit(-s.scale_exponent);
   std::uint32_t f = 0;
   for (const auto face : faces(named_mesh(mesh))) {
-    auto vectors = sides(f);
+    const auto vectors = sides(f); // of the plane or of space
     const std::array<std::uint32_t, 3> e = edges_of_face(s.in.mesh, f);
     for (std::size_t k = 0; k < 3; ++k) {
       ++count[e[k]];
       if (s.in.squared_lengths[e[k]] == 0) continue;
-      auto& v = vectors[k]; // of the plane or of space
-      for (std::size_t c = 0; c < sizeof v / sizeof v[0]; ++c) v[c] = unit(v[c]);
-      const double length = CGAL::to_double(norm(face, v));
+      const double length = CGAL::to_double(norm(face, unscaled(vectors[k], s.scale_exponent)));
       if (!std::isfinite(length) || !(length > 0))
         throw Invalid_input::about(Element_kind::face, f,
                                    " has a norm that gives its side " + std::to_string(k) +
@@ -210,7 +212,7 @@ with the face on its left: i -> j, j -> k, k -> i. On the border, one face count
 an edge are in one face, the norms of two vectors of that face are averaged. `Tensor_norm` makes
 norms from tensors and from stretches.
 \tparam Mesh see the file's description; faces must be triangles
-\tparam Norm a functor: `norm(face_descriptor, Plane_vector<double>)` is a length, positive and
+\tparam Norm a functor: `norm(face_descriptor, Unscaled_vector)` is a length, positive and
   homogeneous in the vector; descriptors as for `scale_conformally()`
 \param mesh the surface
 \param norm the norms
@@ -220,7 +222,7 @@ norms from tensors and from stretches.
   not a triangle, or as `scale_conformally()`
 \complexity linear, and that of `shorten_edges()`
 */
-template <ScalableSurface Mesh, FaceNorm<Mesh, Plane_vector<double>> Norm,
+template <ScalableSurface Mesh, FaceNorm<Mesh, Unscaled_vector> Norm,
           NamedParameters NP = parameters::Parameters<>>
 Scaled_metric scale_by_norm(const Mesh& mesh, const Norm& norm,
                             const NP& np = parameters::default_values()) {
