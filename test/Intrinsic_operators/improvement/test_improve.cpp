@@ -59,7 +59,7 @@ TEST(improve, flips_and_measure_agrees_with_matrices) {
     const Shape s = rough(seed);
     Triangulation t(s.input());
     const IT::Improvement done = IT::improve(t);
-    const IT::Measurements m = IT::measure(t, Labels(t), t.input().metric().points());
+    const IT::Measurements m = IT::measure(t, Labels(t), s.points);
     EXPECT_GT(done.flips.flips, 0U);
     EXPECT_EQ(m.edges.non_delaunay, 0U);
     EXPECT_GE(m.quality.minimum_weight, 0);
@@ -76,6 +76,18 @@ TEST(improve, flips_and_measure_agrees_with_matrices) {
       for (std::uint32_t v = 0; v < s.points.size(); ++v) x[v] = s.point(v)[c];
       EXPECT_NEAR((*m.dirichlet)[static_cast<std::size_t>(c)], x.dot(l * x), 1e-6) << seed;
     }
+  }
+}
+
+TEST(measure, area_of_points_is_that_of_the_input_after_flips_also_of_doubles_alone) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Shape s = rough(seed);
+    Double t(s.input());
+    IT::flip_to_delaunay(t);
+    EXPECT_NEAR(IT::area_of_points(t), area_in_space(s), 1e-12 * area_in_space(s));
+    std::vector<double> squares;
+    for (const auto e : edges(t.mesh())) squares.push_back(t.squared_length(e));
+    EXPECT_TRUE(std::isnan(IT::area_of_points(Double(IT::Intrinsic_input(t.mesh(), squares)))));
   }
 }
 
