@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -24,7 +26,7 @@ public:
   using Neighbour = Delaunay_star::Neighbour;
   using Point = Point_kernel::Point_2;
 
-  explicit Star_predicates(std::uint32_t center) : center_(center) {}
+  static constexpr double tie = Delaunay_star::tie;
 
   // where the direction of a point meets the square of the points with |x| + |y| = 1, along it;
   // with a relative error of 1e-15
@@ -42,21 +44,33 @@ public:
   static bool is_same_direction(const Neighbour& a, const Neighbour& b) {
     return std::abs(angle(a, b)) <= tie;
   }
-  static bool is_nearer(const Neighbour& a, const Neighbour& b) {
+  // which of them is nearer, or whether they are as near
+  static CGAL::Comparison_result compare_distances(const Neighbour& a, const Neighbour& b) {
     const double d = squared_distance(a), e = squared_distance(b);
-    if (is_in_range(e) && d < (1 - tie) * e) return true;
-    if (is_in_range(d) && e < (1 - tie) * d) return false;
-    if (is_in_range(d) && is_in_range(e)) return a.number < b.number;
+    if (is_in_range(e) && d < (1 - tie) * e) return CGAL::SMALLER;
+    if (is_in_range(d) && e < (1 - tie) * d) return CGAL::LARGER;
+    if (is_in_range(d) && is_in_range(e)) return CGAL::EQUAL;
     return Exactly<Exact::Compare_distance_2, Approximate::Compare_distance_2>()(
-               Point(0, 0), point(a), point(b)) == CGAL::SMALLER;
+        Point(0, 0), point(a), point(b));
   }
-  // whether the edge to `b` is Delaunay between those to `a` and `c`
-  bool is_kept(const Neighbour& a, const Neighbour& b, const Neighbour& c) const {
-    const CGAL::Oriented_side side = side_of_circle(a, b, c);
-    if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
-    const double excess = excess_in_space(a, b, c);
-    if (std::abs(excess) > tie) return excess > 0;
-    return std::min(center_, b.number) < std::min(a.number, c.number);
+  // By how much the edge to `b` is Delaunay between those to `a` and `c`: by less than `tie`, if
+  // four points are on a circle.
+  static double strength(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
+    if (turn(a, c) != CGAL::POSITIVE) return 1; // no edge from `a` to `c` is in front of `b`
+    const double in_plane = side_of_circle(a, b, c);
+    const bool is_open =
+        std::abs(in_plane) <= open && is_flat(a, b, 0.5) && is_flat(b, c, 0.5);
+    return is_open || is_on_circle_in_space(a, b, c) ? excess_in_space(a, b, c) : in_plane;
+  }
+  // whether the triangle of the origin is as large in the plane as a part of it in space
+  static bool is_flat(const Neighbour& a, const Neighbour& b, double part) {
+    return a.at[0] * b.at[1] - a.at[1] * b.at[0] >
+           part * norm(cross_product(a.in_space, b.in_space));
+  }
+  // whether the angle between two neighbours is above 5/6 pi
+  static bool is_wide(const Neighbour& a, const Neighbour& b) {
+    return a.at[0] * b.at[0] + a.at[1] * b.at[1] <
+           -std::sqrt(0.75 * squared_distance(a) * squared_distance(b));
   }
 
 private:
@@ -65,9 +79,6 @@ private:
   template <class E, class A>
   using Exactly = Point_kernel::Exactly<E, A>;
 
-  // Far above rounding, of coordinates a million times as large as distances, too; far below what
-  // changes a surface.
-  static constexpr double tie = 0x1p-30;
   // What the turn into the plane may change: from 1/16 to 1/4 clouds have the same areas up to 1 %
   // (0: 33 %); no quotient that squares on lattices have.
   static constexpr double open = 0.13;
@@ -92,27 +103,26 @@ private:
            angle(difference(a.in_space, b.in_space), difference(c.in_space, b.in_space)) -
            at_end(a) - at_end(c);
   }
-  // whether the triangle of the origin is about as large in the plane as in space
-  static bool is_flat(const Neighbour& a, const Neighbour& b) {
-    return 2 * (a.at[0] * b.at[1] - a.at[1] * b.at[0]) >
-           norm(cross_product(a.in_space, b.in_space));
+  // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. It
+  // tells less by the square: those that differ by 2^-15 pass, and angles decide.
+  static bool is_on_circle_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
+    const auto length = [](const Space_vector<double>& v) { return std::sqrt(inner_product(v, v)); };
+    const double diagonals = length(b.in_space) * length(difference(a.in_space, c.in_space)),
+                 sides = length(a.in_space) * length(difference(b.in_space, c.in_space)) +
+                         length(c.in_space) * length(difference(a.in_space, b.in_space));
+    return sides - diagonals <= tie * diagonals;
   }
-  // On which side of the circle through three points the origin is; on it, if the plane leaves that
-  // open: it differs from the surface by about the square of a neighbour's distance over the radius
-  // of curvature.
-  static CGAL::Oriented_side side_of_circle(const Neighbour& a, const Neighbour& b,
-                                            const Neighbour& c) {
+  // On which side of the circle through three points the origin is, from -1 to 1: positive inside.
+  // The plane leaves that open where it is small: it differs from the surface by about the square
+  // of a neighbour's distance over the radius of curvature.
+  static double side_of_circle(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
     double determinant = 0, size = 0;
     for (const auto& [p, q, r] : {std::array{&a, &b, &c}, {&b, &c, &a}, {&c, &a, &b}}) {
-      const double s = squared_distance(*p), x = q->at[0] * r->at[1], y = q->at[1] * r->at[0];
-      determinant += s * (x - y);
-      size += s * (std::abs(x) + std::abs(y));
+      const double s = squared_distance(*p);
+      determinant += s * (q->at[0] * r->at[1] - q->at[1] * r->at[0]);
+      size += s * std::sqrt(squared_distance(*q) * squared_distance(*r));
     }
-    if (is_in_range(size)) {
-      if (std::abs(determinant) <= (is_flat(a, b) && is_flat(b, c) ? open : tie) * size)
-        return CGAL::ON_ORIENTED_BOUNDARY;
-      return determinant > 0 ? CGAL::ON_POSITIVE_SIDE : CGAL::ON_NEGATIVE_SIDE;
-    }
+    if (is_in_range(size)) return determinant / size;
     return Exactly<Exact::Side_of_oriented_circle_2, Approximate::Side_of_oriented_circle_2>()(
         point(a), point(b), point(c), Point(0, 0));
   }
@@ -120,67 +130,102 @@ private:
   static double squared_distance(const Neighbour& a) {
     return a.at[0] * a.at[0] + a.at[1] * a.at[1];
   }
-
-  std::uint32_t center_;
 };
 
-// Keeps the nearest of those in one direction. Directions follow each other in a circle.
+// Keeps the nearest of those in one direction, or none if that is not one alone: points at one place
+// in the plane are beside it, and nothing says which of them is a neighbour. Directions follow each
+// other in a circle.
 static void drop_those_behind(std::vector<Delaunay_star::Neighbour>& neighbours) {
   using P = Star_predicates;
-  std::size_t kept = 0;
-  const auto keep_nearer = [&](std::size_t i, const Delaunay_star::Neighbour& a) {
-    if (P::is_nearer(a, neighbours[i])) neighbours[i] = a;
-  };
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    if (kept > 0 && P::is_same_direction(neighbours[kept - 1], neighbours[i]))
-      keep_nearer(kept - 1, neighbours[i]);
-    else
-      neighbours[kept++] = neighbours[i];
+  const std::size_t n = neighbours.size();
+  std::size_t first = 0, kept = 0;
+  while (first < n && P::is_same_direction(neighbours[(first + n - 1) % n], neighbours[first]))
+    ++first;
+  if (first < n) std::ranges::rotate(neighbours, neighbours.begin() + std::ptrdiff_t(first));
+  bool is_alone = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Delaunay_star::Neighbour& here = neighbours[i];
+    if (i == 0 || !P::is_same_direction(neighbours[i - 1], here)) {
+      if (!is_alone) --kept;
+      neighbours[kept++] = here;
+      is_alone = true;
+      continue;
+    }
+    const CGAL::Comparison_result c = P::compare_distances(here, neighbours[kept - 1]);
+    if (c == CGAL::SMALLER) neighbours[kept - 1] = here;
+    if (c != CGAL::LARGER) is_alone = c == CGAL::SMALLER;
   }
-  if (kept > 1 && P::is_same_direction(neighbours[kept - 1], neighbours[0]))
-    keep_nearer(0, neighbours[--kept]);
-  neighbours.resize(kept);
+  neighbours.resize(is_alone ? kept : kept - 1);
 }
 
-bool Delaunay_star::find(std::uint32_t center, std::vector<Neighbour>& neighbours) {
+// Leaves edges out that are not Delaunay, again and again; of two beside each other, the one that is
+// less so, and both if they are alike. So the result does not depend on where one begins.
+static void drop_those_in_front(std::vector<Delaunay_star::Neighbour>& star, bool is_closed) {
   using P = Star_predicates;
-  const P predicates(center);
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  for (Delaunay_star::Neighbour& a : star) a.strength = unknown;
+  for (std::size_t n = 0, kept = 0; n != star.size(); kept = 0) {
+    n = star.size();
+    if (!is_closed) star.front().strength = star.back().strength = 1;
+    for (std::size_t i = 0; i < n; ++i)
+      if (star[i].strength == unknown)
+        star[i].strength = P::strength(star[(i + n - 1) % n], star[i], star[(i + 1) % n]);
+    const double first = star.front().strength;
+    double before = star.back().strength;
+    bool is_last_dropped = false, is_first_dropped = false;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double here = star[i].strength, after = i + 1 < n ? star[i + 1].strength : first;
+      const bool is_dropped = here < -P::tie && here <= std::min(before, after) + P::tie;
+      if (!is_dropped) star[kept] = star[i];
+      if (!is_dropped && is_last_dropped) star[kept].strength = unknown;
+      if (is_dropped && kept > 0) star[kept - 1].strength = unknown;
+      if (is_dropped && i == 0) is_first_dropped = true;
+      if (!is_dropped) ++kept;
+      before = here;
+      is_last_dropped = is_dropped;
+    }
+    if (is_first_dropped) star[kept - 1].strength = unknown;
+    if (is_last_dropped) star[0].strength = unknown;
+    star.resize(kept);
+  }
+}
+
+// Where a closed star has a wide angle and its edges turn in space instead: there is a border. It
+// was closed since the plane is tilted. Points on a circle with it are on the border.
+// \return whether there is one; then the star begins behind it
+static bool open_at_border(std::vector<Delaunay_star::Neighbour>& neighbours) {
+  using P = Star_predicates;
+  const std::size_t n = neighbours.size();
+  std::size_t first = n, count = 0;
+  for (std::size_t i = 0; i < n && first == n; ++i) {
+    if (neighbours[i].is_tied()) continue;
+    for (count = 1; neighbours[(i + count) % n].is_tied();) ++count;
+    const auto &a = neighbours[i], &b = neighbours[(i + count) % n];
+    if (count < n && P::is_wide(a, b) && !P::is_flat(a, b, 0.5)) first = (i + count) % n;
+  }
+  if (first == n) return false;
+  std::ranges::rotate(neighbours, neighbours.begin() + static_cast<std::ptrdiff_t>(first));
+  neighbours.resize(n - (count - 1));
+  return true;
+}
+
+bool Delaunay_star::find(std::vector<Neighbour>& neighbours) {
+  using P = Star_predicates;
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });
   for (Neighbour& a : neighbours) a.direction = P::direction(a.at);
   std::ranges::sort(neighbours, {}, &Neighbour::direction);
   drop_those_behind(neighbours);
   const std::size_t n = neighbours.size();
   if (n < 2) return false;
-  // begin after a gap of half a turn, if there is one, else at the nearest, which is always in the
-  // star
-  std::size_t first = 0;
-  bool is_closed = true;
-  for (std::size_t i = 0; i < n && is_closed; ++i) {
-    is_closed = P::turn(neighbours[i], neighbours[(i + 1) % n]) == CGAL::POSITIVE;
-    if (!is_closed) first = (i + 1) % n;
-  }
-  const auto begin = neighbours.begin();
-  if (is_closed)
-    first =
-        static_cast<std::size_t>(std::min_element(begin, neighbours.end(), P::is_nearer) - begin);
-  std::rotate(begin, begin + static_cast<std::ptrdiff_t>(first), neighbours.end());
-  // from the nearer side, whatever the orientation of the plane: decisions in space need not agree
-  const bool is_mirrored = P::is_nearer(neighbours.back(), neighbours[is_closed ? 1 : 0]);
-  if (is_mirrored) std::reverse(begin + (is_closed ? 1 : 0), neighbours.end());
-  if (is_closed) neighbours.push_back(neighbours.front());
-  std::size_t kept = 0; // Graham's scan
-  for (const Neighbour& c : std::vector<Neighbour>(neighbours)) {
-    const auto is_kept = [&](const Neighbour& a, const Neighbour& b) {
-      return is_mirrored ? predicates.is_kept(c, b, a) : predicates.is_kept(a, b, c);
-    };
-    while (kept > 1 && !is_kept(neighbours[kept - 2], neighbours[kept - 1])) --kept;
-    neighbours[kept++] = c;
-  }
-  neighbours.resize(is_closed ? kept - 1 : kept);
-  if (is_mirrored) std::ranges::reverse(neighbours);
+  std::size_t first = n; // after a gap of half a turn
+  for (std::size_t i = 0; i < n; ++i)
+    if (P::turn(neighbours[i], neighbours[(i + 1) % n]) != CGAL::POSITIVE) first = (i + 1) % n;
+  const bool is_closed = first == n;
+  if (!is_closed) std::ranges::rotate(neighbours, neighbours.begin() + std::ptrdiff_t(first));
+  drop_those_in_front(neighbours, is_closed);
   if (neighbours.size() == 2 && P::turn(neighbours[0], neighbours[1]) != CGAL::POSITIVE)
     neighbours.clear(); // on a line
-  return is_closed;
+  return is_closed && !open_at_border(neighbours);
 }
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/domains/Stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,12 +91,15 @@ public:
     tree_.build();
   }
 
-  // Appends the star of a point, by names: the corners around it, in either direction.
-  // \return whether it goes all around
-  bool add(std::uint32_t center, std::vector<std::uint32_t>& corners) {
+  // Appends the corners around a point, by names, in either direction.
+  // \return whether they go all around
+  bool add(std::uint32_t center, Stars& stars) {
     find_neighbours(center);
-    const bool is_closed = Delaunay_star::find(names_[center], star_);
-    for (const Delaunay_star::Neighbour& a : star_) corners.push_back(a.number);
+    const bool is_closed = Delaunay_star::find(star_);
+    for (const Delaunay_star::Neighbour& a : star_) {
+      stars.corners.push_back(a.number);
+      stars.is_tied.push_back(a.is_tied() ? 1 : 0);
+    }
     return is_closed;
   }
 
@@ -148,8 +151,10 @@ private:
     const auto uneven = [this](std::size_t i) {
       return 1 + 0x1p-33 * static_cast<double>(star_[i].number * 2654435761U);
     };
-    Tangent_axes found = tangent_axes(covariance(even));
-    if (found.is_tie) found = tangent_axes(covariance(uneven));
+    Tangent_axes found = tangent_axes(covariance(even, 0));
+    // of planes that fit as well, one perpendicular to the way to the mean, if they differ in that
+    if (found.is_tie) found = tangent_axes(covariance(even, 0x1p-10));
+    if (found.is_tie) found = tangent_axes(covariance(uneven, 0));
     for (std::size_t i = 0; i < star_.size(); ++i) star_[i].at = turned(vectors_[i], found.axes);
   }
 
@@ -170,9 +175,10 @@ private:
     return {factor * at[0], factor * at[1]};
   }
 
-  // of the neighbours and the center, in units in which it neither overflows nor underflows
+  // Of the neighbours and the center, in units in which it neither overflows nor underflows.
+  // \param less how much less the way from the center to the mean counts
   template <class Weight>
-  Symmetric_matrix_3 covariance(const Weight& weight) const {
+  Symmetric_matrix_3 covariance(const Weight& weight, double less) const {
     double largest = 0, sum = 1; // the center has the weight 1
     for (const Vector& v : vectors_)
       largest = std::max({largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -192,6 +198,8 @@ private:
     };
     add({0, 0, 0}, 1);
     for (std::size_t i = 0; i < vectors_.size(); ++i) add(vectors_[i], weight(i));
+    for (unsigned i = 0; i < 3; ++i)
+      for (unsigned j = i; j < 3; ++j) m[i][j] -= less * sum * mean[i] * mean[j];
     for (unsigned i = 1; i < 3; ++i)
       for (unsigned j = 0; j < i; ++j) m[i][j] = m[j][i];
     return m;
@@ -259,54 +267,22 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
-// The stars of all points.
-struct Stars {
-  std::vector<std::uint32_t> corners;            // of one star after the other, by names
-  std::vector<std::array<std::size_t, 2>> range; // for each name; empty if it has no star
-  std::vector<char> is_open;                     // for each name
-  std::vector<std::pair<std::int64_t, std::uint32_t>> order; // of names, by signatures
-};
-
 static Stars find_stars(const std::vector<std::array<double, 3>>& points,
                         const std::vector<std::uint32_t>& members, std::size_t neighbours) {
   const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
   Local_triangulator triangulator(ordered, members, neighbours);
-  Stars stars{{}, {}, std::vector<char>(points.size(), 0), {}};
+  Stars stars{{}, {}, {}, std::vector<char>(points.size(), 0), {}};
   stars.range.assign(points.size(), {0, 0});
   stars.corners.reserve(6 * points.size() + 6); // the usual number
   for (std::uint32_t i = 0; const std::uint32_t center : members) {
     const std::size_t begin = stars.corners.size();
-    stars.is_open[center] = triangulator.add(i++, stars.corners) ? 0 : 1;
+    stars.is_open[center] = triangulator.add(i++, stars) ? 0 : 1;
     stars.range[center] = {begin, stars.corners.size()};
     stars.order.emplace_back(triangulator.signature(), center);
   }
   std::ranges::sort(stars.order);
+  Ties(stars).resolve();
   return stars;
-}
-
-// The triangles of all stars, ordered by what depends neither on axes nor on names: where faces of
-// the cover are alike, their order decides how they are glued.
-static std::vector<std::array<std::uint32_t, 3>> triangles_of(Stars stars) {
-  std::vector<std::uint32_t> rank(stars.range.size(), 0);
-  for (std::uint32_t i = 0; i < stars.order.size(); ++i) rank[stars.order[i].second] = i;
-  const auto is_before = [&rank](std::uint32_t v, std::uint32_t w) { return rank[v] < rank[w]; };
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(stars.corners.size());
-  for (const auto& [signature, center] : stars.order) {
-    const auto [from, to] = stars.range[center];
-    const std::span<std::uint32_t> star(stars.corners.data() + from, to - from);
-    if (star.empty()) continue;
-    const bool is_open = stars.is_open[center] != 0;
-    if (!is_open) {
-      std::ranges::rotate(star, std::ranges::min_element(star, is_before));
-      if (is_before(star.back(), star[1])) std::ranges::reverse(star.subspan(1));
-    } else if (is_before(star.back(), star.front())) {
-      std::ranges::reverse(star);
-    }
-    for (std::size_t i = 0; i + is_open < star.size(); ++i)
-      triangles.push_back({center, star[i], star[(i + 1) % star.size()]});
-  }
-  return triangles;
 }
 
 } // namespace internal
