@@ -38,23 +38,60 @@ class Clouds(unittest.TestCase):
             it.points(P).parametrize()
 
 
+def on_axis(radius, height, turns, rows):
+    """Rows of `turns` points about the z axis, at the given radii and heights."""
+    i, j = (x.ravel() for x in np.mgrid[:turns, :rows])
+    a, r, z = 2 * np.pi * i / turns, radius(j), height(j)
+    return np.column_stack([r * np.cos(a), r * np.sin(a), z + 0 * a])
+
+
+def sphere(turns, rows):
+    """Latitudes and longitudes, without poles."""
+    step = np.pi / (rows + 1)
+    return on_axis(lambda j: np.sin(step * (j + 1)), lambda j: np.cos(step * (j + 1)), turns, rows)
+
+
+def torus(turns, rows):
+    step = 2 * np.pi / rows
+    return on_axis(lambda j: 2 + np.cos(step * j), lambda j: np.sin(step * j), turns, rows)
+
+
+def box(a, b, c):
+    return 0.1 * np.array([(x, y, z) for x in range(a) for y in range(b) for z in range(c)
+                           if x in (0, a - 1) or y in (0, b - 1) or z in (0, c - 1)])
+
+
+# Four points are on a circle, which has six neighbours and more in all stars.
+EVEN = {"grid": np.column_stack([0.1 * x.ravel() for x in np.mgrid[:16, :12]] + [np.zeros(192)]),
+        "torus": torus(16, 12), "sphere": sphere(16, 12), "cube": box(6, 6, 6),
+        "cylinder": on_axis(lambda j: 1, lambda j: 0.4 * j, 16, 12),
+        "long cylinder": on_axis(lambda j: 1, lambda j: 0.26 * j, 24, 12)}
+
+
 def lattices():
-    """Clouds with ties: four neighbours on a circle wherever one looks."""
+    """Clouds with ties: four neighbours on a circle wherever one looks, or symmetric ones."""
     i, j = (x.ravel() for x in np.mgrid[:16, :12])
-    u, v, w = i * np.pi / 8, j * np.pi / 6, (j + 1) * np.pi / 13
-    ring = (np.cos(u), np.sin(u))
-    side = np.array([(x, y, z) for x in range(6) for y in range(6) for z in range(6)
-                     if {x, y, z} & {0, 5}])
     hexagons = np.column_stack([i + 0.5 * j, 0.75**0.5 * j, 0 * j])[(i - j) % 3 != 0]
-    return {"grid": np.column_stack([0.1 * i, 0.1 * j, 0 * i]), "hexagons": hexagons,
-            "torus": np.column_stack([(2 + np.cos(v)) * ring[0], (2 + np.cos(v)) * ring[1],
-                                      np.sin(v)]),
-            "sphere": np.column_stack([np.sin(w) * ring[0], np.sin(w) * ring[1], np.cos(w)]),
-            "cylinder": np.column_stack([ring[0], ring[1], 0.4 * j]), "cube": 0.1 * side}
+    x, y = (x.ravel() for x in np.mgrid[:9, :9])
+    gold = (1 + 5**0.5) / 2
+    icosahedron = [np.roll((0, a, b), k) for a in (1, -1) for b in (gold, -gold) for k in range(3)]
+    return {**EVEN, "hexagons": hexagons, "cone": on_axis(lambda j: j + 1, lambda j: j, 12, 5),
+            "sphere with many at its holes": sphere(32, 8), "tube of seven": torus(7, 9),
+            "fold": np.column_stack([x, np.maximum(y - 4, 0), np.maximum(4 - y, 0)]),
+            "bowl": np.column_stack([x, y, 0.05 * ((x - 4)**2 + (y - 4)**2)]),
+            "plate": box(9, 4, 3), "octahedron": np.vstack([np.eye(3), -np.eye(3)]),
+            "icosahedron": np.array(icosahedron), "cube of eight": box(2, 2, 2)}
+
+
+def random_clouds(random):
+    for k in range(5):
+        ball = random.normal(size=(200, 3))
+        yield f"ball {k}", ball / np.linalg.norm(ball, axis=1)[:, None]
+        yield f"plane {k}", np.column_stack([random.random((200, 2)), np.zeros(200)])
 
 
 class Ties(unittest.TestCase):
-    """Where four points are on a circle, rounding decides nothing that matrices show."""
+    """Where four points are on a circle, neither rounding nor numbers decide what matrices show."""
 
     def compare(self, P, Q, order, neighbors):
         for matrix in (it.Surface.laplacian, it.Surface.mass):
@@ -64,34 +101,42 @@ class Ties(unittest.TestCase):
 
     def test_turned_and_renumbered(self):
         rng = np.random.default_rng(8)
-        sphere = rng.normal(size=(200, 3))
-        random = {"plane": np.column_stack([rng.random((200, 2)), np.zeros(200)]),
-                  "ball": sphere / np.linalg.norm(sphere, axis=1)[:, None]}
         for neighbors in 10, 30:
-            for name, P in {**lattices(), **random}.items():
+            for name, P in [*lattices().items(), *random_clouds(rng)]:
                 with self.subTest(cloud=name, neighbors=neighbors):
                     turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-                    Q = P @ turn.T + rng.normal(size=3)
-                    self.compare(P, Q, np.arange(len(P)), neighbors)
-                    if name in RENUMBERED:
-                        order = rng.permutation(len(P))
-                        self.compare(P, Q[order], order, neighbors)
+                    turn *= np.linalg.det(turn)
+                    order = rng.permutation(len(P))
+                    self.compare(P, P[order], order, neighbors)
+                    self.compare(P, P[order] @ turn.T + rng.normal(size=3), order, neighbors)
+
+    def test_lattices_are_covered_evenly(self):
+        for name, P in EVEN.items():
+            with self.subTest(cloud=name):
+                triangles = np.sort(it._core.triangles_at_points(P, 30), axis=1)
+                copies = np.unique(triangles, axis=0, return_counts=True)[1]
+                self.assertEqual(set(copies), {3})
 
     def test_areas_of_lattices(self):
-        # of the quadrilaterals: a ring about the axis has the lengths of its two polygons
-        P = lattices()["torus"].reshape(16, 12, 3)
-        Q = np.roll(P, -1, axis=0)
-        R = np.roll(P, -1, axis=1)
-        S = np.roll(Q, -1, axis=1)
-        area = sum(np.linalg.norm(np.cross(b - P, S - P), axis=2).sum() / 2 for b in (Q, R))
-        found = it.points(P.reshape(-1, 3)).mass().diagonal()
-        self.assertAlmostEqual(found.sum() / area, 1, delta=1e-12)
-        self.assertGreater(found.min(), 0)
+        def of_rings(P, is_closed):
+            """The area of quadrilaterals, and of polygons at the ends."""
+            rows = 12
+            P = P.reshape(-1, rows, 3)
+            Q, R = np.roll(P, -1, axis=0), np.roll(P, -1, axis=1)
+            S = np.roll(Q, -1, axis=1)
+            return sum(np.linalg.norm(np.cross(b - P, S - P), axis=2)[:, :rows - (not is_closed)]
+                       .sum() / 2 for b in (Q, R))
 
-
-# Others have symmetries: their borders and edges are no manifold, and copies of faces there are
-# alike, so that numbers choose.
-RENUMBERED = "grid", "hexagons", "torus", "plane", "ball"
+        end = 16 / 2 * np.sin(np.pi / 8) * np.sin(np.pi / 13)**2  # a polygon around a pole
+        areas = {"grid": 1.65, "torus": of_rings(EVEN["torus"], True), "cube": 1.5,
+                 "sphere": of_rings(EVEN["sphere"], False) + 2 * end,
+                 "cylinder": 32 * np.sin(np.pi / 16) * 4.4,
+                 "long cylinder": 48 * np.sin(np.pi / 24) * 2.86}
+        for name, area in areas.items():
+            found = it.points(EVEN[name]).mass().diagonal()
+            with self.subTest(cloud=name):
+                self.assertAlmostEqual(found.sum() / area, 1, delta=1e-12)
+                self.assertGreater(found.min(), 0)
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")

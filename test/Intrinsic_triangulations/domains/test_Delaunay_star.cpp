@@ -28,10 +28,10 @@ Delaunay_star::Neighbour in_plane(const std::array<double, 2>& at, std::uint32_t
 }
 
 // the sides opposite the origin of the triangles there, sorted
-Pairs star(const Points& points, std::uint32_t center = 1000) {
+Pairs star(const Points& points) {
   std::vector<Delaunay_star::Neighbour> s;
   for (std::uint32_t i = 0; i < points.size(); ++i) s.push_back(in_plane(points[i], i));
-  const bool is_closed = Delaunay_star::find(center, s);
+  const bool is_closed = Delaunay_star::find(s);
   Pairs result;
   for (std::size_t i = 0; i + 1 < s.size(); ++i) result.emplace_back(s[i].number, s[i + 1].number);
   if (is_closed) result.emplace_back(s.back().number, s.front().number);
@@ -87,8 +87,7 @@ TEST(Delaunay_star, stays_when_points_are_turned) {
         points.push_back({double(x), double(y)});
         turned.push_back({scale * (c * x - slope * y), scale * (slope * x + c * y)});
       }
-    const auto center = static_cast<std::uint32_t>(random() % points.size());
-    EXPECT_EQ(star(points, center), star(turned, center)) << run;
+    EXPECT_EQ(star(points), star(turned)) << run;
   }
 }
 
@@ -109,7 +108,7 @@ TEST(Delaunay_star, has_the_same_diagonal_from_every_corner_of_a_bent_quadrilate
         const double factor = std::hypot(1, v[2] / std::hypot(v[0], v[1])); // keeps distances
         s.push_back({{factor * v[0], factor * v[1]}, (k + i) % 4, v});
       }
-      Delaunay_star::find(k, s);
+      Delaunay_star::find(s);
       has_diagonal[k] = s.size() == 3;
     }
     EXPECT_EQ(has_diagonal[0], has_diagonal[2]) << run;
@@ -140,24 +139,54 @@ TEST(Delaunay_star, leaves_out_what_is_behind_another_point) {
   EXPECT_EQ(star({{3, 0}, {1, 0}, {0, 2}, {0, 1}, {2, 0}}), (Pairs{{1, 3}}));
 }
 
-TEST(Delaunay_star, chooses_diagonals_by_number_whichever_point_it_is_of) {
-  // a square with the origin at a corner: the diagonal is at number 0, the least
-  const Points square{{1, 1}, {1, 0}, {0, 1}};
-  EXPECT_EQ(star(square, 7), (Pairs{{0, 2}, {1, 0}})) << "0 is across";
-  EXPECT_EQ(star({{1, 0}, {1, 1}, {0, 1}}, 7), (Pairs{{0, 2}})) << "0 is beside";
-  std::vector<Delaunay_star::Neighbour> s{in_plane({1, 0}, 5), in_plane({1, 1}, 6),
-                                          in_plane({0, 1}, 7)};
-  Delaunay_star::find(0, s);
-  EXPECT_EQ(s.size(), 3U) << "0 is here";
-  // on every point of a circle of eight, all triangles are at the least number
-  for (std::uint32_t least = 1; least < 8; ++least) {
-    const Points circle{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {0, -5}};
-    std::vector<Delaunay_star::Neighbour> others;
-    for (std::uint32_t i = 1; i < 8; ++i)
-      others.push_back(in_plane({circle[i][0] - circle[0][0], circle[i][1] - circle[0][1]},
-                                (i + 8 - least) % 8));
-    Delaunay_star::find(8 - least, others);
-    EXPECT_EQ(others.size(), least == 1 || least == 7 ? 2U : 3U) << least;
+TEST(Delaunay_star, leaves_points_at_one_place_in_the_plane_out) {
+  EXPECT_EQ(star({{1, 0}, {0, 1}, {0, 1}, {-1, 0.5}, {0, 2}}), (Pairs{{0, 3}}));
+}
+
+// numbers of the neighbours whose edges are kept, and whether they are tied
+using Tied = std::vector<std::pair<std::uint32_t, bool>>;
+Tied tied(const Points& points, std::size_t center, std::size_t first) {
+  std::vector<Delaunay_star::Neighbour> s;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t i = (first + k) % points.size();
+    const std::array at{points[i][0] - points[center][0], points[i][1] - points[center][1]};
+    if (i != center) s.push_back(in_plane(at, static_cast<std::uint32_t>(i)));
+  }
+  Delaunay_star::find(s);
+  Tied result;
+  for (const auto& a : s) result.emplace_back(a.number, a.is_tied());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Delaunay_star, keeps_and_marks_all_edges_between_points_on_a_circle) {
+  const Points circle{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {0, -5}};
+  for (std::uint32_t center = 0; center < 8; ++center) {
+    Tied expected;
+    for (std::uint32_t i = 0; i < 8; ++i)
+      if (i != center) expected.emplace_back(i, i != (center + 1) % 8 && i != (center + 7) % 8);
+    for (std::size_t first = 0; first < 8; ++first)
+      EXPECT_EQ(tied(circle, center, first), expected) << center << ", " << first;
+  }
+}
+
+// On the border circle of a tube the plane that fits is tilted: points of the circle are below.
+TEST(Delaunay_star, is_open_at_the_border_of_a_tube) {
+  for (const double tilt : {-0.2, -0.05, 0.05, 0.2}) {
+    std::vector<Delaunay_star::Neighbour> s;
+    for (int i = -3; i <= 3; ++i)
+      for (int j = 0; j <= 2; ++j) {
+        if (i == 0 && j == 0) continue;
+        const double a = i * M_PI / 8;
+        const std::array<double, 3> v{std::sin(a), 0.4 * j, std::cos(a) - 1};
+        const double x = v[0], y = std::cos(tilt) * v[1] + std::sin(tilt) * v[2];
+        const double factor = std::sqrt((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (x * x + y * y));
+        s.push_back({{factor * x, factor * y}, static_cast<std::uint32_t>(3 * (i + 3) + j), v});
+      }
+    EXPECT_FALSE(Delaunay_star::find(s)) << tilt;
+    ASSERT_GE(s.size(), 3U) << tilt;
+    EXPECT_EQ(s.front().number, 12U) << tilt;
+    EXPECT_EQ(s.back().number, 6U) << tilt;
   }
 }
 
