@@ -232,10 +232,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """Returns the mass matrix, a scipy.sparse.csr_matrix of shape (n, n).
 
         `kind` is "lumped": diagonal, a third of the area of the faces at each vertex, or on a cloud
-        of points the same as "voronoi", since its faces depend on rounding; "galerkin":
-        the integrals of products of hat functions; or "voronoi": diagonal, the signed area of the
-        cell between the vertex, the midpoints of its edges and the circumcenters of its faces,
-        which is negative where these lie beyond their faces. The sum of the entries is the area.
+        of points the same as "voronoi", since nothing chooses the diagonals of its squares;
+        "galerkin": the integrals of products of hat functions, which depend on such diagonals; or
+        "voronoi": diagonal, the signed area of the cell between the vertex, the midpoints of its
+        edges and the circumcenters of its faces, which is negative where these lie beyond their
+        faces. The sum of the entries is the area.
         The triangulation is that of `laplacian()`.
         """
         _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))

@@ -180,7 +180,8 @@ TEST(Delaunay_star, is_open_at_the_border_of_a_tube) {
         const double a = i * M_PI / 8;
         const std::array<double, 3> v{std::sin(a), 0.4 * j, std::cos(a) - 1};
         const double x = v[0], y = std::cos(tilt) * v[1] + std::sin(tilt) * v[2];
-        const double factor = std::sqrt((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (x * x + y * y));
+        const double factor =
+            std::sqrt((v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (x * x + y * y));
         s.push_back({{factor * x, factor * y}, static_cast<std::uint32_t>(3 * (i + 3) + j), v});
       }
     EXPECT_FALSE(Delaunay_star::find(s)) << tilt;

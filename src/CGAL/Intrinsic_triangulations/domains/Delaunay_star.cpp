@@ -58,8 +58,7 @@ public:
   static double strength(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
     if (turn(a, c) != CGAL::POSITIVE) return 1; // no edge from `a` to `c` is in front of `b`
     const double in_plane = side_of_circle(a, b, c);
-    const bool is_open =
-        std::abs(in_plane) <= open && is_flat(a, b, 0.5) && is_flat(b, c, 0.5);
+    const bool is_open = std::abs(in_plane) <= open && is_flat(a, b, 0.5) && is_flat(b, c, 0.5);
     return is_open || is_on_circle_in_space(a, b, c) ? excess_in_space(a, b, c) : in_plane;
   }
   // whether the triangle of the origin is as large in the plane as a part of it in space
@@ -106,7 +105,9 @@ private:
   // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. It
   // tells less by the square: those that differ by 2^-15 pass, and angles decide.
   static bool is_on_circle_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
-    const auto length = [](const Space_vector<double>& v) { return std::sqrt(inner_product(v, v)); };
+    const auto length = [](const Space_vector<double>& v) {
+      return std::sqrt(inner_product(v, v));
+    };
     const double diagonals = length(b.in_space) * length(difference(a.in_space, c.in_space)),
                  sides = length(a.in_space) * length(difference(b.in_space, c.in_space)) +
                          length(c.in_space) * length(difference(a.in_space, b.in_space));
@@ -132,9 +133,9 @@ private:
   }
 };
 
-// Keeps the nearest of those in one direction, or none if that is not one alone: points at one place
-// in the plane are beside it, and nothing says which of them is a neighbour. Directions follow each
-// other in a circle.
+// Keeps the nearest of those in one direction, or none if two are as near: points at one place in
+// the plane are on both sides of it, and nothing says which of them is a neighbour. Directions
+// follow each other in a circle.
 static void drop_those_behind(std::vector<Delaunay_star::Neighbour>& neighbours) {
   using P = Star_predicates;
   const std::size_t n = neighbours.size();
@@ -158,8 +159,8 @@ static void drop_those_behind(std::vector<Delaunay_star::Neighbour>& neighbours)
   neighbours.resize(is_alone ? kept : kept - 1);
 }
 
-// Leaves edges out that are not Delaunay, again and again; of two beside each other, the one that is
-// less so, and both if they are alike. So the result does not depend on where one begins.
+// Leaves edges out that are not Delaunay, again and again; of two beside each other, the one that
+// is less so, and both if they are alike. So the result does not depend on where one begins.
 static void drop_those_in_front(std::vector<Delaunay_star::Neighbour>& star, bool is_closed) {
   using P = Star_predicates;
   constexpr double unknown = std::numeric_limits<double>::infinity();

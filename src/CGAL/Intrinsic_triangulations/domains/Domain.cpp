@@ -226,8 +226,7 @@ static Domain domain_of_soup(Triangle_soup&& soup, Domain_kind kind, Mollificati
                              decltype(tufted_cover)& cover_of) {
   check_coordinates(soup.points);
   check_size_of_cover(soup.triangles.size());
-  Gluing faces =
-      unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
+  Gluing faces = unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
   const Sides_by_edge edges = sides_by_edge(faces);
   Intrinsic_input input;
   input.points = std::move(soup.points);
@@ -239,8 +238,7 @@ static Domain domain_of_soup(Triangle_soup&& soup, Domain_kind kind, Mollificati
   return domain_of_faces(
       std::move(input), std::move(faces), edges, {}, kind,
       [&](std::uint32_t e) { fail_nonmanifold(faces, edges[e], names); },
-      [&](std::uint32_t e) { return edge_with_faces(faces, edges[e], names); },
-      cover_of);
+      [&](std::uint32_t e) { return edge_with_faces(faces, edges[e], names); }, cover_of);
 }
 
 Domain domain_of_stars(Triangle_soup stars, Mollification mollification) {

@@ -228,7 +228,8 @@ public:
       apices_.push_back(faces_.origin[Gluing::next(Gluing::next(s.halfedge))]);
     const std::uint32_t h = fan[0].halfedge;
     if (!take_turns(apices_, order_))
-      order_ = order_around_edge(points_, faces_.origin[h], faces_.origin[Gluing::next(h)], apices_);
+      order_ =
+          order_around_edge(points_, faces_.origin[h], faces_.origin[Gluing::next(h)], apices_);
     // the order that repeated faces have is that about the first face's own direction
     if (!fan[0].is_along) std::ranges::reverse(order_);
     sorted_.clear();
