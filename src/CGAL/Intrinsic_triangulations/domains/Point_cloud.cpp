@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/Stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/domains/domain_of_stars.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
@@ -315,7 +314,8 @@ Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,
   soup.points = points;
   soup.input_faces = soup.triangles.size();
   Point_cloud cloud;
-  static_cast<Domain&>(cloud) = internal::domain_of_stars(std::move(soup), mollification);
+  static_cast<Domain&>(cloud) =
+      make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);
   cloud.report.sheets = cloud.input.names.sheets *= 3;
   cloud.report.reason =
       "the triangles at every point among its " + std::to_string(report.neighbours) + " neighbours";
