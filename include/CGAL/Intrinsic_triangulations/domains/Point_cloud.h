@@ -70,10 +70,12 @@ The nearest neighbours of each point are turned about it into the plane that fit
 their distances from it. The triangles at the point in their planar Delaunay triangulation
 approximate the surface there. Where four points are nearly on a circle in the plane, their angles
 in space decide, the same ones at each of the four, so that lattices on curved surfaces are covered
-evenly; the numbers of the points decide if those are equal up to rounding (2^-30). Neighbours that
-are as far as the last one count, too, and the order of faces is that of distances to neighbours. So
-matrices stay the same if all points are turned, and, but for symmetric borders and ridges, if they
-are numbered otherwise. The union of these triangles over all points has every
+evenly. If those are equal up to rounding (2^-30), the edge stays if other points have it; if all
+points of a circle have it, any diagonals do. Neighbours that are as far as the last one count, too.
+A star is open where it turns by more than 60 degrees across a wide angle. So matrices stay the same
+if points are turned or numbered otherwise, but for quadrilaterals that are not planar and whose
+diagonals a half turn of the whole cloud exchanges: there,
+and where symmetric points are covered unevenly, the numbers of points decide. The union of these triangles over all points has every
 neighbourhood about three times. The surface is its tufted cover (see `make_domain()`); it has six
 sheets, and matrices are divided by that many: they approximate those of the surface. With exact
 traits no weight of the Delaunay Laplacian is negative. Rows are points.
