@@ -59,7 +59,7 @@ sources of the library, see `src/instances/`.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS(prefix, ...)                                      \
   prefix Flip_to_delaunay_result internal::flip_from(                                              \
       __VA_ARGS__&, const Iterator_range<boost::graph_traits<Gluing_map>::edge_iterator>&,         \
-      const Static_boolean_property_map<Gluing_map::Edge, false>&, Flip_to_delaunay_visitor&,      \
+      const Static_boolean_property_map<Gluing_map::Edge, false>&, const internal::Flip_progress&, \
       std::uint64_t);                                                                              \
   prefix Flip_to_delaunay_result flip_to_delaunay(__VA_ARGS__&, const parameters::Parameters<>&);  \
   prefix bool is_delaunay(const __VA_ARGS__&);                                                     \
@@ -68,7 +68,8 @@ sources of the library, see `src/instances/`.
   prefix class internal::Refinement_moves<__VA_ARGS__>;                                            \
   prefix internal::Refined<Gluing_map::Face> internal::refine(                                     \
       __VA_ARGS__&, const internal::Refinement_settings&, const std::vector<char>&,                \
-      Refinement_visitor&);                                                                        \
+      const internal::Refinement_questions<__VA_ARGS__>&);                                         \
+  prefix class internal::Delaunay_refiner<__VA_ARGS__>;                                            \
   prefix Refinement_result<Gluing_map::Face> delaunay_refine(__VA_ARGS__&,                         \
                                                              const parameters::Parameters<>&)
 // instantiates the preparation of inputs of triangulations with a metric.

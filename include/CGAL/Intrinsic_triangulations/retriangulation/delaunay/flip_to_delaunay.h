@@ -19,6 +19,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <type_traits>
@@ -113,19 +114,22 @@ struct Flip_to_delaunay_visitor {
 
 namespace internal {
 
+// Asks a visitor of any type whether to go on.
+using Flip_progress = std::function<bool(const Flip_to_delaunay_result&)>;
+
 // Counts what a flipper does, and stops it.
-template <class Triangulation, class Constrained, class Visitor>
+template <class Triangulation, class Constrained>
 class Flip_observer {
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
 public:
   Flip_observer(const Triangulation& t, const typename Triangulation::Session& session,
-                Constrained constrained, Visitor& visitor, std::uint64_t cap)
-      : t_(t), session_(session), constrained_(constrained), visitor_(visitor), cap_(cap) {}
+                Constrained constrained, const Flip_progress& progress, std::uint64_t cap)
+      : t_(t), session_(session), constrained_(constrained), progress_(progress), cap_(cap) {}
 
   bool before_check() {
     if ((++result.checks & 0xffffU) != 0 && !watch_.is_stopped()) return true;
-    if (!watch_.is_stopped() && session_.suspended([this] { return visitor_.progress(result); }))
+    if (!watch_.is_stopped() && session_.suspended([this] { return progress_(result); }))
       return true;
     result.status = Status::cancelled;
     return false;
@@ -145,20 +149,19 @@ private:
   const Triangulation& t_;
   const typename Triangulation::Session& session_;
   Constrained constrained_;
-  Visitor& visitor_;
+  const Flip_progress& progress_;
   std::uint64_t cap_;
-  Proof_watch watch_{[this] { return visitor_.progress(result); }};
+  Proof_watch watch_{[this] { return progress_(result); }};
 };
 
 // Not inline, and without parameters by name: the library has it compiled for the usual
 // triangulations.
-template <class Triangulation, class EdgeRange, class Constrained, class Visitor>
+template <class Triangulation, class EdgeRange, class Constrained>
 Flip_to_delaunay_result flip_from(Triangulation& t, const EdgeRange& edges,
-                                  const Constrained& constrained, Visitor& visitor,
+                                  const Constrained& constrained, const Flip_progress& progress,
                                   std::uint64_t cap) {
   typename Triangulation::Session session(t);
-  Flip_observer<Triangulation, Constrained, Visitor> observer(t, session, constrained, visitor,
-                                                              cap);
+  Flip_observer<Triangulation, Constrained> observer(t, session, constrained, progress, cap);
   Delaunay_flipper<Triangulation> flipper(t, session);
   for (const typename Triangulation::edge_descriptor e : edges) flipper.push(halfedge(e, t.mesh()));
   flipper.run(observer);
@@ -210,7 +213,9 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
   const std::uint64_t cap = internal::value_or<maximum_number>(
       np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
                                           : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
-  return internal::flip_from(t, edges, constrained, observed, cap);
+  return internal::flip_from(
+      t, edges, constrained,
+      [&observed](const Flip_to_delaunay_result& r) { return bool(observed.progress(r)); }, cap);
 }
 
 /*!

@@ -82,8 +82,7 @@ Extrinsic_delaunay_mesh extrinsic_delaunay(const FaceGraph& mesh,
   settings.is_conforming = true;
 
   Corresponding_triangulation t(Intrinsic_input(mesh, Mollification::none));
-  Refinement_visitor visitor;
-  const auto refined = internal::refine(t, settings, bent_edges(t.input()), visitor);
+  const auto refined = internal::refine(t, settings, bent_edges(t.input()), {});
   const Common_subdivision s = common_subdivision(t);
   const std::vector<std::array<double, 3>> points = positions(s, mesh, t.input());
 

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -83,7 +84,7 @@ For fixed faces around a vertex, the energy is a quadratic polynomial of its pos
 towards the optimum lowers it, as long as all sides of the star stay visible. Splits and Delaunay
 flips lower it, too: with exact numbers the energy never rises.
 */
-template <class Triangulation, class Visitor>
+template <class Triangulation>
 class Odt_optimizer {
   using Mesh = typename Triangulation::Mesh;
   using Traits = boost::graph_traits<Mesh>;
@@ -92,10 +93,11 @@ class Odt_optimizer {
   using Halfedge = typename Triangulation::halfedge_descriptor;
 
 public:
-  /// takes the named parameters of `odt_optimize()`.
+  /// takes the named parameters of `odt_optimize()`, and what asks its visitor to go on.
   template <class NP>
-  Odt_optimizer(Triangulation& t, const NP& np, Visitor& visitor)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t), visitor_(visitor), flipper_(t, session_),
+  Odt_optimizer(Triangulation& t, const NP& np,
+                std::function<bool(const Odt_result&)> progress)
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t), progress_(std::move(progress)), flipper_(t, session_),
         number_of_iterations_(value_or<tags::number_of_iterations>(np, 100U)),
         convergence_(value_or<tags::convergence>(np, 1e-3)),
         cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
@@ -166,7 +168,7 @@ private:
   }
 
   bool may_go_on() {
-    if (!session_.suspended([this] { return visitor_.progress(result_); })) {
+    if (!session_.suspended([this] { return progress_(result_); })) {
       result_.status = Status::cancelled;
       is_going_on_ = false;
     }
@@ -322,7 +324,7 @@ private:
   const Mesh& mesh_;
   Session session_;
   Intrinsic_view<Triangulation> view_;
-  Visitor& visitor_;
+  std::function<bool(const Odt_result&)> progress_;
   Delaunay_flipper<Triangulation> flipper_;
   unsigned number_of_iterations_;
   double convergence_, squared_target_;

@@ -33,8 +33,7 @@ Constrained_segments restore_angles(Triangulation& t, const Refinement_settings&
   std::vector<char> is_kept(t.numbers().edge_capacity(t.mesh()), 0);
   for (const auto e : edges(t.mesh()))
     is_kept[t.index(e)] = optimizer.whole(t.index(e)) != Gluing::none ? 1 : 0;
-  Refinement_visitor visitor;
-  auto refined = refine(t, asked, is_kept, visitor);
+  auto refined = refine(t, asked, is_kept, {});
   result.insertions = refined.result.counts.inserted_vertices();
   result.unsatisfied_faces = refined.result.unsatisfied.size();
   if (refined.result.status != Status::done) result.status = refined.result.status;
@@ -86,8 +85,8 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const internal::Surface_check<Triangulation> check(t);
-  internal::Odt_optimizer<Triangulation, std::remove_reference_t<decltype(observed)>> optimizer(
-      t, np, observed);
+  internal::Odt_optimizer<Triangulation> optimizer(
+      t, np, [&observed](const Odt_result& r) { return bool(observed.progress(r)); });
   const internal::Constrained_parts parts(t, constrained);
   Odt_result result = optimizer.run(constrained);
   internal::Refinement_settings asked(np);

@@ -4,13 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_DELAUNAY_REFINER_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_moves.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_settings.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
@@ -20,38 +20,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// The options of `delaunay_refine()`: one type for all named parameters, so that refinement is
-// compiled once.
-struct Refinement_settings {
-  static constexpr double any = std::numeric_limits<double>::infinity();
-
-  double minimum_angle = 25, maximum_circumradius = any, maximum_edge_length = any;
-  Refinement_order order = Refinement_order::first_come;
-  bool is_conforming = false;
-  std::optional<std::uint64_t> maximum_insertions = std::nullopt;
-
-  Refinement_settings() = default;
-  template <class NP>
-  explicit Refinement_settings(const NP& np)
-      : minimum_angle(value_or<tags::minimum_angle>(np, 25.)),
-        maximum_circumradius(value_or<tags::maximum_circumradius>(np, any)),
-        maximum_edge_length(value_or<tags::maximum_edge_length>(np, any)),
-        order(value_or<tags::order>(np, Refinement_order::first_come)),
-        is_conforming(value_or<tags::conforming>(np, false)),
-        maximum_insertions(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())) {
-  }
-};
 
 /*!
 Refines a triangulation: Chew's second algorithm, intrinsically (§4.3 of the course, Algorithm 5).
@@ -71,7 +47,7 @@ keep theirs. Where no such place is found, the circumcenter is inserted without 
 other faces are done. So every vertex, copy or not, keeps the distance that Chew's argument needs,
 and refinement ends as if there were no copies.
 */
-template <class Triangulation, class Visitor>
+template <class Triangulation>
 class Delaunay_refiner {
   using Moves = Refinement_moves<Triangulation>;
   using Mesh = typename Triangulation::Mesh;
@@ -83,7 +59,8 @@ class Delaunay_refiner {
 public:
   using Result = Refinement_result<Face>;
 
-  Delaunay_refiner(Triangulation& t, const Refinement_settings& asked, Visitor& visitor)
+  Delaunay_refiner(Triangulation& t, const Refinement_settings& asked,
+                   const Refinement_questions<Triangulation>& visitor)
       : t_(t), mesh_(t.mesh()), view_(t), moves_(t, asked.is_conforming, state_),
         test_(asked.minimum_angle, asked.maximum_circumradius, asked.maximum_edge_length,
               t.metric().scale_exponent()),
@@ -132,10 +109,7 @@ private:
   }
 
   bool is_bad_for_visitor(Face f) {
-    if constexpr (std::is_same_v<Visitor, Refinement_visitor>)
-      return false;
-    else
-      return moves_.session().suspended([&] { return visitor_.is_bad(t_, f); });
+    return visitor_.is_bad && moves_.session().suspended([&] { return visitor_.is_bad(f); });
   }
 
   Face_values<double> approximation(Face f) const { return approximate_values(t_, f); }
@@ -307,7 +281,7 @@ private:
   Moves moves_;
   Refinement_test test_;
   std::map<Corners, int> refusals_; // how often no vertex could be inserted for a face
-  Visitor& visitor_;
+  const Refinement_questions<Triangulation>& visitor_;
   Proof_watch watch_{[this] { return visitor_.progress(state_.result.counts); }};
   Refinement_order order_;
   std::uint64_t cap_;
@@ -321,13 +295,13 @@ struct Refined {
   Constrained_segments segments;
 };
 
-// Not inline, and of few types: the library has it compiled for the usual triangulations.
-template <class Triangulation, class Visitor>
+// Not inline, and of one type: the library has it compiled for the usual triangulations.
+template <class Triangulation>
 Refined<typename Triangulation::face_descriptor>
 refine(Triangulation& t, const Refinement_settings& asked, const std::vector<char>& is_kept,
-       Visitor& visitor) {
+       const Refinement_questions<Triangulation>& visitor) {
   const Surface_check<Triangulation> check(t);
-  Delaunay_refiner<Triangulation, Visitor> refiner(t, asked, visitor);
+  Delaunay_refiner<Triangulation> refiner(t, asked, visitor);
   auto result = refiner.run(is_kept);
   check.conclude(result);
   return {std::move(result), refiner.take_segments()};

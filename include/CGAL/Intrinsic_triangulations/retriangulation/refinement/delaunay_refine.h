@@ -74,7 +74,8 @@ delaunay_refine(Triangulation& t, const NP& np = parameters::default_values()) {
   static_assert(std::is_base_of_v<Refinement_visitor, std::remove_reference_t<decltype(observed)>>,
                 "a visitor of refinement derives from Refinement_visitor");
   const internal::Constrained_parts parts(t, constrained);
-  auto refined = internal::refine(t, internal::Refinement_settings(np), parts.marks(t), observed);
+  auto refined = internal::refine(t, internal::Refinement_settings(np), parts.marks(t),
+                                  internal::Refinement_questions(t, observed));
   const Constrained_segments& segments = refined.segments;
   parts.write(t, [&](std::uint32_t e) {
     return segments.is_constrained(e) ? segments.whole(e) : Gluing::none;
