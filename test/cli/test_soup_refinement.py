@@ -33,6 +33,33 @@ class Soups(Cli_test):
                 if refine["unsatisfied_faces"] > 0:
                     self.assertLess(refine["min_angle_deg"], 25)
 
+    def test_of_repeated_right_triangles_end(self):
+        # a copy of a circumcenter on an edge came to lie on the circumcenter
+        points = [[0, 1, 0], [0, 2, 0], [1, 1, 2], [2, 2, 1], [2, 2, 2]]
+        faces = [[3, 4, 0], [0, 4, 3], [1, 2, 3], [0, 4, 2], [0, 4, 2], [2, 3, 1], [1, 0, 3], [3, 1, 0],
+                 [2, 1, 4], [4, 1, 2], [0, 3, 4], [4, 1, 3], [4, 3, 0], [3, 2, 0], [3, 0, 2]]
+        for k, (p, f) in enumerate([(points, faces)] + [soup_on_a_grid(seed) for seed in range(40)]):
+            with self.subTest(k):
+                refine = self.stats("refine", self.write_off("g.off", p, f), "--min-angle", "25")["refine"]
+                self.assertEqual(refine["status"], "done")
+                self.assertEqual(refine["unsatisfied"]["refused"], 0)
+
+
+def soup_on_a_grid(seed):
+    """Triangles of grid points, many of them right, with circumcenters on edges; some repeated."""
+    r = random.Random(seed)
+    points = [[r.randrange(3), r.randrange(3), r.randrange(3)] for _ in range(r.randrange(5, 8))]
+    faces = []
+    while len(faces) < 12:
+        f = r.sample(range(len(points)), 3)
+        a, b, c = (points[v] for v in f)
+        p, q = [x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)]
+        if any(p[i] * q[j] != p[j] * q[i] for i, j in ((0, 1), (0, 2), (1, 2))):
+            faces.append(f)
+        elif len({tuple(x) for x in points}) < 4:
+            return soup_on_a_grid(seed + 100000)
+    return points, faces + [r.sample(f, 3) for f in faces[:seed % 5]]
+
 
 def twisted_strip(r):
     """A strip that is turned half around once or twice, of random width."""

@@ -94,15 +94,18 @@ public:
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
-    const auto has_room = [&](const Surface_point& place) { return this->has_room(place, wanted); };
-    if (is_in_face && !std::ranges::all_of(copies_.missing(t_.index(n.vertex)), has_room) &&
-        session_.remove_vertex(n.vertex) == Move_status::done)
+    const bool have_room = std::ranges::all_of(copies_.missing(t_.index(n.vertex)), [&](auto& q) {
+      return has_room(q, is_in_face ? wanted : least);
+    });
+    // a vertex on an edge leaves other edges behind
+    if (is_in_face && !have_room && session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
     start_from(n.vertex);
     std::vector<std::uint32_t> all{t_.index(n.vertex)};
-    if (insert_copies(all) && (!flip() || std::ranges::all_of(all, [&](std::uint32_t v) {
-          return keeps_distance(t_, t_.numbers().vertex_at(v), least, v == all.front());
-        })))
+    const auto keeps = [&](std::uint32_t v) {
+      return keeps_distance(t_, t_.numbers().vertex_at(v), least, v == all.front());
+    };
+    if (have_room && insert_copies(all) && (!flip() || std::ranges::all_of(all, keeps)))
       return Insertion::done;
     copies_.take(all.front());
     for (const std::uint32_t v : all) {
@@ -148,7 +151,6 @@ public:
   }
 
 private:
-  // the observer of the flipper
   template <class May_go_on>
   struct Observer {
     Refinement_moves& moves;
@@ -166,8 +168,8 @@ private:
   };
 
   bool before_flip() {
-    if (Triangulation::Metric::is_exact || state_.result.counts.flips < flip_cap()) return true;
-    return state_.stop(Status::cap);
+    return Triangulation::Metric::is_exact || state_.result.counts.flips < flip_cap() ||
+           state_.stop(Status::cap);
   }
   bool is_constrained(Halfedge h) {
     const std::uint32_t e = number(h) / 2;
@@ -203,7 +205,7 @@ private:
   // such a copy stays: without it the parts of the segment would not be edges
   bool is_on_segment(Vertex v) const {
     bool is_on_one = false;
-    for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one = is_on_one || is_segment(h); });
+    for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one |= is_segment(h); });
     return is_on_one;
   }
 
@@ -248,11 +250,9 @@ private:
     if (is_on_segment(p)) return split_at(h, p.weights[1], place);
     const auto n = session_.insert_copy(h, p.weights, place);
     if (n.status != Move_status::done) return std::nullopt;
-    start_from(n.vertex);
-    return n.vertex;
+    return start_from(n.vertex), n.vertex;
   }
 
-  // \param place on the input, if known
   std::optional<Vertex> split_at(Halfedge h, double parameter,
                                  const std::optional<Surface_point>& place) {
     const std::uint32_t e = number(h) / 2;
