@@ -97,7 +97,8 @@ public:
   template <class NP>
   Odt_optimizer(Triangulation& t, const NP& np,
                 std::function<bool(const Odt_result&)> progress)
-      : t_(t), mesh_(t.mesh()), session_(t), view_(t), progress_(std::move(progress)), flipper_(t, session_),
+      : t_(t), mesh_(t.mesh()), session_(t), view_(t), progress_(std::move(progress)),
+        flipper_(t, session_),
         number_of_iterations_(value_or<tags::number_of_iterations>(np, 100U)),
         convergence_(value_or<tags::convergence>(np, 1e-3)),
         cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
