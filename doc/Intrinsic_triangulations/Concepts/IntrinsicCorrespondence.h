@@ -54,9 +54,9 @@ the side, and then flips the side. To remove it, it goes in the opposite order.
 | `flip_edge()`, \itf{flip_to_delaunay} | \itc{Flip} |
 | `undo_flip()`, \itc{Flip_log}, \itc{Geodesic_finder} | \itc{Flip}, whose `km` is the opposite of `ij` when it is taken back; the answer of `before()` does not matter |
 | `insert_vertex()`, in a face | \itc{Insertion_in_face} |
-| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused |
+| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused; its answer does not matter then |
 | the same on the border | \itc{Insertion_on_border} |
-| `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border} |
+| `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border}; if one is refused, flips are taken back |
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, if the model takes it and the metric can do it |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 

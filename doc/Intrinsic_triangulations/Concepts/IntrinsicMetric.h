@@ -17,7 +17,7 @@ they depend neither on the number type nor on the geometry.
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard;
 also copyable\, if triangulations are to be copied}
 
-\cgalHasModel{\itc{Ideal_hyperbolic_metric}\, \itc{Exact_ideal_hyperbolic_metric}\, and all models of \ref ::EuclideanMetric}
+\cgalHasModel{\itc{Ideal_hyperbolic_metric}\, \itc{Exact_ideal_hyperbolic_metric}\, \itc{Integer_only_metric}\, and all models of \ref ::EuclideanMetric}
 
 \cgalHeading{Types}
 
@@ -37,14 +37,15 @@ its value.
 | \itf{check_delaunay}, \itf{delaunay_tessellation}, `delaunay_sign()` | `delaunay_sign` |
 | `flip_status()` | `is_flippable` |
 | `flip_edge()` | also `compute_flip`, `store_flip` |
-| `undo_flip()`, \itc{Flip_log} | also `before_flip`, `undo_flip` |
+| `undo_flip()`, \itc{Flip_log} | also `before_flip` |
 | `scale_vertices()` | `set_factors`, `scale` |
 
 A model of \ref ::EuclideanMetric has `sign` in place of `delaunay_sign` and `is_flippable`.
 
 A metric decides alone, or by the input. A metric that decides by the input takes one more argument
 in its predicates: the triangulation that owns it passes an object with exact values.
-\itc{Exact_euclidean_metric} and \itc{Exact_ideal_hyperbolic_metric} do this.
+\itc{Exact_euclidean_metric}, \itc{Exact_ideal_hyperbolic_metric} and \itc{Integer_only_metric}, which
+stores nothing, do this.
 
 \cgalHeading{Invariants}
 

@@ -31,7 +31,7 @@ Two kinds of models differ in the functions for insertions:
 | operation | needs |
 |---|---|
 | `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge` of either kind, and the others to take them back |
-| `remove_vertex()` | `remove_from_face`, `remove_from_border_edge` |
+| `remove_vertex()` | `remove_from_face`, `remove_from_border_edge`; `before_flip`, to take flips back |
 | `reposition_vertex()` | all of these; `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does, and the correspondence takes \itc{Move_in_star} |
 
 \cgalHeading{Invariants}

@@ -155,14 +155,11 @@ public:
     quadruple_area_[d.g] = n.area_g;
   }
 
-  /// The old values of a flip.
-  using Before_flip = Flipped;
-  /// returns what a flip of the edge will replace.
-  Before_flip before_flip(const Diamond& d) const {
+  /// returns what a flip of the edge will replace; storing it takes the flip back.
+  Flipped before_flip(const Diamond& d) const {
     return {squared_length_[d.ij], quadruple_area_[d.f], quadruple_area_[d.g]};
   }
-  /// stores values that a flip has replaced.
-  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
+
   /*!
   \brief computes the values at a vertex inserted in a face, and stores them.
   \param s the star of the vertex; values of its sides and, in place of the first face, of the whole

@@ -148,11 +148,8 @@ public:
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
 
-  using Before_flip = Flipped; ///< The old values of a flip.
-  /// returns what a flip of the edge will replace.
-  Before_flip before_flip(const Diamond& d) const { return stored(d); }
-  /// stores values that a flip has replaced.
-  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
+  /// returns what a flip of the edge will replace; storing it takes the flip back.
+  Flipped before_flip(const Diamond& d) const { return stored(d); }
 
   /*!
   \brief stores the values at a vertex inserted in a face.

@@ -78,7 +78,7 @@ public:
   /// tells whether an edge is ideal Delaunay.
   template <class Exact>
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d, const Exact& exact) const {
-    ++statistics_.checks;
+    ++statistics().checks;
     const std::optional<Sign> s = filtered_sign(values(d));
     return (s ? *s : exact_sign(d, exact)) != NEGATIVE;
   }
@@ -88,12 +88,6 @@ public:
     const std::optional<Sign> s = filtered_sign(values(d));
     return s ? *s : exact_sign(d, exact);
   }
-  /// tells whether an edge can be flipped: always.
-  template <class Exact>
-  static bool is_flippable(const Diamond&, const Exact&) {
-    return true;
-  }
-
   /// computes a flip. \return the new values, always
   std::optional<Flipped> compute_flip(const Diamond& d) const {
     const FT lambda = flipped(values(d));
@@ -104,8 +98,6 @@ public:
     store(d.ij, n);
     signs_.forget(edges(d));
   }
-  /// stores values that a flip has replaced.
-  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
 
   /// sets the factors of vertices, by row. Call `scale()` for all edges next.
   /// \param rests see `Lambda_values`
@@ -123,7 +115,7 @@ public:
   /// makes the interval of an edge as narrow as its strip of input triangles allows.
   template <class Exact>
   void sharpen(std::uint32_t e, const Exact& exact) const {
-    ++statistics_.sharpenings[53];
+    ++statistics().sharpenings[53];
     const FT better = exact.template lambdas<FT>(std::array{e})[0];
     const auto [from, to] = exact.rows(e);
     store(e, {scaled(better, from, to), better});
@@ -144,8 +136,6 @@ public:
     }
     return result;
   }
-  /// returns how predicates were decided, which may be reset.
-  Predicate_statistics& statistics() const { return statistics_; }
 
 private:
   using Edges = std::array<std::uint32_t, 5>;
@@ -187,25 +177,25 @@ private:
   // not within the loop that flips
   template <class Exact>
   BOOST_NOINLINE Sign exact_sign(const Diamond& d, const Exact& exact) const {
-    ++statistics_.filter_failures;
+    ++statistics().filter_failures;
     if (const auto known = signs_.find(d.ij)) {
-      if (known->sign == ZERO) ++statistics_.certified_zero;
+      if (known->sign == ZERO) ++statistics().certified_zero;
       return known->sign;
     }
     for (const std::uint32_t e : edges(d))
       if (!is_narrow(e)) sharpen(e, exact);
     const Ideal_diamond_values<FT> sharp = values(d);
     if (const std::optional<Sign> s = filtered_sign(multiplied(sharp, unit(sharp)))) {
-      ++statistics_.escalations[53];
+      ++statistics().escalations[53];
       return *s;
     }
     if (const Uncertain<Sign> s = precise_sign(d, exact); is_certain(s)) {
-      ++statistics_.escalations[106];
+      ++statistics().escalations[106];
       signs_.remember(d.ij, {s.make_certain(), false});
       return s.make_certain();
     }
     const Sign s = CGAL::sign(Ideal_delaunay_expression()(exact_values<Gmpq>(d, exact)));
-    ++(s == ZERO ? statistics_.certified_zero : statistics_.integer);
+    ++(s == ZERO ? statistics().certified_zero : statistics().integer);
     signs_.remember(d.ij, {s, false});
     return s;
   }
@@ -228,7 +218,6 @@ private:
 
   std::vector<double> input_lambda_; // of the edges of the input
   mutable Remembered_signs signs_;
-  mutable Predicate_statistics statistics_;
 };
 
 /*!

@@ -79,7 +79,7 @@ public:
 
   /// tells whether an edge is ideal Delaunay, or rounding hides that it is not.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
-    ++statistics_.checks;
+    ++this->statistics().checks;
     const Ideal_diamond_values<FT> v = this->values(d);
     const FT outer = Ideal_delaunay_expression::outer(v),
              inner = Ideal_delaunay_expression::inner(v);
@@ -96,9 +96,6 @@ public:
     return s == NEGATIVE && is_tie_of_rounding(v) ? ZERO : s;
   }
 
-  /// tells whether an edge can be flipped: always.
-  static bool is_flippable(const Diamond&) { return true; }
-
   /// The new values of a flip.
   using Flipped = typename Base::Flipped;
   /*!
@@ -113,11 +110,6 @@ public:
   }
   /// stores what `compute_flip()` returned for a diamond.
   void store_flip(const Diamond& d, const Flipped& n) { this->store(d.ij, n); }
-  /// stores values that a flip has replaced.
-  void undo_flip(const Diamond& d, const Flipped& n) { store_flip(d, n); }
-
-  /// returns how predicates were decided, which may be reset.
-  Predicate_statistics& statistics() const { return statistics_; }
 
 private:
   // where products of four lambda lengths are accurate
@@ -152,8 +144,6 @@ private:
       if (!certainly(lambda < std::numeric_limits<FT>::infinity())) return false;
     return certainly(lambda > FT(0));
   }
-
-  mutable Predicate_statistics statistics_;
 };
 
 /*!

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_LAMBDA_VALUES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_LAMBDA_VALUES_H
 
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
@@ -51,9 +52,14 @@ public:
 
   /// The new values of a flip.
   using Flipped = Flipped_lambda<FT>;
-  using Before_flip = Flipped; ///< The old values of a flip.
-  /// returns what a flip of the edge will replace.
-  Before_flip before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
+  /// returns what a flip of the edge will replace; storing it takes the flip back.
+  Flipped before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
+
+  /// tells whether an edge can be flipped: always.
+  template <class... Exact>
+  static bool is_flippable(const Diamond&, const Exact&...) {
+    return true;
+  }
 
   /// sets the factors of vertices, by row. Call `scale()` for all edges next.
   /// \param rests what rounding took from each factor; none: nothing
@@ -94,6 +100,9 @@ public:
   /// returns s, where lengths are scaled by 2^s: those of the input, until there are factors.
   int scale_exponent() const { return scale_exponent_ - 2 * shared_exponent_; }
 
+  /// returns how predicates were decided, which may be reset.
+  Predicate_statistics& statistics() const { return statistics_; }
+
   /// multiplies a lambda length by the factors of its ends, given by row, in the units of
   /// `lambda()`.
   template <class Number>
@@ -129,6 +138,7 @@ private:
   std::vector<double> rests_;        // of them; empty: none
   int shared_exponent_ = 0;
   int scale_exponent_ = 0;
+  mutable Predicate_statistics statistics_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -25,6 +25,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -135,8 +136,7 @@ public:
     const Flip move = flip_record(h, mesh_, number_);
     const auto values = compute_values(move.diamond);
     if (!values) return Move_status::arithmetic;
-    if (!places_.before(t_, move) || !correspondence_.before(t_, move))
-      return Move_status::crossings;
+    if (!ask(move)) return Move_status::crossings;
     CGAL::Euler::flip_edge(h, mesh_);
     metric_.store_flip(move.diamond, *values);
     tell(move);
@@ -144,14 +144,13 @@ public:
   }
 
   // Takes back the flip of h, the last one; observers follow.
-  void undo_flip(Halfedge h,
-                 const Before_flip_of<Metric>& before) requires Remembers_flips<Metric> {
+  void undo_flip(Halfedge h, const typename Metric::Flipped& before) {
     Flip move = flip_record(h, mesh_, number_);
     move.km = move.ij ^ 1U;
     places_.before(t_, move);
     correspondence_.before(t_, move);
     flip_edge_back(h, mesh_);
-    metric_.undo_flip(move.diamond, before);
+    metric_.store_flip(move.diamond, before);
     places_.after_undoing(t_, move);
     t_.exact_memory_.after(move);
     correspondence_.after(t_, move);
@@ -173,46 +172,30 @@ public:
     return weights[2] == 0 ? insert_on_edge(h, weights, place) : insert_in_face(h, weights, place);
   }
 
-  // takes back what `insert()` did last
+  // Takes back what `insert()` of this object did last; observers follow.
   void undo_insertion(Halfedge h, const Weights& weights) {
-    if (weights[2] == 0 && is_on_border(h)) {
-      remove_from_border(h);
+    const bool is_on_edge = weights[2] == 0;
+    if (is_on_edge && is_on_border(h)) {
+      remove(h, Removal_from_border{star_on_border(h)}, false);
       return;
     }
-    if (weights[2] == 0) // four flips are the identity; the vertex is a source, then a target
-      if (flip_back(h) != Move_status::done || flip(h) != Move_status::done ||
-          flip_back(opposite(h, mesh_)) != Move_status::done)
-        return;
-    remove_from_face(h);
+    if (is_on_edge) undo_flip(h, *before_flip_);
+    remove(h, Removal_from_face{star_of_vertex(h)}, false);
   }
 
   Move_status remove_from_face(Halfedge h) {
-    const Removal_from_face move{star_of_vertex(h)};
-    if (!ask(move)) return Move_status::not_removable;
-    t_.rows_.remove(move.vertex);
-    metric_.remove_from_face(move.edges_and_faces());
-    remove_degree_3_vertex(h, mesh_, number_);
-    tell(move);
-    return Move_status::done;
+    return remove(h, Removal_from_face{star_of_vertex(h)}, true);
   }
-
   Move_status remove_from_border(Halfedge h) {
-    const Removal_from_border move{star_on_border(h)};
-    if (!ask(move)) return Move_status::not_removable;
-    t_.rows_.remove(move.vertex);
-    metric_.remove_from_border_edge(move.edges_and_faces());
-    remove_border_vertex(h, mesh_, number_);
-    tell(move);
-    return Move_status::done;
+    return remove(h, Removal_from_border{star_on_border(h)}, true);
   }
 
 private:
-  // Announcements have a fixed order. Removals are announced to the correspondence first, which may
-  // refuse one: own coordinates follow it at the announcement. They refuse none, since they come
-  // with exact traits only.
+  // All are asked, in a fixed order, before any follows: a refused move changes nothing.
   template <class Move>
   bool ask(const Move& move) {
-    return correspondence_.before(t_, move) && places_.before(t_, move);
+    const bool is_accepted = places_.before(t_, move); // both hear of moves that take others back
+    return correspondence_.before(t_, move) && is_accepted;
   }
   template <class Insertion_move>
   bool ask_to_insert(Insertion_move& move) {
@@ -254,8 +237,22 @@ private:
       return metric_.insert_in_border_edge(s, parameter);
   }
 
+  template <class Removal>
+  Move_status remove(Halfedge h, const Removal& move, bool can_be_refused) {
+    if (!ask(move) && can_be_refused) return Move_status::not_removable;
+    t_.rows_.remove(move.vertex);
+    if constexpr (std::is_same_v<Removal, Removal_from_face>) {
+      metric_.remove_from_face(move.edges_and_faces());
+      remove_degree_3_vertex(h, mesh_, number_);
+    } else {
+      metric_.remove_from_border_edge(move.edges_and_faces());
+      remove_border_vertex(h, mesh_, number_);
+    }
+    tell(move);
+    return Move_status::done;
+  }
+
   Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
-    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_in_face move{star_of_face(h), weights, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_face(h, mesh_, number_);
@@ -281,27 +278,19 @@ private:
     }
   }
 
-  // a flip after which the source of the edge is on, or within rounding of, the edge opposite it
-  Move_status flip_back(Halfedge h) {
-    if constexpr (Defined_by_places<Metric>)
-      if (t_.sign(diamond_of(h, mesh_, number_), Convexity_at_source_expression()) != ZERO)
-        return flip(h);
-    return flip_to_zero_area(h);
-  }
-
   // inside: a vertex in the face, at distance zero from the edge, which is flipped away
   Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place) {
     if (is_on_border(h)) return insert_on_border(h, weights[1], place);
     const Insertion n = insert_in_face(h, weights, place);
     if (n.status != Move_status::done) return n;
+    before_flip_ = metric_.before_flip(diamond_of(h, mesh_, number_));
     const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
     if (s == Move_status::done) return n;
-    remove_from_face(h);
+    remove(h, Removal_from_face{star_of_vertex(h)}, false);
     return {s};
   }
 
   Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place) {
-    if (!places_.define(t_)) return {Move_status::not_traceable};
     Insertion_on_border move{star_of_border_edge(h), parameter, place};
     if (!ask_to_insert(move)) return {Move_status::not_traceable};
     const Vertex v = split_border_edge(h, mesh_, number_);
@@ -326,6 +315,7 @@ private:
   Metric& metric_;
   typename Triangulation::Correspondence& correspondence_;
   typename Triangulation::Places& places_;
+  std::optional<typename Metric::Flipped> before_flip_; // of an edge with a new vertex on it
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -184,7 +184,7 @@ public:
   /// flips a flippable edge. \pre `flip_status(h)` is `done`
   Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip_consistently(h); }
   /// The old values of a flip, see `undo_flip()`.
-  using Before_flip = internal::Before_flip_of<typename Triangulation::Metric>;
+  using Before_flip = typename Triangulation::Metric::Flipped;
   /// returns what a flip of an edge with two faces will replace.
   Before_flip before_flip(halfedge_descriptor h)
       const requires internal::Remembers_flips<typename Triangulation::Metric> {

@@ -133,23 +133,11 @@ concept EuclideanMetric = IntrinsicMetric<Metric> &&
 
 namespace internal {
 
-// Returns the values that a flip will replace, and restores them.
+// Returns the values that a flip will replace.
 template <class Metric>
-concept Remembers_flips = requires(Metric& m, const Metric& c, const Diamond& d) {
-  { c.before_flip(d) } -> std::same_as<typename Metric::Before_flip>;
-  m.undo_flip(d, c.before_flip(d));
+concept Remembers_flips = requires(const Metric& c, const Diamond& d) {
+  { c.before_flip(d) } -> std::same_as<typename Metric::Flipped>;
 };
-
-template <class Metric>
-struct Known_before_flip {
-  using type = void*; // nothing
-};
-template <Remembers_flips Metric>
-struct Known_before_flip<Metric> {
-  using type = typename Metric::Before_flip;
-};
-template <class Metric>
-using Before_flip_of = typename Known_before_flip<Metric>::type;
 
 // Has lambda lengths, and multiplies those of edges by factors of their vertices.
 template <class Metric>
@@ -185,7 +173,7 @@ concept Defined_by_places = Decides_by_input<Metric> &&
 Syntax of \ref ::RefinableMetric, which describes its meaning.
 */
 template <class Metric>
-concept RefinableMetric = EuclideanMetric<Metric> &&
+concept RefinableMetric = EuclideanMetric<Metric> && internal::Remembers_flips<Metric> &&
     (internal::Measures_insertions<Metric> ||
      internal::Defined_by_places<Metric>)&&requires(Metric& m, const Vertex_star& star,
                                                     const Border_star& border) {

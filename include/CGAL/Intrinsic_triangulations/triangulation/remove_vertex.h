@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -40,6 +41,7 @@ template <class Triangulation>
 class Vertex_remover {
   using Mesh = typename Triangulation::Mesh;
   using Session = typename Triangulation::Session;
+  using Flipped = typename Session::Before_flip;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Triangulation::vertex_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -59,12 +61,12 @@ public:
         undo();
         return Move_status::not_removable;
       }
-      const Diamond_values<double> before = values(straight);
+      const Flipped before = session_.before_flip(straight);
       if (session_.flip_to_zero_area(straight) != Move_status::done) {
         undo();
         return Move_status::not_removable;
       }
-      undo_.push_back({straight, 1, before});
+      undo_.emplace_back(straight, before);
     }
     const Move_status s = is_border_
                               ? session_.remove_border_vertex(opposite(edges_.front(), mesh_))
@@ -78,11 +80,6 @@ private:
     double power;   // of the vertex with respect to the circle about the ear, negative inside
     double quality; // least new area by squared length
     Halfedge edge;
-  };
-  struct Undo {
-    Halfedge edge;
-    int flips;
-    Diamond_values<double> before;
   };
   // where the other end of an edge from the vertex is, that being at the origin
   struct Place {
@@ -147,13 +144,13 @@ private:
       if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
-      const Undo u{c.edge, 3, values(c.edge)};
+      const Flipped before = session_.before_flip(c.edge);
       const std::array<Plane_vector<double>, 3> kmj = ear(c.edge);
       if (session_.flip_status(c.edge) != Move_status::done ||
           session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
         continue; // whether it is Delaunay or not: a zero area, up to rounding, is removed with the
                   // vertex
-      undo_.push_back(u);
+      undo_.emplace_back(c.edge, before);
       correct(c.edge, kmj);
       return true;
     }
@@ -210,17 +207,6 @@ private:
     }
   }
 
-  // back to the values before a flip; two flips exchange the halfedges, thus the faces
-  void restore(const Undo& u) {
-    if constexpr (is_corrected) {
-      const auto& [ij, jk, ki, im, mj, f, g] = u.before;
-      if (u.flips == 3)
-        session_.correct_values(u.edge, {ij, f, g});
-      else
-        session_.correct_values(u.edge, {ij, g, f});
-    }
-  }
-
   // an edge to whose sides the vertex has a straight angle
   Halfedge straight_edge() {
     for (const Halfedge h : edges_)
@@ -240,20 +226,9 @@ private:
     }
   }
 
-  // back by three more flips: four are the identity; the edge that left a face of zero area comes
-  // back by one, its halfedges exchanged
   void undo() {
-    for (auto u = undo_.rbegin(); u != undo_.rend(); ++u) {
-      for (int i = 0; i < u->flips; ++i) flip_back(u->edge);
-      restore(*u);
-    }
-  }
-
-  // if rounding makes an area negative, it becomes zero
-  void flip_back(Halfedge h) {
-    if (session_.flip_non_delaunay_edge(h) == Move_status::done) return;
-    if (session_.flip_to_zero_area(h) == Move_status::done) return;
-    session_.flip_to_zero_area(opposite(h, mesh_));
+    for (; !undo_.empty(); undo_.pop_back())
+      session_.undo_flip(undo_.back().first, undo_.back().second);
   }
 
   // relative area that a face with a straight angle has by rounding after many moves
@@ -267,7 +242,7 @@ private:
   bool is_border_ = false;
   std::vector<Halfedge> edges_;
   std::vector<Candidate> candidates_;
-  std::vector<Undo> undo_;
+  std::vector<std::pair<Halfedge, Flipped>> undo_; // flips, and what they replaced
   std::vector<Place> places_;
 };
 

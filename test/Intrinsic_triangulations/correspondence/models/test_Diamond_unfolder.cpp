@@ -68,8 +68,9 @@ public:
     Integer_coordinates::after(t, move);
     const auto f = IT::flipped(values(move.diamond));
     length_[move.diamond.ij] = f.km;
-    area_[move.diamond.f] = f.area_f;
-    area_[move.diamond.g] = f.area_g;
+    const bool is_taken_back = move.km != move.ij;
+    area_[move.diamond.f] = is_taken_back ? f.area_g : f.area_f;
+    area_[move.diamond.g] = is_taken_back ? f.area_f : f.area_g;
   }
 
   template <class T>
@@ -98,13 +99,15 @@ public:
   }
 
   template <class T>
-  void after(const T&, const IT::Removal_from_face& move) {
+  void after(const T& t, const IT::Removal_from_face& move) {
+    Integer_coordinates::after(t, move);
     const auto [f, g, h] = move.faces;
     area_[f] = area_.at(f) + area_.at(g) + area_.at(h);
   }
 
   template <class T>
-  void after(const T&, const IT::Removal_from_border& move) {
+  void after(const T& t, const IT::Removal_from_border& move) {
+    Integer_coordinates::after(t, move);
     const IT::Border_star s = move.edges_and_faces();
     length_[s.ip] = IT::flipped(values({s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g})).km;
     area_[s.f] = area_.at(s.f) + area_.at(s.g);

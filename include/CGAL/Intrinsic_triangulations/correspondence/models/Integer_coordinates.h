@@ -216,20 +216,22 @@ public:
     roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
     roundabout_[pj] = slot;
     roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
-    if (kept_)
-      kept_.store_spoke(2, pk ^ 1U,
-                        insertion_.normal[2]); // parts of the border edge have no crossings
+    // parts of the border edge have no crossings
+    if (kept_) kept_.store_spoke(2, pk ^ 1U, insertion_.normal[2]);
   }
 
   /// announces the removal of a vertex of degree three.
-  /// \return whether curves run straight through the face without the vertex. Inexact arithmetic
-  /// may violate this; then nothing has changed
+  /// \return whether curves run straight through the face without it, unless arithmetic is inexact
   template <class Triangulation>
-  bool before(const Triangulation&, const Removal_from_face& move) {
+  bool before(const Triangulation&, const Removal_from_face& move) const {
+    return can_do_without_vertex(normals(move.sides), normals(move.spokes),
+                                 roundabout_[move.spokes[0] ^ 1U] != Gluing::none);
+  }
+
+  /// follows the removal of a vertex of degree three.
+  template <class Triangulation>
+  void after(const Triangulation&, const Removal_from_face& move) {
     const std::array<std::uint32_t, 3>&to = move.spokes, &sides = move.sides;
-    if (!can_do_without_vertex(normals(sides), normals(to),
-                               roundabout_[to[0] ^ 1U] != Gluing::none))
-      return false;
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t a = to[k], b = to[(k + 1) % 3];
       if (normal_[a / 2] >= 0 || normal_[b / 2] >= 0) continue;
@@ -242,24 +244,23 @@ public:
     for (const std::uint32_t s : to) normal_[s / 2] = 0;
     if (kept_)
       for (const std::uint32_t s : to) kept_.clear(s / 2);
-    return true;
   }
 
   /// announces the removal of a vertex from the border. \return as for a removal from a face
   template <class Triangulation>
-  bool before(const Triangulation&, const Removal_from_border& move) {
+  bool before(const Triangulation&, const Removal_from_border& move) const {
     const Normals sides{0, normal_[move.jk / 2], normal_[move.ki / 2]};
-    if (!can_do_without_vertex(sides, {-1, -1, normal_[move.pk / 2]}, true)) return false;
+    return can_do_without_vertex(sides, {-1, -1, normal_[move.pk / 2]}, true);
+  }
+
+  /// follows the removal of a vertex from the border.
+  template <class Triangulation>
+  void after(const Triangulation&, const Removal_from_border& move) {
     fans_.remove_fan(roundabout_[move.pj]);
     roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
     normal_[move.pj / 2] = normal_[move.pk / 2] = 0;
     if (kept_) kept_.clear(move.pk / 2);
-    return true;
   }
-
-  /// does nothing: the announcement has followed the removal.
-  template <class Triangulation, class Removal>
-  void after(const Triangulation&, const Removal&) {}
 
 protected:
   /// \cond

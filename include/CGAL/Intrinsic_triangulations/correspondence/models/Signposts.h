@@ -246,24 +246,24 @@ public:
     set_next(view, move.ki);
   }
 
-  /// announces the removal of a vertex of degree three. \return true
-  template <class Triangulation>
-  bool before(const Triangulation&, const Removal_from_face& move) {
-    for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
+  /// announces the removal of a vertex. \return true
+  template <class Triangulation, class Removal>
+  bool before(const Triangulation&, const Removal&) const {
     return true;
   }
 
-  /// announces the removal of a vertex from the border. \return true
+  /// follows the removal of a vertex of degree three.
   template <class Triangulation>
-  bool before(const Triangulation&, const Removal_from_border& move) {
+  void after(const Triangulation&, const Removal_from_face& move) {
+    for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
+  }
+
+  /// follows the removal of a vertex from the border.
+  template <class Triangulation>
+  void after(const Triangulation&, const Removal_from_border& move) {
     leave(move.pk ^ 1U, move.ki);
     signpost_[move.ip ^ 1U] = signpost_[move.pj ^ 1U];
-    return true;
   }
-
-  /// does nothing: the announcement has followed the removal.
-  template <class Triangulation, class Removal>
-  void after(const Triangulation&, const Removal&) {}
 
 private:
   // Fans from number_of_fans() on: those of inserted vertices, two each, one more on the border.

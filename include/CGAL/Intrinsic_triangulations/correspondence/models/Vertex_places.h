@@ -54,15 +54,6 @@ public:
     are_all_flips_ = false;
   }
 
-  // call it before an insertion; returns whether there are coordinates
-  bool define(const Triangulation& t) {
-    if (!are_all_flips_) return true;
-    if (coordinates(t) == nullptr) return false;
-    are_all_flips_ = false;
-    flips_.clear();
-    return true;
-  }
-
   // the flips since the input; null if there were other moves, or the triangulation was restored
   const Flip_list* flips() const { return are_all_flips_ ? &flips_ : nullptr; }
 
@@ -88,6 +79,7 @@ public:
   // observes moves like a correspondence
   template <class Move>
   bool before(const Triangulation& t, const Move& move) {
+    if (!std::same_as<Move, Flip> && coordinates(t) == nullptr) return false;
     if (!own_ || own_->before(t, move)) return true;
     if (!std::same_as<Move, Flip> || !are_all_flips_) return false;
     own_.reset(); // the flip must not be refused: from now on the list is enough
@@ -96,8 +88,12 @@ public:
   }
   template <class Move>
   void after(const Triangulation& t, const Move& move) {
-    if constexpr (std::same_as<Move, Flip>)
+    if constexpr (std::same_as<Move, Flip>) {
       if (are_all_flips_) flips_.add(move.ij);
+    } else {
+      are_all_flips_ = false;
+      flips_.clear();
+    }
     if (own_) own_->after(t, move);
   }
   // of a flip that takes back the last one
@@ -177,7 +173,6 @@ struct No_vertex_places {
   // called with flips only
   static Gluing_map connectivity(const Triangulation&) { return {}; }
   static bool are_input_lengths_positive(const Triangulation&) { return true; }
-  bool define(const Triangulation&) { return true; }
   void restore(const Triangulation&, const Integer_coordinates&) {}
   template <class Move>
   bool before(const Triangulation&, const Move&) {
