@@ -37,7 +37,7 @@ public:
   /// announces a flip. \return whether the new edge has at most
   /// `Diamond_unfolder::maximal_crossings`
   template <class Triangulation>
-  bool before(const Triangulation& t, const Flip& move) {
+  bool before(const Triangulation& t, const Flip& move) const {
     return Integer_coordinates::before(t, move) &&
            flipped_coordinate() <= Diamond_unfolder::maximal_crossings;
   }

@@ -130,13 +130,11 @@ public:
   /// \param coordinates how `map` lies on `input`, from which the correspondence is restored
   Intrinsic_triangulation(Gluing_map map, Metric metric, std::shared_ptr<const Input> input,
                           const Integer_coordinates& coordinates) requires
-      internal::Restorable<Correspondence_, Intrinsic_triangulation>
+      RestorableCorrespondence<Correspondence_, Intrinsic_triangulation>
       : input_(std::move(input)),
         numbered_(mesh_from_gluing_map<Mesh>(std::move(map))),
-        metric_(std::move(metric)),
-        rows_(*this) {
-    correspondence_.restore(*this, coordinates);
-    places_.restore(*this, coordinates);
+        metric_(std::move(metric)) {
+    with_observers([&](auto&... observers) { (observers.restore(*this, coordinates), ...); });
   }
 
   /// takes input, connectivity and the numbers of its elements from another triangulation.
@@ -144,13 +142,9 @@ public:
   template <class Triangulation>
   Intrinsic_triangulation(const Triangulation& t, Metric metric,
                           const Integer_coordinates& coordinates) requires
-      internal::Restorable<Correspondence_, Intrinsic_triangulation>
-      : input_(t.shared_input()),
-        numbered_(t.mesh(), t.numbers()),
-        metric_(std::move(metric)),
-        rows_(*this) {
-    correspondence_.restore(*this, coordinates);
-    places_.restore(*this, coordinates);
+      RestorableCorrespondence<Correspondence_, Intrinsic_triangulation>
+      : input_(t.shared_input()), numbered_(t.mesh(), t.numbers()), metric_(std::move(metric)) {
+    with_observers([&](auto&... observers) { (observers.restore(*this, coordinates), ...); });
   }
 
   /// copies everything but the input, which is shared; elements keep their numbers.
@@ -317,6 +311,12 @@ private:
                                     internal::Vertex_places<Intrinsic_triangulation>,
                                     internal::No_vertex_places<Intrinsic_triangulation>>;
 
+  // calls a function with all observers, in the order in which they are asked, and follow moves
+  template <class Function>
+  auto with_observers(const Function& f) {
+    return f(places_, exact_memory_, rows_, correspondence_);
+  }
+
   explicit Intrinsic_triangulation(internal::Prepared_input<Metric, Kept_input>&& p)
       : Intrinsic_triangulation(std::move(p.mesh), std::move(p.metric), std::move(p.input)) {}
 
@@ -335,9 +335,9 @@ template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_in
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
                                                           std::shared_ptr<const Kept_input> input)
     : input_(std::move(input)), numbered_(mesh_from_gluing_map<Mesh>(std::move(map))),
-      metric_(std::move(metric)), rows_(*this) {
+      metric_(std::move(metric)) {
   internal::expect_correspondence<Correspondence, Intrinsic_triangulation>();
-  correspondence_.start(*this);
+  with_observers([&](auto&... observers) { (observers.start(*this), ...); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

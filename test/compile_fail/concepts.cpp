@@ -116,6 +116,14 @@ namespace case_GeodesicTriangulation {
 void misuse(Integer_only_triangulation<>& t) { insert_geodesic(t, {}, {}); }
 } // namespace case_GeodesicTriangulation
 
+namespace case_IntegerCorrespondence {
+// Signposts are directions.
+// error: satisfaction of .IntegerCorrespondence<
+template <IntegerCorrespondence Correspondence>
+void use(const Correspondence&) {}
+void misuse(const Signposts& signposts) { use(signposts); }
+} // namespace case_IntegerCorrespondence
+
 namespace case_IntrinsicCorrespondence {
 // An observer that is told after a flip only cannot know what was there before.
 // error: satisfaction of .IntrinsicCorrespondence<
@@ -239,6 +247,15 @@ void misuse(Mirrored_proof& proof) {
 }
 } // namespace case_ProofOf
 
+namespace case_QueriedCorrespondence {
+// Curves have no answers of their own: `Curve_queries` finds them.
+// error: satisfaction of .QueriedCorrespondence<
+template <class Triangulation, class Correspondence>
+  requires QueriedCorrespondence<Correspondence, Triangulation>
+void use(const Correspondence&) {}
+void misuse(const Integer_coordinates& c) { use<Intrinsic_triangulation<>>(c); }
+} // namespace case_QueriedCorrespondence
+
 namespace case_QueriedTriangulation {
 // A mesh is on no other surface.
 // error: satisfaction of .QueriedTriangulation<
@@ -256,7 +273,7 @@ namespace case_RefinableMetric {
 // error: satisfaction of .RefinableMetric<
 struct Only_flips : Euclidean_metric<double> {
   using Euclidean_metric::Euclidean_metric;
-  bool insert_in_face(const Vertex_star&, const std::array<double, 3>&) = delete;
+  void insert_in_face(const Vertex_star&, const Vertex_move_values<double>&) = delete;
 };
 template <RefinableMetric Metric>
 void use(Metric&) {}
@@ -268,6 +285,24 @@ namespace case_RefinableTriangulation {
 // error: satisfaction of .RefinableTriangulation<
 void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
 } // namespace case_RefinableTriangulation
+
+namespace case_RepositioningCorrespondence {
+// Integers do not follow a vertex within its star.
+// error: satisfaction of .RepositioningCorrespondence<
+template <class Triangulation, class Correspondence>
+  requires RepositioningCorrespondence<Correspondence, Triangulation>
+void use(Correspondence&) {}
+void misuse(Integer_coordinates& c) { use<Intrinsic_triangulation<>>(c); }
+} // namespace case_RepositioningCorrespondence
+
+namespace case_RestorableCorrespondence {
+// Signposts are not made from integers.
+// error: satisfaction of .RestorableCorrespondence<
+template <class Triangulation, class Correspondence>
+  requires RestorableCorrespondence<Correspondence, Triangulation>
+void use(Correspondence&) {}
+void misuse(Signposts& signposts) { use<Intrinsic_triangulation<>>(signposts); }
+} // namespace case_RestorableCorrespondence
 
 namespace case_RingNumber {
 // Words have sums, but no products.

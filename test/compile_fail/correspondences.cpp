@@ -47,7 +47,7 @@ struct Hears_of_flips {
   template <class Triangulation>
   void start(const Triangulation&) {}
   template <class Triangulation>
-  bool before(const Triangulation&, const IT::Flip&) {
+  bool before(const Triangulation&, const IT::Flip&) const {
     return true;
   }
   template <class Triangulation>

@@ -101,20 +101,16 @@ struct Correspondence {
   template <class Triangulation>
   void start(const Triangulation&) {}
   template <class Triangulation, Documented_move Move>
-  bool before(const Triangulation&, const Move&) {
-    return announce();
+  bool before(const Triangulation&, const Move&) const {
+    ++announced;
+    return true;
   }
   template <class Triangulation, Documented_move Move>
   void after(const Triangulation&, const Move&) {
     ++done;
   }
-  int announced = 0, done = 0;
-
-private:
-  bool announce() {
-    ++announced;
-    return true;
-  }
+  mutable int announced = 0;
+  int done = 0;
 };
 
 /// Has no metric: it is Delaunay after one flip of every edge.

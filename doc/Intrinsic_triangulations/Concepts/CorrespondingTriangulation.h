@@ -51,8 +51,7 @@ public:
   /// makes what is stored of faces as accurate as it can be.
   void sharpen(std::span<const CGAL::Intrinsic_triangulations::Indexed_face> faces) const;
 
-  /// returns the correspondence: a model of \ref ::CurveCoordinates, or a class with `input()` and
-  /// a member template `queries(t)`, which returns an object with the functions of
-  /// \itc{Curve_queries}.
+  /// returns the correspondence: a model of \ref ::CurveCoordinates, or of
+  /// \ref ::QueriedCorrespondence.
   unspecified_type correspondence() const;
 };

@@ -34,17 +34,19 @@ insertion uses the numbers of removed elements again, or the next ones.
 
 \cgalHeading{Order of calls}
 
-Every move runs in one order. The triangulation makes a record of it, and computes the values of a
-flip. It passes the record to `before()` of the correspondence, which may refuse. Connectivity and
-metric change. Then the triangulation passes the record to `after()`. Both calls get the same
-record, except that new elements are `Gluing::none` before an insertion. The triangulation does not
-announce a move that connectivity or convexity forbids. It may announce an insertion and then not
-make it, because an inexact number type cannot hold the result: then the next call announces another
-move. With exact traits the record of an insertion names the place on the input that defines the
+Every move is planned, then made. The triangulation makes a record of it, and computes the values of
+a flip. It passes the record to `before()`, which may refuse, and is const: what it finds out for
+`after()` is in mutable members. If no observer refuses, and the arithmetic can hold the result,
+connectivity and metric change, and the triangulation passes the record to `after()`. Otherwise the
+next call announces another move. Both calls get the same record, except that new elements are
+`Gluing::none` before an insertion. The triangulation does not announce a move that connectivity or
+convexity forbids. With exact traits the record of an insertion names the place on the input that defines the
 vertex, unless the correspondence finds this place, as \itc{Integer_coordinates} does.
 
 To insert a vertex on an inner edge, the triangulation inserts it in a face, at distance zero from
-the side, and then flips the side. To remove it, it goes in the opposite order.
+the side, and then flips the side. To remove it, it goes in the opposite order. If a later move of
+such a sequence is refused, the triangulation takes back those before, with the old values of the
+metric; nobody can refuse that.
 
 \cgalHeading{Which operation makes which moves}
 
@@ -57,21 +59,22 @@ the side, and then flips the side. To remove it, it goes in the opposite order.
 | `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused; its answer does not matter then |
 | the same on the border | \itc{Insertion_on_border} |
 | `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border}; if one is refused, flips are taken back |
-| `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, if the model takes it and the metric can do it |
+| `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, see \ref ::RepositioningCorrespondence |
 | \itf{common_subdivision}, queries | not part of this concept: see \ref ::CurveCoordinates |
 
 The C++20 concept requires all five, so that a triangulation can make every move. If you need only
 one of them, derive from \itc{No_correspondence}, as the example does.
 
-A model may also have `restore(t, coordinates)`. When a triangulation is read from a file, the
-reader calls it in place of `start(t)`, with the \itc{Integer_coordinates} of the file. A class that
-derives from \itc{No_correspondence} inherits one that does nothing.
+A model can do more: \ref ::RestorableCorrespondence, \ref ::IntegerCorrespondence,
+\ref ::QueriedCorrespondence, \ref ::RepositioningCorrespondence.
 
 \cgalHeading{Invariants}
 
 - After `start()` and after every `after()` the model describes the triangulation that it was called
   with.
-- If a `before()` returns false, nothing has changed, not in the model either.
+- If a `before()` returns false, nothing has changed, not in the model either: a directly announced
+  move changes nothing at all. A sequence of moves that is refused in the middle leaves connectivity,
+  values and numbers of elements as they were, and directions of signposts up to rounding.
 
 \cgalHeading{Complexity}
 
@@ -91,7 +94,7 @@ public:
   \return whether the flip may go on; if not, nothing has changed
   */
   template <class Triangulation>
-  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
+  bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move) const;
   /// is called after a flip: mesh and metric of `t` are as after it.
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
@@ -101,7 +104,7 @@ public:
   */
   template <class Triangulation>
   bool before(const Triangulation& t,
-              const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
+              const CGAL::Intrinsic_triangulations::Insertion_in_face& move) const;
   /// is called after the insertion; the record names the new elements.
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
@@ -111,7 +114,7 @@ public:
   */
   template <class Triangulation>
   bool before(const Triangulation& t,
-              const CGAL::Intrinsic_triangulations::Insertion_on_border& move);
+              const CGAL::Intrinsic_triangulations::Insertion_on_border& move) const;
   /// is called after the insertion; the record names the new elements.
   template <class Triangulation>
   void after(const Triangulation& t,
@@ -122,7 +125,7 @@ public:
   */
   template <class Triangulation>
   bool before(const Triangulation& t,
-              const CGAL::Intrinsic_triangulations::Removal_from_face& move);
+              const CGAL::Intrinsic_triangulations::Removal_from_face& move) const;
   /// is called after the removal: the first face of the record is the whole one.
   template <class Triangulation>
   void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);
@@ -132,7 +135,7 @@ public:
   */
   template <class Triangulation>
   bool before(const Triangulation& t,
-              const CGAL::Intrinsic_triangulations::Removal_from_border& move);
+              const CGAL::Intrinsic_triangulations::Removal_from_border& move) const;
   /// is called after the removal: `ip` and `f` of the record are the whole edge and face.
   template <class Triangulation>
   void after(const Triangulation& t,

@@ -17,9 +17,9 @@ not compile.
 
 \cgalHeading{What defines an inserted vertex}
 
-Two kinds of models differ in the functions for insertions:
+Two kinds of models differ in where the values of insertions come from:
 
-- A metric that *measures* insertions computes new values from stored ones, and from barycentric
+- A metric that *measures* insertions has `inserted_values`. It computes new values from stored ones, and from barycentric
   coordinates in the intrinsic face: \itc{Euclidean_metric}.
 - A metric that is *defined by places* receives the values from the triangulation, which stores
   where all vertices are on the input: \itc{Exact_euclidean_metric}. A vertex is exactly at a point
@@ -30,9 +30,9 @@ Two kinds of models differ in the functions for insertions:
 
 | operation | needs |
 |---|---|
-| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge` of either kind, and the others to take them back |
+| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge`; `inserted_values`, if the metric measures insertions; the others, to take them back |
 | `remove_vertex()` | `remove_from_face`, `remove_from_border_edge`; `before_flip`, to take flips back |
-| `reposition_vertex()` | all of these; `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does, and the correspondence takes \itc{Move_in_star} |
+| `reposition_vertex()` | all of these; `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does, and the correspondence is a \ref ::RepositioningCorrespondence |
 
 \cgalHeading{Invariants}
 
@@ -48,35 +48,34 @@ public:
   /// Number type of stored values.
   typedef unspecified_type FT;
   /*!
-  \brief computes the values at a vertex inserted in a face, and stores them, if the metric measures
-  insertions.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
-    one are stored
+  \brief computes the values at a vertex inserted in a face, if the metric measures insertions.
+  \param s the star of the vertex, without spokes: the sides and the first face are stored
   \param weights barycentric coordinates, multiples of 2^-52 that sum to 1
-  \return whether it was done; if not, nothing has changed
+  \return nothing if the arithmetic cannot hold them
   */
-  bool insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
-                      const std::array<double, 3>& weights);
+  std::optional<CGAL::Intrinsic_triangulations::Vertex_move_values<FT>>
+  inserted_values(const CGAL::Intrinsic_triangulations::Vertex_star& s,
+                  const std::array<double, 3>& weights) const;
+  /*!
+  \brief computes the values at a vertex inserted on a border edge, if the metric measures
+  insertions.
+  \param s the star of the vertex, where `ip` is the whole edge and `f` the whole face
+  \param parameter weight of `j`
+  \return see `insert_in_border_edge()`; nothing if the arithmetic cannot hold them
+  */
+  std::optional<CGAL::Intrinsic_triangulations::Vertex_move_values<FT>>
+  inserted_values(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter) const;
   /// stores the values of a face from which a vertex is removed, in place of the first face of the
   /// star.
   void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
-  /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them, if the metric
-  measures insertions.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
-    edge and face
-  \param parameter weight of `j`
-  \return whether it was done; if not, nothing has changed
-  */
-  bool insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter);
   /// stores the values of a border edge and its face from which a vertex is removed.
   void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
-  /// stores the values at a vertex inserted in a face, if the metric is defined by places.
+  /// stores the values at a vertex inserted in a face; values of its sides and, in place of the
+  /// first face, of the whole one are stored.
   void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
                       const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
   /*!
-  \brief stores the values at a vertex inserted on a border edge, if the metric is defined by
-  places.
+  \brief stores the values at a vertex inserted on a border edge.
   \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
     edge and face
   \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip

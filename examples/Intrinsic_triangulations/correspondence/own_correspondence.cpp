@@ -24,7 +24,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 // What is not observed is inherited from the model that observes nothing.
 struct Flip_recorder : IT::No_correspondence {
   template <class Triangulation>
-  bool before(const Triangulation&, const IT::Flip&) {
+  bool before(const Triangulation&, const IT::Flip&) const {
     return true; // false refuses the flip
   }
   template <class Triangulation>

@@ -8,7 +8,10 @@
 #include "mesh_types.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
@@ -118,7 +121,13 @@ struct Correspondence_that_hears_too_late {
 };
 struct Correspondence_that_cannot_refuse : archetypes::Correspondence {
   template <class Triangulation>
-  void before(const Triangulation&, const IT::Removal_from_face&) {}
+  void before(const Triangulation&, const IT::Removal_from_face&) const {}
+};
+struct Correspondence_that_changes_when_asked : archetypes::Correspondence {
+  template <class Triangulation, class Move>
+  bool before(const Triangulation&, const Move&) {
+    return true;
+  }
 };
 
 static_assert(IT::IntrinsicCorrespondence<archetypes::Correspondence, archetypes::Triangulation>);
@@ -127,6 +136,31 @@ static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, IT::Intrinsic_t
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_nothing, Archetypical>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_too_late, Archetypical>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_cannot_refuse, Archetypical>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_changes_when_asked, Archetypical>);
+
+// ---- what a correspondence can do besides
+
+using Usual = IT::Intrinsic_triangulation<>;
+using With_signposts =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Signposts>;
+
+static_assert(IT::RepositioningCorrespondence<IT::No_correspondence, Usual>);
+static_assert(IT::RepositioningCorrespondence<IT::Signposts, With_signposts>);
+static_assert(!IT::RepositioningCorrespondence<IT::Integer_coordinates, Usual>);
+static_assert(!IT::RepositioningCorrespondence<archetypes::Correspondence, Archetypical>);
+
+static_assert(IT::RestorableCorrespondence<IT::No_correspondence, Usual>);
+static_assert(IT::RestorableCorrespondence<IT::Integer_coordinates, Usual>);
+static_assert(!IT::RestorableCorrespondence<IT::Signposts, Usual>);
+static_assert(!IT::RestorableCorrespondence<archetypes::Correspondence, Archetypical>);
+
+static_assert(IT::IntegerCorrespondence<IT::Integer_coordinates>);
+static_assert(!IT::IntegerCorrespondence<IT::Signposts>);
+static_assert(!IT::IntegerCorrespondence<IT::No_correspondence>);
+
+static_assert(IT::QueriedCorrespondence<IT::Signposts, With_signposts>);
+static_assert(!IT::QueriedCorrespondence<IT::Integer_coordinates, Usual>);
+static_assert(!IT::QueriedCorrespondence<archetypes::Correspondence, Archetypical>);
 
 // ---- the archetypes are enough for the algorithms
 

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -139,27 +141,30 @@ private:
 template <class Coordinates>
 class Vertex_rows {
 public:
-  Vertex_rows() = default;
+  // observes moves like a correspondence
   template <class Triangulation>
-  explicit Vertex_rows(const Triangulation& t)
-      : first_(t.input().number_of_vertices()), first_row_(t.input().number_of_rows()),
-        is_cover_(Triangulation::has_correspondence && t.input().names().sheets > 1) {
+  void start(const Triangulation& t) {
+    first_ = t.input().number_of_vertices();
+    first_row_ = t.input().number_of_rows();
+    is_cover_ = Triangulation::has_correspondence && t.input().names().sheets > 1;
     for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
-      if (t.is_inserted(v)) insert(t.index(v));
+      if (t.is_inserted(v)) set(t.index(v), true);
   }
-
-  // the number of an inserted vertex, and of one that is removed
-  void insert(std::uint32_t number) {
-    const std::uint32_t i = number - first_;
-    if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
-    is_there_[i] = 1;
-    forget_from(i);
-    ++count_;
+  template <class Triangulation>
+  void restore(const Triangulation& t, const Coordinates&) {
+    start(t);
   }
-  void remove(std::uint32_t number) {
-    is_there_[number - first_] = 0;
-    forget_from(number - first_);
-    --count_;
+  template <class Triangulation, class Move>
+  bool before(const Triangulation&, const Move&) const {
+    return true;
+  }
+  template <class Triangulation, class Move>
+  void after(const Triangulation&, const Move& move) {
+    constexpr bool is_insertion =
+        std::is_same_v<Move, Insertion_in_face> || std::is_same_v<Move, Insertion_on_border>;
+    if constexpr (is_insertion || std::is_same_v<Move, Removal_from_face> ||
+                  std::is_same_v<Move, Removal_from_border>)
+      set(move.vertex, is_insertion);
   }
 
   // \param t the triangulation that has the rows
@@ -188,6 +193,15 @@ private:
       return *this;
     }
   };
+
+  // the number of a vertex that is inserted, or removed
+  void set(std::uint32_t number, bool is_inserted) {
+    const std::uint32_t i = number - first_;
+    if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
+    is_there_[i] = is_inserted ? 1 : 0;
+    forget_from(i);
+    is_inserted ? ++count_ : --count_;
+  }
 
   // The rows of this vertex and of all after it may change. On a cover all rows may change, since
   // another copy may be the first.

@@ -161,26 +161,31 @@ public:
   }
 
   /*!
-  \brief computes the values at a vertex inserted in a face, and stores them.
-  \param s the star of the vertex; values of its sides and, in place of the first face, of the whole
-  one are stored
+  \brief computes the values at a vertex inserted in a face.
+  \param s the star of the vertex, without spokes: the sides and the first face are stored
   \param weights barycentric coordinates of the vertex
-  \return whether it was done: refused if a length would be zero or infinite
+  \return nothing if a length would be zero or infinite
   */
-  bool insert_in_face(const Vertex_star& s, const std::array<double, 3>& weights) {
+  std::optional<Vertex_move_values<FT>>
+  inserted_values(const Vertex_star& s, const std::array<double, 3>& weights) const {
     const FT area = quadruple_area_[s.faces[0]];
-    std::array<FT, 3> spoke;
+    Vertex_move_values<FT> n{};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto side = [&](std::size_t l) { return squared_length_[s.sides[(k + l) % 3]]; };
-      spoke[k] = squared_distance_from_corner(side(0), side(1), side(2), area,
-                                              FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
-      if (!is_length(spoke[k])) return false;
+      n.squared_lengths[k] = squared_distance_from_corner(
+          side(0), side(1), side(2), area, FT(weights[(k + 1) % 3]), FT(weights[(k + 2) % 3]));
+      n.quadruple_areas[k] = FT(weights[(k + 2) % 3]) * area;
+      if (!is_length(n.squared_lengths[k])) return std::nullopt;
     }
+    return n;
+  }
+
+  /// stores the values at a vertex inserted in a face. \param s its star \param n the values
+  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& n) {
     for (std::size_t k = 0; k < 3; ++k) {
-      store(squared_length_, s.spokes[k], spoke[k]);
-      store(quadruple_area_, s.faces[k], FT(weights[(k + 2) % 3]) * area);
+      store(squared_length_, s.spokes[k], n.squared_lengths[k]);
+      store(quadruple_area_, s.faces[k], n.quadruple_areas[k]);
     }
-    return true;
   }
 
   /// stores the values of a face from which a vertex is removed.
@@ -190,25 +195,31 @@ public:
   }
 
   /*!
-  \brief computes the values at a vertex inserted on a border edge, and stores them.
-  \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
-  edge and face
+  \brief computes the values at a vertex inserted on a border edge.
+  \param s the star of the vertex, where `ip` is the whole edge and `f` the whole face
   \param parameter weight of `j`
-  \return whether it was done: refused if a length would be zero or infinite
+  \return nothing if a length would be zero or infinite
   */
-  bool insert_in_border_edge(const Border_star& s, double parameter) {
+  std::optional<Vertex_move_values<FT>> inserted_values(const Border_star& s,
+                                                        double parameter) const {
     const FT ij = squared_length_[s.ip], area = quadruple_area_[s.f], t(parameter);
     const FT rest = FT(1) - t;
-    const FT pk = squared_distance_from_corner(squared_length_[s.ki], ij, squared_length_[s.jk],
+    const FT kp = squared_distance_from_corner(squared_length_[s.ki], ij, squared_length_[s.jk],
                                                area, rest, t);
-    const FT ip = t * t * ij, pj = rest * rest * ij;
-    if (!is_length(pk) || !is_length(ip) || !is_length(pj)) return false;
+    const FT ip = t * t * ij, jp = rest * rest * ij;
+    if (!is_length(kp) || !is_length(ip) || !is_length(jp)) return std::nullopt;
+    return Vertex_move_values<FT>{{ip, jp, kp}, {FT(0), rest * area, t * area}};
+  }
+
+  /// stores the values at a vertex inserted on a border edge. \param s its star \param n the values
+  /// as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
+  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& n) {
+    const auto& [ip, jp, kp] = n.squared_lengths;
     store(squared_length_, s.ip, ip);
-    store(squared_length_, s.pj, pj);
-    store(squared_length_, s.pk, pk);
-    store(quadruple_area_, s.f, t * area);
-    store(quadruple_area_, s.g, rest * area);
-    return true;
+    store(squared_length_, s.pj, jp);
+    store(squared_length_, s.pk, kp);
+    store(quadruple_area_, s.f, n.quadruple_areas[2]);
+    store(quadruple_area_, s.g, n.quadruple_areas[1]);
   }
 
   /// stores the values of a border edge and its face from which a vertex is removed.

@@ -60,15 +60,14 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           diamond_of(h, mesh, number)};
 }
 
-// The elementary moves of a triangulation. Each makes its record, computes the values, announces
-// itself to the correspondence, changes connectivity and metric, and notifies the correspondence. A
-// refused move changes nothing.
+// The elementary moves of a triangulation. Each is planned: it makes its record, computes values,
+// and asks all observers, which change nothing but caches. Then it is made, and nothing is refused
+// any more: connectivity, metric and observers follow. Moves that take others back are not refused.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
   using Graph_traits = boost::graph_traits<Mesh>;
   using Metric = typename Triangulation::Metric;
-  using Vertex = typename Graph_traits::vertex_descriptor;
   using Halfedge = typename Graph_traits::halfedge_descriptor;
   using Weights = std::array<double, 3>;
   using Wanted = std::optional<Surface_point>;
@@ -77,8 +76,7 @@ public:
   using Insertion = typename Triangulation::Insertion;
 
   explicit Mover(Triangulation& t)
-      : t_(t), mesh_(t.numbered_.mesh), number_(t.numbered_.numbers), metric_(t.metric_),
-        correspondence_(t.correspondence_), places_(t.places_) {}
+      : t_(t), mesh_(t.numbered_.mesh), number_(t.numbered_.numbers), metric_(t.metric_) {}
 
   // of the face of h with the sides ij, jk, ki, without a vertex inside
   Star_of_vertex star_of_face(Halfedge h) const {
@@ -147,13 +145,10 @@ public:
   void undo_flip(Halfedge h, const typename Metric::Flipped& before) {
     Flip move = flip_record(h, mesh_, number_);
     move.km = move.ij ^ 1U;
-    places_.before(t_, move);
-    correspondence_.before(t_, move);
+    ask(move, false);
     flip_edge_back(h, mesh_);
     metric_.store_flip(move.diamond, before);
-    places_.after_undoing(t_, move);
-    t_.exact_memory_.after(move);
-    correspondence_.after(t_, move);
+    tell(move);
   }
 
   // Not a move of the correspondence. Metrics allocate memory for the first factors only.
@@ -169,78 +164,82 @@ public:
 
   // \param place on the input, if known; the weights approximate it
   Insertion insert(Halfedge h, const Weights& weights, const Wanted& place = {}) {
-    return weights[2] == 0 ? insert_on_edge(h, weights, place) : insert_in_face(h, weights, place);
+    if (weights[2] != 0) return insert_in_face(h, weights, place);
+    if (!is_on_border(h)) return insert_on_edge(h, weights, place);
+    return make(h, Insertion_on_border{star_of_border_edge(h), weights[1], place}, weights[1]);
   }
 
-  // Takes back what `insert()` of this object did last; observers follow.
+  // Takes back what `insert()` of this object did last.
   void undo_insertion(Halfedge h, const Weights& weights) {
     const bool is_on_edge = weights[2] == 0;
-    if (is_on_edge && is_on_border(h)) {
-      remove(h, Removal_from_border{star_on_border(h)}, false);
-      return;
-    }
+    if (is_on_edge && is_on_border(h)) return take_back(h, Removal_from_border{star_on_border(h)});
     if (is_on_edge) undo_flip(h, *before_flip_);
-    remove(h, Removal_from_face{star_of_vertex(h)}, false);
+    take_back(h, Removal_from_face{star_of_vertex(h)});
   }
 
   Move_status remove_from_face(Halfedge h) {
-    return remove(h, Removal_from_face{star_of_vertex(h)}, true);
+    return remove(h, Removal_from_face{star_of_vertex(h)});
   }
   Move_status remove_from_border(Halfedge h) {
-    return remove(h, Removal_from_border{star_on_border(h)}, true);
+    return remove(h, Removal_from_border{star_on_border(h)});
+  }
+
+  // of the source of the first spoke; edges and faces stay
+  bool move_in_star(const Whole_star& star, const Move_in_star& move) {
+    if (!ask(move) || !metric_.move_in_star(star, move.weights[1], move.weights[2])) return false;
+    tell(move);
+    return true;
   }
 
 private:
-  // All are asked, in a fixed order, before any follows: a refused move changes nothing.
+  // All are asked in their order; the first may complete the record of an insertion. They are
+  // const: a refused move changes nothing.
   template <class Move>
-  bool ask(const Move& move) {
-    const bool is_accepted = places_.before(t_, move); // both hear of moves that take others back
-    return correspondence_.before(t_, move) && is_accepted;
-  }
-  template <class Insertion_move>
-  bool ask_to_insert(Insertion_move& move) {
-    if (!places_.before(t_, move)) return false;
-    if constexpr (Defined_by_places<Metric>) {
-      const auto* found = places_.coordinates(t_);
-      if (&found->input() == &t_.input() && static_cast<const void*>(found) != &correspondence_)
-        tell_place(*found, move);
-    }
-    return correspondence_.before(t_, move);
-  }
-  // data that a correspondence need not find itself
-  template <class Coordinates, class Insertion_move>
-  static void tell_place(const Coordinates& found, Insertion_move& move) {
-    move.place = found.inserted_place();
-    if constexpr (requires {
-                    Triangulation::Correspondence::asks_for_directions;
-                    move.seen;
-                  })
-      move.seen = found.inserted_direction();
+  BOOST_FORCEINLINE bool ask(Move& move, bool can_be_refused = true) const {
+    return t_.with_observers([&](const auto&... observers) {
+      return ((observers.before(t_, move) || !can_be_refused) && ...);
+    });
   }
   template <class Move>
-  void tell(const Move& move) {
-    places_.after(t_, move);
-    t_.exact_memory_.after(move);
-    correspondence_.after(t_, move);
+  BOOST_FORCEINLINE void tell(const Move& move) {
+    t_.with_observers([&](auto&... observers) { (observers.after(t_, move), ...); });
   }
 
-  bool store_insertion(const Vertex_star& s, const Weights& weights) {
+  // the values at a vertex whose insertion all have agreed to
+  template <class Star, class Where>
+  auto values_of_insertion(const Star& star, const Where& where) const {
     if constexpr (Defined_by_places<Metric>)
-      return metric_.insert_in_face(s, places_.inserted_values(t_)), true;
+      return std::optional(t_.places_.inserted_values(t_));
     else
-      return metric_.insert_in_face(s, weights);
+      return metric_.inserted_values(star, where);
   }
-  bool store_insertion(const Border_star& s, double parameter) {
-    if constexpr (Defined_by_places<Metric>)
-      return metric_.insert_in_border_edge(s, places_.inserted_values(t_)), true;
-    else
-      return metric_.insert_in_border_edge(s, parameter);
+
+  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
+    return make(h, Insertion_in_face{star_of_face(h), weights, place}, weights);
+  }
+  template <class Move, class Where>
+  Insertion make(Halfedge h, Move move, const Where& where) {
+    if (!ask(move)) return {Move_status::not_traceable};
+    const auto values = values_of_insertion(move.edges_and_faces(), where);
+    if (!values) return {Move_status::arithmetic};
+    before_insertion_ = metric_.before_flip(side_and_face(h));
+    Insertion result{Move_status::done};
+    if constexpr (std::is_same_v<Move, Insertion_in_face>) {
+      result.vertex = split_face(h, mesh_, number_);
+      static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
+      metric_.insert_in_face(move.edges_and_faces(), *values);
+    } else {
+      result.vertex = split_border_edge(h, mesh_, number_);
+      static_cast<Star_on_border&>(move) = star_on_border(h);
+      metric_.insert_in_border_edge(move.edges_and_faces(), *values);
+    }
+    tell(move);
+    return result;
   }
 
   template <class Removal>
-  Move_status remove(Halfedge h, const Removal& move, bool can_be_refused) {
-    if (!ask(move) && can_be_refused) return Move_status::not_removable;
-    t_.rows_.remove(move.vertex);
+  Move_status remove(Halfedge h, const Removal& move, bool can_be_refused = true) {
+    if (!ask(move, can_be_refused)) return Move_status::not_removable;
     if constexpr (std::is_same_v<Removal, Removal_from_face>) {
       metric_.remove_from_face(move.edges_and_faces());
       remove_degree_3_vertex(h, mesh_, number_);
@@ -252,18 +251,17 @@ private:
     return Move_status::done;
   }
 
-  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
-    Insertion_in_face move{star_of_face(h), weights, place};
-    if (!ask_to_insert(move)) return {Move_status::not_traceable};
-    const Vertex v = split_face(h, mesh_, number_);
-    static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
-    if (!store_insertion(move.edges_and_faces(), weights)) {
-      remove_degree_3_vertex(h, mesh_, number_);
-      return {Move_status::arithmetic};
-    }
-    t_.rows_.insert(move.vertex);
-    tell(move);
-    return {Move_status::done, v};
+  // the last insertion
+  template <class Removal>
+  void take_back(Halfedge h, const Removal& move) {
+    remove(h, move, false);
+    metric_.store_flip(side_and_face(h), *before_insertion_);
+  }
+
+  // what an insertion changes of a face, as if an edge between two were flipped
+  Diamond side_and_face(Halfedge h) const {
+    const std::uint32_t e = number_.halfedge(h) / 2, f = face_number(h);
+    return {e, e, e, e, e, f, f};
   }
 
   // Whether the edge that a vertex was inserted on, or within rounding of, can be flipped.
@@ -278,30 +276,15 @@ private:
     }
   }
 
-  // inside: a vertex in the face, at distance zero from the edge, which is flipped away
+  // a vertex in the face, at distance zero from the edge, which is flipped away
   Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place) {
-    if (is_on_border(h)) return insert_on_border(h, weights[1], place);
     const Insertion n = insert_in_face(h, weights, place);
     if (n.status != Move_status::done) return n;
     before_flip_ = metric_.before_flip(diamond_of(h, mesh_, number_));
     const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
     if (s == Move_status::done) return n;
-    remove(h, Removal_from_face{star_of_vertex(h)}, false);
+    take_back(h, Removal_from_face{star_of_vertex(h)});
     return {s};
-  }
-
-  Insertion insert_on_border(Halfedge h, double parameter, const Wanted& place) {
-    Insertion_on_border move{star_of_border_edge(h), parameter, place};
-    if (!ask_to_insert(move)) return {Move_status::not_traceable};
-    const Vertex v = split_border_edge(h, mesh_, number_);
-    static_cast<Star_on_border&>(move) = star_on_border(h);
-    if (!store_insertion(move.edges_and_faces(), parameter)) {
-      remove_border_vertex(h, mesh_, number_);
-      return {Move_status::arithmetic};
-    }
-    t_.rows_.insert(move.vertex);
-    tell(move);
-    return {Move_status::done, v};
   }
 
   bool is_on_border(Halfedge h) const {
@@ -313,9 +296,8 @@ private:
   Mesh& mesh_;
   Mesh_adaptor<Mesh>& number_;
   Metric& metric_;
-  typename Triangulation::Correspondence& correspondence_;
-  typename Triangulation::Places& places_;
-  std::optional<typename Metric::Flipped> before_flip_; // of an edge with a new vertex on it
+  // of the last insertion, to take it back: a side and its face, and the edge that the vertex is on
+  std::optional<typename Metric::Flipped> before_insertion_, before_flip_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -321,20 +321,14 @@ private:
   // Moves a vertex to a place in one of its faces from which all corners of its star are visible;
   // only the values of its edges and faces change. The correspondence must support it.
   bool move_in_star(vertex_descriptor v, Place p) {
-    if constexpr (requires(const Whole_star& s, const Move_in_star& move) {
-                    t_.metric_.move_in_star(s, 0., 0.);
-                    t_.correspondence_.before(t_, move);
-                  }) {
+    if constexpr (requires(const Whole_star& s) { t_.metric_.move_in_star(s, 0., 0.); } &&
+                  RepositioningCorrespondence<typename Triangulation::Correspondence,
+                                              Triangulation>) {
       for (int k = 0; k < 3 && source(p.h, t_.mesh()) != v; ++k)
         p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
       if (source(p.h, t_.mesh()) != v) return false;
       const std::optional<Whole_star> s = internal::whole_star(p.h, t_.mesh(), t_.numbers());
-      const Move_in_star move{t_.numbers().halfedge(p.h), p.weights, t_.index(v)};
-      if (!s || !t_.correspondence_.before(t_, move) ||
-          !t_.metric_.move_in_star(*s, p.weights[1], p.weights[2]))
-        return false;
-      t_.correspondence_.after(t_, move);
-      return true;
+      return s && Mover(t_).move_in_star(*s, {t_.numbers().halfedge(p.h), p.weights, t_.index(v)});
     } else {
       return false;
     }

@@ -28,6 +28,18 @@ which operation needs which function.
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// Is asked before a move, when it must not change, and follows it.
+template <class Correspondence, class Triangulation, class Move>
+concept Observes = requires(const Correspondence& asked, Correspondence& follows,
+                            const Triangulation& t, const Move& move) {
+  { asked.before(t, move) } -> std::same_as<bool>;
+  follows.after(t, move);
+};
+
+} // namespace internal
+
 /*!
 \brief requires an observer of the moves of an intrinsic triangulation.
 
@@ -35,22 +47,23 @@ Syntax of \ref ::IntrinsicCorrespondence, which describes its meaning.
 */
 template <class Correspondence, class Triangulation>
 concept IntrinsicCorrespondence = std::default_initializable<Correspondence> &&
-    std::movable<Correspondence> &&
-    requires(Correspondence& c, const Triangulation& t, const Flip& flip,
-             const Insertion_in_face& insertion, const Insertion_on_border& border_insertion,
-             const Removal_from_face& removal, const Removal_from_border& border_removal) {
+    std::movable<Correspondence> && internal::Observes<Correspondence, Triangulation, Flip> &&
+    internal::Observes<Correspondence, Triangulation, Insertion_in_face> &&
+    internal::Observes<Correspondence, Triangulation, Insertion_on_border> &&
+    internal::Observes<Correspondence, Triangulation, Removal_from_face> &&
+    internal::Observes<Correspondence, Triangulation, Removal_from_border> &&
+    requires(Correspondence& c, const Triangulation& t) {
   c.start(t);
-  { c.before(t, flip) } -> std::same_as<bool>;
-  c.after(t, flip);
-  { c.before(t, insertion) } -> std::same_as<bool>;
-  c.after(t, insertion);
-  { c.before(t, border_insertion) } -> std::same_as<bool>;
-  c.after(t, border_insertion);
-  { c.before(t, removal) } -> std::same_as<bool>;
-  c.after(t, removal);
-  { c.before(t, border_removal) } -> std::same_as<bool>;
-  c.after(t, border_removal);
 };
+
+/*!
+\brief requires an observer of vertices that move within their stars, too.
+
+Syntax of \ref ::RepositioningCorrespondence, which describes its meaning.
+*/
+template <class Correspondence, class Triangulation>
+concept RepositioningCorrespondence = IntrinsicCorrespondence<Correspondence, Triangulation> &&
+    internal::Observes<Correspondence, Triangulation, Move_in_star>;
 
 namespace internal {
 
@@ -58,8 +71,8 @@ template <class Correspondence, class Triangulation>
 constexpr void expect_correspondence() {
   static_assert(IntrinsicCorrespondence<Correspondence, Triangulation>,
                 "the third argument of Intrinsic_triangulation is a model of "
-                "IntrinsicCorrespondence: it has start(), and before() and after() each of the "
-                "five moves; derive it from No_correspondence, which does nothing");
+                "IntrinsicCorrespondence: it has start(), and before() const and after() each of "
+                "the five moves; derive it from No_correspondence, which does nothing");
 }
 
 // Has a mesh, and numbers for its edges.

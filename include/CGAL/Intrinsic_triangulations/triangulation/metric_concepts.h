@@ -148,22 +148,29 @@ concept Scales_vertices = requires(Metric& m, std::span<const double> factors, s
 
 // Computes the values of an insertion from stored ones.
 template <class Metric>
-concept Measures_insertions = requires(Metric& m, const Vertex_star& star,
+concept Measures_insertions = requires(const Metric& c, const Vertex_star& star,
                                        const Border_star& border,
                                        const std::array<double, 3>& weights, double parameter) {
-  { m.insert_in_face(star, weights) } -> std::same_as<bool>;
-  { m.insert_in_border_edge(border, parameter) } -> std::same_as<bool>;
+  {
+    c.inserted_values(star, weights)
+    } -> std::same_as<std::optional<Vertex_move_values<typename Metric::FT>>>;
+  {
+    c.inserted_values(border, parameter)
+    } -> std::same_as<std::optional<Vertex_move_values<typename Metric::FT>>>;
+};
+
+// Stores the values of an insertion.
+template <class Metric>
+concept Stores_insertions = requires(Metric& m, const Vertex_star& star, const Border_star& border,
+                                     const Vertex_move_values<typename Metric::FT>& values) {
+  m.insert_in_face(star, values);
+  m.insert_in_border_edge(border, values);
 };
 
 // Receives the values of an insertion from the places of vertices on the input, and decides by
 // those.
 template <class Metric>
-concept Defined_by_places = Decides_by_input<Metric> &&
-    requires(Metric& m, const Vertex_star& star, const Border_star& border,
-             const Vertex_move_values<typename Metric::FT>& values) {
-  m.insert_in_face(star, values);
-  m.insert_in_border_edge(border, values);
-};
+concept Defined_by_places = Decides_by_input<Metric> && Stores_insertions<Metric>;
 
 } // namespace internal
 
@@ -174,9 +181,10 @@ Syntax of \ref ::RefinableMetric, which describes its meaning.
 */
 template <class Metric>
 concept RefinableMetric = EuclideanMetric<Metric> && internal::Remembers_flips<Metric> &&
+    internal::Stores_insertions<Metric> &&
     (internal::Measures_insertions<Metric> ||
-     internal::Defined_by_places<Metric>)&&requires(Metric& m, const Vertex_star& star,
-                                                    const Border_star& border) {
+     internal::Decides_by_input<Metric>)&&requires(Metric& m, const Vertex_star& star,
+                                                   const Border_star& border) {
   m.remove_from_face(star);
   m.remove_from_border_edge(border);
 };

@@ -48,7 +48,7 @@ public:
     coordinates_.restore(t, coordinates);
   }
   template <class Triangulation, class Move>
-  bool before(const Triangulation& t, const Move& move) {
+  bool before(const Triangulation& t, const Move& move) const {
     return coordinates_.before(t, move);
   }
   template <class Triangulation, class Move>

@@ -68,7 +68,7 @@ Triangulation read_intrinsic_triangulation(std::istream& in, const std::string& 
   static_assert(!internal::arithmetic_name<typename Triangulation::Metric>.empty(),
                 "the file format holds exact traits and Euclidean_traits<double>");
   constexpr bool is_readable =
-      internal::Restorable<typename Triangulation::Correspondence, Triangulation>;
+      RestorableCorrespondence<typename Triangulation::Correspondence, Triangulation>;
   static_assert(is_readable, "files hold integer coordinates, from which signposts are not made; "
                              "read with Integer_coordinates");
   auto stored = internal::read_stored_triangulation<typename Triangulation::Metric>(

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
@@ -104,7 +105,7 @@ private:
 };
 
 // The memory of exact values, flat parts included; a copy starts anew where possible.
-struct Exact_memory {
+struct Exact_memory : No_correspondence {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;
   Input_face_intervals<Interval_nt<false>> input_faces;
@@ -117,16 +118,19 @@ struct Exact_memory {
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
 
   // follows moves: forgets what queries stored, so that they cannot change later results
-  void after(const Flip& move) {
+  template <class Triangulation>
+  void after(const Triangulation&, const Flip& move) {
     forget();
     if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
   }
-  void after(const Star_of_vertex& move) {
+  template <class Triangulation>
+  void after(const Triangulation&, const Star_of_vertex& move) {
     forget();
     if (flat_parts)
       for (const std::uint32_t f : move.faces) flat_parts->change(f);
   }
-  void after(const Star_on_border& move) {
+  template <class Triangulation>
+  void after(const Triangulation&, const Star_on_border& move) {
     forget();
     if (flat_parts)
       for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);
@@ -138,10 +142,7 @@ struct Exact_memory {
 };
 
 // Other metrics need no memory.
-struct No_exact_memory {
-  template <class Move>
-  void after(const Move&) {}
-};
+struct No_exact_memory : No_correspondence {};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

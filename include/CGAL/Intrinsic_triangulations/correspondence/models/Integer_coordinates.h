@@ -135,7 +135,7 @@ public:
 
   /// announces a flip. \return whether the number of crossings stays in bounds
   template <class Triangulation>
-  bool before(const Triangulation&, const Flip& move) {
+  bool before(const Triangulation&, const Flip& move) const {
     const Normals left = normals({move.ij, move.jk, move.ki}),
                   right = normals({move.ij, move.im, move.mj});
     const Corner_coordinates f = corner_coordinates(left), g = corner_coordinates(right);
@@ -163,7 +163,7 @@ public:
   /// announces the insertion of a vertex in a face.
   /// \return whether a place on the input was found for it
   template <class Triangulation>
-  bool before(const Triangulation& t, const Insertion_in_face& move) {
+  bool before(const Triangulation& t, const Insertion_in_face& move) const {
     return announce_insertion(t, move.sides, move.weights, move.place);
   }
 
@@ -188,7 +188,7 @@ public:
   /// announces the insertion of a vertex on the border.
   /// \return as for an insertion in a face
   template <class Triangulation>
-  bool before(const Triangulation& t, const Insertion_on_border& move) {
+  bool before(const Triangulation& t, const Insertion_on_border& move) const {
     return announce_insertion(t, {move.ip, move.jk, move.ki},
                               {1 - move.parameter, move.parameter, 0}, move.place);
   }
@@ -284,7 +284,7 @@ private:
   template <class Triangulation>
   bool announce_insertion(const Triangulation& t, const std::array<std::uint32_t, 3>& sides,
                           const std::array<double, 3>& weights,
-                          const std::optional<Surface_point>& wanted) {
+                          const std::optional<Surface_point>& wanted) const {
     const std::size_t steps = placer_.steps();
     const std::optional<Placed_insertion> p = placer_(t, *this, sides[0], weights, wanted);
     count_steps(t, placer_.steps() - steps);
@@ -339,10 +339,10 @@ private:
   std::vector<Normal_coordinate> normal_; // per edge
   std::vector<std::uint32_t> roundabout_; // per halfedge
   std::vector<Surface_point> location_;   // per inserted vertex
-  // of the move that has been announced
-  Normal_coordinate flipped_ = 0;
-  Insertion insertion_{};
-  Insertion_placer placer_;
+  // mutable: of the move that has been announced, for `after()`
+  mutable Normal_coordinate flipped_ = 0;
+  mutable Insertion insertion_{};
+  mutable Insertion_placer placer_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

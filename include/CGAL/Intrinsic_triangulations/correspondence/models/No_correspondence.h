@@ -22,7 +22,7 @@ struct No_correspondence {
   void restore(const Triangulation&, const Coordinates&) {}
   /// is called before a move. \return true
   template <class Triangulation, class Move>
-  bool before(const Triangulation&, const Move&) {
+  bool before(const Triangulation&, const Move&) const {
     return true;
   }
   /// is called after a move.

@@ -43,8 +43,6 @@ class Signposts {
 public:
   /// Name of the representation in programs.
   static constexpr const char* name = "signposts";
-  /// Insertions must set `Insertion_in_face::seen`.
-  static constexpr bool asks_for_directions = true;
 
   /// observes the triangulation that the input is.
   /// \complexity linear
@@ -137,15 +135,15 @@ public:
 
   /// announces a flip. \return true
   template <class Triangulation>
-  bool before(const Triangulation&, const Flip& move) {
-    leave(move.ij, move.im);
-    leave(move.ij ^ 1U, move.jk);
+  bool before(const Triangulation&, const Flip&) const {
     return true;
   }
 
   /// follows a flip.
   template <class Triangulation>
   void after(const Triangulation& t, const Flip& move) {
+    leave(move.ij, move.im);
+    leave(move.ij ^ 1U, move.jk);
     const Intrinsic_view<Triangulation> view(t);
     set_next(view, move.ki);
     set_next(view, move.mj);
@@ -154,7 +152,7 @@ public:
   /// announces the insertion of a vertex in a face.
   /// \return whether the place on the input was found
   template <class Triangulation>
-  bool before(const Triangulation& t, const Insertion_in_face& move) {
+  bool before(const Triangulation& t, const Insertion_in_face& move) const {
     const std::uint32_t h = move.sides[0];
     if (move.place) {
       const auto seen =
@@ -189,7 +187,7 @@ public:
   /// announces that a vertex moves within the faces about it (Eq. 8 of the course).
   /// \return whether the place on the input was found
   template <class Triangulation>
-  bool before(const Triangulation& t, const Move_in_star& move) {
+  bool before(const Triangulation& t, const Move_in_star& move) const {
     const auto p = internal::find_on_input(t, *this, {move.spoke, move.weights});
     if (!p) return false;
     inserted_ = p->point;
@@ -218,7 +216,7 @@ public:
   /// announces the insertion of a vertex on the border.
   /// \return true
   template <class Triangulation>
-  bool before(const Triangulation& t, const Insertion_on_border& move) {
+  bool before(const Triangulation& t, const Insertion_on_border& move) const {
     if (move.place) {
       inserted_ = *move.place;
       return true;
@@ -341,8 +339,9 @@ private:
   std::vector<Signpost> signpost_;      // per intrinsic halfedge
   std::vector<std::uint32_t> outgoing_; // per fan of the input: an intrinsic halfedge of it
   std::vector<Surface_point> location_; // per inserted vertex
-  Surface_point inserted_;              // of the vertex that is being inserted
-  Seen_corner seen_;                    // from there
+  // mutable: of the vertex whose insertion has been announced, for `after()`
+  mutable Surface_point inserted_;
+  mutable Seen_corner seen_; // from there
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
@@ -21,20 +22,37 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// Integer coordinates restore it.
+/*!
+\brief requires a correspondence that integer coordinates restore.
+
+Syntax of \ref ::RestorableCorrespondence, which describes its meaning.
+*/
 template <class Correspondence, class Triangulation>
-concept Restorable = requires(Correspondence& c, const Triangulation& t,
-                              const Integer_coordinates& coordinates) {
+concept RestorableCorrespondence = requires(Correspondence& c, const Triangulation& t,
+                                            const Integer_coordinates& coordinates) {
   c.restore(t, coordinates);
 };
+
+/*!
+\brief requires a correspondence that has integer coordinates.
+
+Syntax of \ref ::IntegerCorrespondence, which describes its meaning.
+*/
+template <class Correspondence>
+concept IntegerCorrespondence = requires(const Correspondence& c) {
+  { c.integer_coordinates() } -> std::same_as<const Integer_coordinates&>;
+};
+
+namespace internal {
 
 // The integer coordinates of a correspondence; null if it has none.
 template <class Correspondence>
 const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
-  if constexpr (requires { c.integer_coordinates(); })
+  if constexpr (IntegerCorrespondence<Correspondence>)
     return &c.integer_coordinates();
   else
     return nullptr;
@@ -45,7 +63,7 @@ const Integer_coordinates* integer_coordinates_of(const Correspondence& c) {
 // makes its own from the list of flips; from then on they follow all moves. From the first
 // insertion on they alone define the vertices, and there is no list.
 template <class Triangulation>
-class Vertex_places {
+class Vertex_places : public No_correspondence {
 public:
   // takes the coordinates of a restored triangulation, which its correspondence has, too, if
   // possible
@@ -62,7 +80,7 @@ public:
   // the coordinates; null if an edge crosses more input edges than they can count
   const Integer_coordinates* coordinates(const Triangulation& t) const {
     if (is_shared(t)) return integer_coordinates_of(t.correspondence());
-    if (!own_ && can_count_) start(t);
+    if (!own_ && can_count_) repeat_flips(t);
     return own_ ? &*own_ : nullptr;
   }
 
@@ -76,29 +94,37 @@ public:
     return coordinates(t)->inserted_values();
   }
 
-  // observes moves like a correspondence
+  // Observes moves like a correspondence. Adds to the record of an insertion what own coordinates
+  // know, so that no other observer need find it.
   template <class Move>
-  bool before(const Triangulation& t, const Move& move) {
-    if (!std::same_as<Move, Flip> && coordinates(t) == nullptr) return false;
-    if (!own_ || own_->before(t, move)) return true;
-    if (!std::same_as<Move, Flip> || !are_all_flips_) return false;
-    own_.reset(); // the flip must not be refused: from now on the list is enough
-    can_count_ = false;
+  bool before(const Triangulation& t, Move& move) const {
+    constexpr bool is_flip = std::is_same_v<std::remove_const_t<Move>, Flip>;
+    if (!is_flip && coordinates(t) == nullptr) return false;
+    if (!own_) return true;
+    if (!own_->before(t, std::as_const(move))) {
+      if (!is_flip || !are_all_flips_) return false;
+      own_.reset(); // the flip must not be refused: from now on the list is enough
+      can_count_ = false;
+    }
+    if constexpr (requires { move.place = own_->inserted_place(); })
+      if (&own_->input() == &t.input()) {
+        move.place = own_->inserted_place();
+        if constexpr (Triangulation::has_correspondence && requires { move.seen; })
+          move.seen = own_->inserted_direction();
+      }
     return true;
   }
   template <class Move>
   void after(const Triangulation& t, const Move& move) {
-    if constexpr (std::same_as<Move, Flip>) {
-      if (are_all_flips_) flips_.add(move.ij);
-    } else {
+    if constexpr (!std::is_same_v<Move, Flip>) {
       are_all_flips_ = false;
       flips_.clear();
+    } else if (are_all_flips_) {
+      if (move.km == move.ij)
+        flips_.add(move.ij);
+      else
+        flips_.forget_last(); // it is taken back
     }
-    if (own_) own_->after(t, move);
-  }
-  // of a flip that takes back the last one
-  void after_undoing(const Triangulation& t, const Flip& move) {
-    if (are_all_flips_) flips_.forget_last();
     if (own_) own_->after(t, move);
   }
 
@@ -131,7 +157,7 @@ private:
     return integer_coordinates_of(t.correspondence()) != nullptr && is_defined_by_metric(t);
   }
 
-  void start(const Triangulation& t) const;
+  void repeat_flips(const Triangulation& t) const;
 
   Flip_list flips_;
   bool are_all_flips_ = true; // that ever were
@@ -142,7 +168,7 @@ private:
 };
 
 template <class Triangulation>
-void Vertex_places<Triangulation>::start(const Triangulation& t) const {
+void Vertex_places<Triangulation>::repeat_flips(const Triangulation& t) const {
   Gluing_map mesh = flips_.input_mesh(connectivity(t), t.input());
   own_.emplace();
   own_->start(
@@ -164,7 +190,7 @@ void Vertex_places<Triangulation>::start(const Triangulation& t) const {
 
 // Other metrics are defined by moves; one that stores nothing by the correspondence alone.
 template <class Triangulation>
-struct No_vertex_places {
+struct No_vertex_places : No_correspondence {
   static const Integer_coordinates* coordinates(const Triangulation& t) {
     return integer_coordinates_of(t.correspondence());
   }
@@ -173,16 +199,10 @@ struct No_vertex_places {
   // called with flips only
   static Gluing_map connectivity(const Triangulation&) { return {}; }
   static bool are_input_lengths_positive(const Triangulation&) { return true; }
-  void restore(const Triangulation&, const Integer_coordinates&) {}
-  template <class Move>
-  bool before(const Triangulation&, const Move&) {
-    return true;
-  }
-  template <class Move>
-  void after(const Triangulation&, const Move&) {}
-  void after_undoing(const Triangulation&, const Flip&) {}
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_VERTEX_PLACES_H

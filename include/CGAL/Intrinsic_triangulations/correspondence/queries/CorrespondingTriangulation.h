@@ -35,14 +35,18 @@ concept Answers_queries = requires(const Correspondence& c) {
   { c.input() } -> std::same_as<const Input&>;
 };
 
-// The correspondence answers queries itself, see `Curve_queries`.
-template <class Triangulation>
-concept Has_queries = requires(const Triangulation& t) {
-  { t.correspondence().input() } -> std::same_as<const Input&>;
-  t.correspondence().queries(t);
-};
-
 } // namespace internal
+
+/*!
+\brief requires a correspondence that answers queries itself, see `Curve_queries`.
+
+Syntax of \ref ::QueriedCorrespondence, which describes its meaning.
+*/
+template <class Correspondence, class Triangulation>
+concept QueriedCorrespondence = internal::Answers_queries<Correspondence> &&
+    requires(const Correspondence& c, const Triangulation& t) {
+  c.queries(t);
+};
 
 /*!
 \brief requires a triangulation whose correspondence stores where it lies on its input.
@@ -56,7 +60,8 @@ concept CorrespondingTriangulation = NumberedTriangulation<Triangulation> &&
   { Triangulation::Metric::is_exact } -> std::convertible_to<bool>;
   { t.sign(faces, Long_side_expression()) } -> std::same_as<Sign>;
   t.sharpen(faces);
-  requires internal::Has_curves<Triangulation> || internal::Has_queries<Triangulation>;
+  requires internal::Has_curves<Triangulation> ||
+      QueriedCorrespondence<internal::Correspondence_of<Triangulation>, Triangulation>;
 };
 
 namespace internal {

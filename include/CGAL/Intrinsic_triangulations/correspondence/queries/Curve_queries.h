@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -256,11 +257,10 @@ namespace internal {
 // The object that answers queries about a triangulation.
 template <class Triangulation>
 auto queries(const Triangulation& t) {
-  const auto& correspondence = t.correspondence();
-  if constexpr (requires { correspondence.queries(t); })
-    return correspondence.queries(t);
+  if constexpr (QueriedCorrespondence<Correspondence_of<Triangulation>, Triangulation>)
+    return t.correspondence().queries(t);
   else
-    return Curve_queries(t, correspondence);
+    return Curve_queries(t, t.correspondence());
 }
 
 } // namespace internal

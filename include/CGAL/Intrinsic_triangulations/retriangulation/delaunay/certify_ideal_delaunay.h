@@ -18,9 +18,8 @@ namespace CGAL::Intrinsic_triangulations {
 // lambda lengths and no history. Normal coordinates define straight edges, and there are no areas,
 // so that no face is inverted and no edge bent.
 template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits, class Correspondence>
-  requires internal::Scales_vertices<typename Traits::Metric> && requires(const Correspondence& c) {
-    c.integer_coordinates();
-  }
+  requires internal::Scales_vertices<typename Traits::Metric> &&
+      IntegerCorrespondence<Correspondence>
 Delaunay_certificate
 certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& ideal) {
   using Exact = Intrinsic_triangulation<Mesh, Exact_ideal_hyperbolic_traits, Integer_coordinates>;
