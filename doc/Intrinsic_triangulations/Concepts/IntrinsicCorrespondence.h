@@ -46,7 +46,7 @@ vertex, unless the correspondence finds this place, as \itc{Integer_coordinates}
 To insert a vertex on an inner edge, the triangulation inserts it in a face, at distance zero from
 the side, and then flips the side. To remove it, it goes in the opposite order. If a later move of
 such a sequence is refused, the triangulation takes back those before, with the old values of the
-metric; nobody can refuse that.
+metric; no observer can refuse that.
 
 \cgalHeading{Which operation makes which moves}
 
@@ -72,9 +72,10 @@ A model can do more: \ref ::RestorableCorrespondence, \ref ::IntegerCorresponden
 
 - After `start()` and after every `after()` the model describes the triangulation that it was called
   with.
-- If a `before()` returns false, nothing has changed, not in the model either: a directly announced
-  move changes nothing at all. A sequence of moves that is refused in the middle leaves connectivity,
-  values and numbers of elements as they were, and directions of signposts up to rounding.
+- If a `before()` returns false, nothing has changed but caches, not in the model either. If a move
+  of a sequence is refused, connectivity, places and the doubles of inexact metrics are as they were
+  before the sequence, and directions of signposts up to rounding. The next inserted elements may
+  have other numbers.
 
 \cgalHeading{Complexity}
 
