@@ -184,8 +184,13 @@ public:
     return remove(h, Removal_from_border{star_on_border(h)});
   }
 
+  // whether a vertex can move within its star
+  static constexpr bool moves_in_star = requires(Metric & m, const Whole_star& star) {
+    m.move_in_star(star, 0., 0.);
+  }
+  &&RepositioningCorrespondence<typename Triangulation::Correspondence, Triangulation>;
   // of the source of the first spoke; edges and faces stay
-  bool move_in_star(const Whole_star& star, const Move_in_star& move) {
+  bool move_in_star(const Whole_star& star, const Move_in_star& move) requires(moves_in_star) {
     if (!ask(move) || !metric_.move_in_star(star, move.weights[1], move.weights[2])) return false;
     tell(move);
     return true;

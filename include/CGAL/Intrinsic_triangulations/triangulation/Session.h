@@ -321,9 +321,7 @@ private:
   // Moves a vertex to a place in one of its faces from which all corners of its star are visible;
   // only the values of its edges and faces change. The correspondence must support it.
   bool move_in_star(vertex_descriptor v, Place p) {
-    if constexpr (requires(const Whole_star& s) { t_.metric_.move_in_star(s, 0., 0.); } &&
-                  RepositioningCorrespondence<typename Triangulation::Correspondence,
-                                              Triangulation>) {
+    if constexpr (Mover::moves_in_star) {
       for (int k = 0; k < 3 && source(p.h, t_.mesh()) != v; ++k)
         p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
       if (source(p.h, t_.mesh()) != v) return false;
