@@ -168,6 +168,21 @@ def turned(layout, faces):
     return count
 
 
+def beside_corners(V, F, random, size, corners):
+    """Puts a vertex in some faces beside one of these corners, as far from it as a part of the
+    face."""
+    V, F = list(V), [tuple(map(int, f)) for f in F]
+    for n in random.permutation(len(F))[:len(F) // 4]:
+        a, b, c = np.roll(F[n], random.integers(3)).tolist()
+        if a not in corners:
+            continue
+        m, (s, t) = len(V), size * random.uniform(.3, 1, 2)
+        V.append(V[a] + s * (V[b] - V[a]) + t * (V[c] - V[a]))
+        F[n] = a, b, m
+        F += [(b, c, m), (c, a, m)]
+    return np.array(V), np.array(F)
+
+
 class Residuals(unittest.TestCase):
     def test_bounds_hold_for_what_is_written(self):
         random = np.random.default_rng(1)
@@ -232,6 +247,20 @@ class Layouts(unittest.TestCase):
                 for start in ("input", "delaunay"):
                     m = it.Surface(V, F).uniformize(start=start, cones=cones)
                     self.assertEqual((m.status, turned(m.layout, with_area)), ("done", 0))
+
+
+    def test_needles_inside_of_disks_turn_no_pieces(self):
+        """Angles are right on both sides of the double of a disk, not only on average: copies of
+        edges have equal lengths."""
+        random = np.random.default_rng(5)
+        inside = {12 * y + x for x in range(3, 9) for y in range(3, 9)}
+        for size in (1e-4, 1e-6, 1e-9):
+            V, F = grid(12)
+            V += random.uniform(-.2, .2, V.shape)
+            V, F = beside_corners(V, F, random, size, inside)
+            for start in ("input", "delaunay"):
+                m = it.Surface(V, F).uniformize(start=start)
+                self.assertEqual((m.status, turned(m.layout, set(range(len(F))))), ("done", 0))
 
 
 class Recipes(program.Comparison):

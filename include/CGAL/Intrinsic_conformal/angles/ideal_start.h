@@ -5,11 +5,17 @@
 #define CGAL_INTRINSIC_CONFORMAL_ANGLES_IDEAL_START_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +29,33 @@ inline void name_vertices(Intrinsic_input& in, const Input_names& names) {
   in.names.vertices = names.vertices;
   in.names.row_of_vertex = names.row_of_vertex;
   in.names.sheets = names.sheets;
+}
+
+// The squared lengths of edges, by number, with exact traits from intervals that show the exact
+// ones as well as doubles can, so that equal lengths stay equal: those on the front of a double and
+// their copies on its back. Solvers sum angles over both, and beside a needle of 1e-9 of the edges
+// around it, a unit in the last place of a length changes angles by 1e-7. If copies differed by it,
+// neither side would be flat, but only both on average.
+template <MeasuredTriangulation Triangulation>
+std::vector<double> nearest_squared_lengths(const Triangulation& t) {
+  std::vector<double> result(t.numbers().edge_capacity(t.mesh()));
+  if constexpr (Has_enclosures<typename Triangulation::Metric> && requires { t.exact_values(); }) {
+    constexpr unsigned bits = 106;
+    const typename Triangulation::Metric::Scope scope;
+    std::vector<Indexed_face> sides;
+    for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+      sides.push_back(indexed_face(t, f));
+    const auto store = [&](std::size_t i, const Face_values<Interval_nt<false>>& values) {
+      for (std::size_t k = 0; k < 3; ++k)
+        result[sides[i].edges[k]] = std::ldexp(CGAL::to_double(values.squared_lengths[k]),
+                                               -2 * t.metric().scale_exponent());
+    };
+    t.exact_values().for_each_enclosure(sides, bits, store);
+  } else {
+    for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
+      result[t.index(e)] = t.squared_length(e);
+  }
+  return result;
 }
 
 } // namespace internal
@@ -41,15 +74,12 @@ those of `t`, so that rows of matrices stay the same.
 \tparam Triangulation a model of `MeasuredTriangulation`, without inserted vertices
 \param t the triangulation
 \return an input for `Intrinsic_triangulation` with ideal hyperbolic traits
-\complexity linear
+\complexity linear; with exact traits also in the number of crossings with the edges of the input
 */
 template <MeasuredTriangulation Triangulation>
 Intrinsic_input ideal_start(const Triangulation& t) {
-  const auto& mesh = t.mesh();
-  Intrinsic_input in(internal::numbered_copy(mesh, t.numbers()),
-                     std::vector<double>(t.numbers().edge_capacity(mesh)), Mollification::none);
-  for (const typename Triangulation::edge_descriptor e : edges(mesh))
-    in.squared_lengths[t.index(e)] = t.squared_length(e);
+  Intrinsic_input in(internal::numbered_copy(t.mesh(), t.numbers()),
+                     internal::nearest_squared_lengths(t), Mollification::none);
   internal::name_vertices(in, t.input().names());
   return in;
 }

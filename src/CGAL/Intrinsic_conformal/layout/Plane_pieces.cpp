@@ -13,7 +13,9 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -61,24 +63,38 @@ private:
     return result;
   }
 
-  // Lays out the component of a piece.
+  // A side across which a piece is reached: by how small that is, then in the order of discovery.
+  struct Step {
+    int scale;
+    std::size_t number;
+    std::uint32_t corner;
+    bool operator>(const Step& s) const {
+      return std::pair(scale, number) > std::pair(s.scale, s.number);
+    }
+  };
+
+  // Lays out the component of a piece: breadth first, but small pieces before those more than a
+  // thousand times as large. Thus pieces between the corners of a needle follow from each other: if
+  // large ones around led to them from all sides, they would have the errors of those.
   void spread_from(std::uint32_t first) {
     fixed_.push_back(p_.vertex[p_.begin[first]]);
     is_placed_[fixed_.back()] = 1;
-    result_.rotation[first] = 1;
-    place(first, p_.begin[first]);
-    std::vector<std::uint32_t> queue{first};
-    for (std::size_t n = 0; n < queue.size(); ++n) {
-      const std::uint32_t i = queue[n];
-      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c) {
-        if (p_.glue[c] == Gluing::none) continue;
-        const std::uint32_t j = piece_of_side_[p_.glue[c]];
-        if (result_.rotation[j] != 0.) continue;
-        const Complex r = result_.rotation[i] * p_.turn[c];
-        result_.rotation[j] = r / std::abs(r); // the length is 1 but for rounding
-        place(j, p_.glue[c]);
-        queue.push_back(j);
-      }
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+    std::size_t steps = 0;
+    const auto reach = [&](std::uint32_t i, std::uint32_t corner, Complex rotation) {
+      result_.rotation[i] = rotation;
+      place(i, corner);
+      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c)
+        if (p_.glue[c] != Gluing::none)
+          queue.push({std::ilogb(p_.extent(piece_of_side_[p_.glue[c]])) / 10, steps++, c});
+    };
+    reach(first, p_.begin[first], 1);
+    while (!queue.empty()) {
+      const std::uint32_t c = queue.top().corner, j = piece_of_side_[p_.glue[c]];
+      queue.pop();
+      if (result_.rotation[j] != 0.) continue;
+      const Complex r = result_.rotation[piece_of_side_[c]] * p_.turn[c];
+      reach(j, p_.glue[c], r / std::abs(r)); // the length is 1 but for rounding
     }
   }
 

@@ -33,8 +33,8 @@ struct Developed_pieces {
   double largest_error = 0;                   // of a side, relative to the longest one of its piece
 };
 
-// Lays pieces out that form disks. Frames follow from each other, breadth first; places are those
-// of least squares for relative differences of sides.
+// Lays pieces out that form disks. Frames follow from each other, breadth first, small pieces
+// before much larger ones; places are those of least squares for relative differences of sides.
 Developed_pieces develop(const Plane_pieces& pieces);
 
 // The sides of triangles, each in the frame of its side 0, as complex numbers.

@@ -37,6 +37,12 @@ double squared_quadruple_area_of(std::array<double, 3> lengths) {
   return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
 }
 
+Invalid_input no_triangle(std::uint32_t f) {
+  return Invalid_input::about(Element_kind::face, f,
+                              " has sides of which no triangle consists; give lengths that are "
+                              "finite and satisfy the triangle inequality");
+}
+
 // The sides of a triangle of given lengths. The greatest may be longer than the others together by
 // rounding of the lengths.
 std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, std::uint32_t f) {
@@ -50,9 +56,7 @@ std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, s
   }
   double area = squared_quadruple_area_of(lengths);
   if (!(least > 0) || !std::isfinite(longest) || !(area >= -1e-14 * squares[0]))
-    throw Invalid_input::about(Element_kind::face, f,
-                               " has sides of which no triangle consists; give lengths that are "
-                               "finite and satisfy the triangle inequality");
+    throw no_triangle(f);
   area = std::sqrt(std::max(area, 0.));
   std::array<std::complex<double>, 3> result;
   const Plane_sides sides =
@@ -137,7 +141,11 @@ std::complex<double> turn_across(std::complex<double> side, std::complex<double>
 std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s) {
   std::vector<std::complex<double>> result;
   result.reserve(s.length.size());
-  for (const auto& [x, y] : s.vector) result.emplace_back(x, y);
+  for (const auto& [x, y] : s.vector) {
+    if (!std::isnormal(std::hypot(x, y))) // overflow, or underflow
+      throw no_triangle(static_cast<std::uint32_t>(result.size() / 3));
+    result.emplace_back(x, y);
+  }
   if (!result.empty()) return result;
   for (std::uint32_t f = 0; f < s.gluing.number_of_faces(); ++f)
     for (const std::complex<double>& side : sides_of_triangle(s, f)) result.push_back(side);
