@@ -2,7 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Curves on surfaces as objects."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, overload
+
 from ._points import Point
+
+if TYPE_CHECKING:
+    from ._surface import Surface
+    from ._types import Integers, Matrix, Numbers
 
 
 class Curve:
@@ -24,6 +33,21 @@ class Curve:
     other curves these are None.
     """
 
+    points: Numbers | None
+    faces: Integers
+    corners: Integers
+    barycentric: Numbers
+    vertices: Integers
+    length: float
+    bounds: tuple[float, float]
+    is_closed: bool
+    status: str
+    initial_length: float | None
+    level: float | None
+    number_of_level: int | None
+    left: int | None
+    right: int | None
+
     __slots__ = ("points", "faces", "corners", "barycentric", "vertices", "length", "bounds",
                  "is_closed", "status", "initial_length", "level", "number_of_level", "left",
                  "right", "_way")
@@ -35,12 +59,12 @@ class Curve:
     def __reduce__(self):
         return type(self), ({name.lstrip("_"): getattr(self, name) for name in self.__slots__},)
 
-    def places(self):
+    def places(self) -> list[Point]:
         """Returns the points as a list of `Point`s; they have no sense in faces with more than
         three corners."""
         return [Point(int(f), tuple(b)) for f, b in zip(self.faces, self.barycentric)]
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.faces)
 
     def __repr__(self):
@@ -48,7 +72,7 @@ class Curve:
         return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
 
 
-class Network:
+class Network(Sequence[Curve]):
     """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
 
     `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
@@ -56,6 +80,12 @@ class Network:
     (None: this was not asked for), and `obstacle` why a path on the faces of a soup is not, or
     None. `Surface.cut()` cuts along them.
     """
+
+    curves: list[Curve]
+    status: str
+    flips: int
+    certified: bool | None
+    obstacle: str | None
 
     __slots__ = ("curves", "status", "flips", "certified", "obstacle", "_edges")
 
@@ -75,12 +105,18 @@ class Network:
         self._edges = None  # stay behind: cuts insert the curves again
 
     @property
-    def length(self):
+    def length(self) -> float:
         """The length of all curves."""
         return sum(c.length for c in self.curves)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.curves)
+
+    @overload
+    def __getitem__(self, i: int) -> Curve: ...
+
+    @overload
+    def __getitem__(self, i: slice) -> list[Curve]: ...
 
     def __getitem__(self, i):
         return self.curves[i]
@@ -106,6 +142,15 @@ class Cut:
     - `interpolation`: the sparse matrix that takes values at the user's vertices to all vertices.
     """
 
+    points: Numbers | None
+    faces: Integers
+    original_vertex: Integers
+    input_vertex: Integers
+    input_face: Integers
+    component: Integers
+    curve_of_side: Integers
+    interpolation: Matrix
+
     def __init__(self, parts, users):
         from scipy.sparse import coo_matrix
 
@@ -118,7 +163,7 @@ class Cut:
         self._surface = None
 
     @property
-    def surface(self):
+    def surface(self) -> Surface:
         """The pieces as a `Surface`."""
         if self._surface is None:
             from ._surface import Surface
@@ -127,7 +172,7 @@ class Cut:
         return self._surface
 
     @property
-    def number_of_components(self):
+    def number_of_components(self) -> int:
         """How many pieces there are."""
         return int(self.component.max()) + 1
 

@@ -2,11 +2,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Geodesics, isolines and cuts."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Cut, Network
 from ._points import is_point
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from numpy.typing import ArrayLike
+    from ._types import CurveMethod, Place, Places, Progress
 
 
 def _is_shortest(method):
@@ -33,7 +42,8 @@ def _direction(direction):
 
 
 class _Curves:
-    def path(self, a, b, *, through=(), waypoints=False, method="exact", progress=None):
+    def path(self, a: Place, b: Place, *, through: Places = (), waypoints: bool = False,
+             method: CurveMethod = "exact", progress: Progress = None) -> Curve:
         """Returns a geodesic from `a` to `b` as a `Curve`.
 
         With `method` "exact", it is a shortest path. With "flips" it is found by flips from a
@@ -49,7 +59,8 @@ class _Curves:
         points = [a, *([through] if is_point(through) else through), b]
         return self.network([points], waypoints=waypoints, method=method, progress=progress)[0]
 
-    def loop(self, points, *, waypoints=False, method="exact", progress=None):
+    def loop(self, points: Places, *, waypoints: bool = False, method: CurveMethod = "exact",
+             progress: Progress = None) -> Curve:
         """Returns a closed geodesic as a `Curve`: shortest paths from each of the points to the
         next, and from the last to the first, are shortened together.
 
@@ -59,8 +70,9 @@ class _Curves:
         return self.network((), [points], waypoints=waypoints, method=method,
                             progress=progress)[0]
 
-    def network(self, paths=(), loops=(), *, waypoints=False, method="exact", certify=False,
-                progress=None):
+    def network(self, paths: Iterable[Places] = (), loops: Iterable[Places] = (), *,
+                waypoints: bool = False, method: CurveMethod = "exact", certify: bool = False,
+                progress: Progress = None) -> Network:
         """Returns several geodesics as a `Network`: paths first, then loops.
 
         Each path and each loop is a sequence of points, see `path()` and `loop()`. By the method
@@ -82,7 +94,7 @@ class _Curves:
             raise ValueError("a network needs a curve; give paths or loops")
         return Network(_core.curves(self._core, curves, *options, progress))
 
-    def trace(self, p, direction, length):
+    def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.
 
         `direction` is a vector in space, which is projected to the face of `p`, or at a vertex or
@@ -101,7 +113,8 @@ class _Curves:
         core = self._flipped() if isinstance(direction, complex) else self._core
         return Curve(_core.trace(core, self._places(p, "p"), direction, far))
 
-    def isolines(self, u, levels=10, *, progress=None):
+    def isolines(self, u: ArrayLike, levels: int | ArrayLike = 10, *,
+                 progress: Progress = None) -> list[Curve]:
         """Returns the lines on which a function has given values, as a list of `Curve`s.
 
         `u` has a number per vertex, and is linear in the faces of this triangulation. It may be
@@ -124,7 +137,8 @@ class _Curves:
         return [Curve(line) for line in _core.isolines(self._core, values, levels,
                                                     progress)]
 
-    def cut(self, curves=None, *, through=(), progress=None):
+    def cut(self, curves: Network | Curve | Iterable[Curve] | None = None, *, through: Places = (),
+            progress: Progress = None) -> Cut:
         """Cuts the surface open along curves, and returns the pieces as a `Cut`.
 
         `curves` is a `Network`, a `Curve` of this surface, or a sequence of curves, which may cross

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Distances on surfaces: on the Delaunay triangulation, exact ones on covers on the faces below."""
 
+from __future__ import annotations
+
 import warnings
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -11,22 +13,28 @@ from . import _arrays, _core
 from ._curve import Curve
 from ._points import is_point, place_arrays
 
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+    from numpy.typing import ArrayLike, NDArray
+    from ._types import DistanceMethod, Integers, Numbers, Place, Places, Progress
+
 
 class FarthestPoints(NamedTuple):
     """Vertices that are far from each other, and a radius within which every vertex has one."""
 
-    vertices: np.ndarray
+    vertices: Integers
     radius: float
 
 
 class Junctions(NamedTuple):
     """Points where three or more cells meet: places as of a `Curve`, and the cells, clockwise."""
 
-    points: np.ndarray
-    faces: np.ndarray
-    barycentric: np.ndarray
-    corners: np.ndarray
-    cells: list
+    points: Numbers | None
+    faces: Integers
+    barycentric: Numbers
+    corners: Integers
+    cells: list[list[int]]
 
 
 class Voronoi(NamedTuple):
@@ -37,10 +45,10 @@ class Voronoi(NamedTuple):
     cell on their `left` and one on their `right`.
     """
 
-    labels: np.ndarray
-    distances: np.ndarray
-    areas: np.ndarray
-    boundaries: list
+    labels: Integers
+    distances: Numbers
+    areas: Numbers
+    boundaries: list[Curve]
     junctions: Junctions
     status: str
 
@@ -71,8 +79,9 @@ class _Distances:
         core = self._core
         return place_arrays(points, name, core.number_of_vertices, core.number_of_input_faces)
 
-    def distance(self, sources, *, method="exact", targets=None, max_distance=None,
-                 time_factor=1.0, progress=None):
+    def distance(self, sources: Places, *, method: DistanceMethod = "exact",
+                 targets: Places | None = None, max_distance: float | None = None,
+                 time_factor: float = 1.0, progress: Progress = None) -> Numbers:
         """Returns the distance of each vertex from the nearest source, of shape (n,).
 
         `sources` is a vertex, a `Point`, or a sequence of them. `method` is "exact", along shortest
@@ -94,8 +103,10 @@ class _Distances:
         _warn_of_cap(status)
         return found
 
-    def distances(self, source_sets, *, method="exact", max_distance=None, time_factor=1.0,
-                  threads=0, out=None, progress=None):
+    def distances(self, source_sets: Sequence[Places] | ArrayLike, *,
+                  method: DistanceMethod = "exact", max_distance: float | None = None,
+                  time_factor: float = 1.0, threads: int = 0, out: NDArray[Any] | None = None,
+                  progress: Progress = None) -> NDArray[Any]:
         """Returns the distances of all vertices from each of many sets of sources, of shape (k, n).
 
         `source_sets` has k elements, each what `distance()` takes as sources. `threads` is how many
@@ -119,7 +130,8 @@ class _Distances:
                                      how, _arrays.whole(threads, "threads"), out, progress))
         return out
 
-    def pair_distances(self, A, B, *, method="exact", threads=0, progress=None):
+    def pair_distances(self, A: Places, B: Places, *, method: DistanceMethod = "exact",
+                       threads: int = 0, progress: Progress = None) -> Numbers:
         """Returns the distance from each point of `A` to that of `B`, of shape (k,).
 
         One of them may be a single point. Pairs that begin with the same point share a search: let
@@ -136,7 +148,8 @@ class _Distances:
             raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
         return _core.pair_distances(self._flipped(), a, b, how, threads, progress)
 
-    def voronoi(self, sources, *, tolerance=None, progress=None):
+    def voronoi(self, sources: Place | Sequence[Places] | ArrayLike, *,
+                tolerance: float | None = None, progress: Progress = None) -> Voronoi:
         """Divides the surface among sources by exact distances, and returns a `Voronoi`.
 
         Each element of `sources` is a point, or a set of points that share a cell. Boundaries are
@@ -157,7 +170,8 @@ class _Distances:
         return Voronoi(found["labels"], found["distances"], found["areas"],
                        [Curve(b) for b in found["boundaries"]], junctions, found["status"])
 
-    def farthest_points(self, n, *, start=0, progress=None):
+    def farthest_points(self, n: int, *, start: int | ArrayLike = 0,
+                        progress: Progress = None) -> FarthestPoints:
         """Returns `n` vertices that are far from each other, and the radius that they cover.
 
         `start`, one vertex or several, are the first ones. Each of the others is the farthest one

@@ -2,13 +2,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Vectors on surfaces: logarithmic maps, transport, direction fields, signed distances."""
 
-from typing import NamedTuple
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Network
 from ._points import Point, is_point
+
+if TYPE_CHECKING:
+    from typing import Any, Literal
+    from numpy.typing import ArrayLike, NDArray
+    from ._types import Integers, Numbers, Place, Places, Progress, SignedCurves
 
 
 class VectorField:
@@ -21,29 +28,31 @@ class VectorField:
     tangent planes, they are in the first one in which the vector is known.
     """
 
+    coordinates: Numbers
+
     def __init__(self, core, field, neighbors):
         self._core, self._field, self._neighbors = core, field, neighbors
         self.coordinates = field.coordinates
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.coordinates)
 
     def __repr__(self):
         return f"<intrinsic.{type(self).__name__}: {len(self)} vertices>"
 
     @property
-    def lengths(self):
+    def lengths(self) -> Numbers:
         """The lengths of the vectors, of shape (n,)."""
         return np.hypot(self.coordinates[:, 0], self.coordinates[:, 1])
 
     @property
-    def vectors(self):
+    def vectors(self) -> Numbers:
         """The vectors in space, of shape (n, 3), each in a face at its vertex. A vector in a face
         without area goes straight on to the plane of the nearest face that has one."""
         return _core.vectors_in_space(self._core, self._field, 0.0, self._neighbors)
 
     @property
-    def axes(self):
+    def axes(self) -> Numbers:
         """The unit vectors in space along the real axes, of shape (n, 3)."""
         return _core.field_axes_in_space(self._core, self._field, self._neighbors)
 
@@ -61,7 +70,7 @@ class Frames:
         return f"<intrinsic.Frames: {self._core.number_of_vertices} vertices>"
 
     @property
-    def vertices(self):
+    def vertices(self) -> Numbers:
         """Unit vectors in space with the angles 0 and 90 degrees in the polar coordinates of each
         vertex, see `VectorField`, of shape (n, 2, 3), each in a face there, or, if that has no
         area, in the plane of the nearest face that has one. They are orthogonal where the surface
@@ -71,7 +80,7 @@ class Frames:
                          for angle in (0.0, np.pi / 2)], axis=1)
 
     @property
-    def faces(self):
+    def faces(self) -> Numbers:
         """Unit vectors in space along both axes of each face of the user's mesh, of shape
         (m, 2, 3): along its first side, and to the left of it. They are the axes of a `Point`.
         NaN for polygons with more corners, which have none.
@@ -90,7 +99,7 @@ class Frames:
         return axes
 
     @property
-    def angles(self):
+    def angles(self) -> Numbers | None:
         """The angles in radians of the sides of triangles in the polar coordinates of the vertices
         where they start, of shape (k, 3): of the sides of `Surface.faces` of `delaunay()`. A vector
         z at a vertex i is parallel to z * exp(1j * (b + pi - a)) at the other end of a side, where
@@ -99,7 +108,7 @@ class Frames:
         """
         return None if self._surface._is_cloud() else _core.side_angles(self._core)
 
-    def to_space(self, z):
+    def to_space(self, z: ArrayLike) -> Numbers:
         """Takes a vector at each vertex, complex of shape (n,) or real of shape (n, 2), to space:
         of shape (n, 3), each in a face at its vertex, and as long as it was. NaN stays."""
         z = np.asarray(z)
@@ -121,10 +130,10 @@ class Singularities(NamedTuple):
     turns about each: `index` of shape (k,).
     """
 
-    faces: np.ndarray
-    barycentric: np.ndarray
-    points: np.ndarray
-    index: np.ndarray
+    faces: Integers
+    barycentric: Numbers
+    points: Numbers
+    index: NDArray[np.int32]
 
     def __len__(self):
         return len(self.faces)
@@ -138,6 +147,12 @@ class DirectionField(VectorField):
     characteristic, and `border_turns`. `face_index` of shape (m,) has the index of each face of
     the triangulation. A cloud of points has no faces, and so no singularities.
     """
+
+    degree: int
+    singularities: Singularities
+    face_index: NDArray[np.int32]
+    index_sum: int
+    border_turns: int
 
     def __init__(self, core, degree, found, neighbors):
         field, self.face_index, faces, weights, points, index, self.index_sum, \
@@ -187,12 +202,14 @@ class _Fields:
         """Returns how many neighbors of each point are triangulated, if it is a cloud of points."""
         return self.report["domain"].get("neighbors", 30) if self._is_cloud() else 30
 
-    def frames(self):
+    def frames(self) -> Frames:
         """Returns the axes in which vectors have coordinates, as `Frames`: of vertices, of faces of
         the user's mesh, and the angles of sides of the Delaunay triangulation."""
         return Frames(self)
 
-    def log_map(self, p, *, method=None, time_factor=1.0, max_distance=np.inf, progress=None):
+    def log_map(self, p: Place, *, method: Literal["exact", "affine", "polar"] | None = None,
+                time_factor: float = 1.0, max_distance: float = np.inf,
+                progress: Progress = None) -> Numbers:
         """Returns the logarithmic map of a point: for each vertex the vector at `p` along the
         shortest path to it, as long as the path; of shape (n, 2), in the units of the mesh.
 
@@ -210,7 +227,8 @@ class _Fields:
                              _arrays.distance(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)
 
-    def transport(self, points, vectors, *, time_factor=1.0, progress=None):
+    def transport(self, points: Places, vectors: ArrayLike, *, time_factor: float = 1.0,
+                  progress: Progress = None) -> VectorField:
         """Transports vectors from points to all vertices, each from the nearest point: the vector
         heat method. Returns a `VectorField`.
 
@@ -231,7 +249,8 @@ class _Fields:
                                 progress)
         return VectorField(core, field, self._cloud_neighbors())
 
-    def extend(self, points, values, *, time_factor=1.0, progress=None):
+    def extend(self, points: Places, values: ArrayLike, *, time_factor: float = 1.0,
+               progress: Progress = None) -> Numbers:
         """Extends values at points, of shape (k,), to all vertices, of shape (n,): near the value
         of the nearest point, smoothly, never beyond the extremes. NaN where no path leads to a
         point. `time_factor` is the time of the heat flow in squares of the mean edge."""
@@ -240,7 +259,9 @@ class _Fields:
                             _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
                             progress)
 
-    def direction_field(self, degree=4, *, align=None, fixed=None, progress=None):
+    def direction_field(self, degree: int = 4, *, align: float | None = None,
+                        fixed: tuple[Places, ArrayLike] | None = None,
+                        progress: Progress = None) -> DirectionField:
         """Returns the smoothest field of directions: `degree` 1 for vectors, 2 for lines, 4 for
         crosses; a `DirectionField`.
 
@@ -260,7 +281,8 @@ class _Fields:
                                       vectors, self._cloud_neighbors(), progress)
         return DirectionField(core, degree, found, self._cloud_neighbors())
 
-    def signed_distance(self, curves, *, time_factor=1.0, progress=None):
+    def signed_distance(self, curves: SignedCurves, *, time_factor: float = 1.0,
+                        progress: Progress = None) -> Numbers:
         """Returns signed distances from curves, of shape (n,): negative on their left, positive on
         their right, by heat.
 
@@ -277,7 +299,7 @@ class _Fields:
                                      _arrays.number(time_factor, "time_factor"),
                                      progress)
 
-    def connection_laplacian(self, degree=1):
+    def connection_laplacian(self, degree: int = 1) -> Any:
         """Returns the Laplacian of tangent vectors, a complex, Hermitian csr_matrix of shape
         (n, n): in the polar coordinates of vertices, see `VectorField`, for the powers of vectors
         that stand for `degree` directions. On a cover it has a row for each copy of a vertex."""

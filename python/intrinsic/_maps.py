@@ -2,13 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Maps to the plane and to the sphere, eigenfunctions, deformations."""
 
+from __future__ import annotations
+
 import re
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from . import _arrays, _core
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any, Literal
+    from numpy.typing import ArrayLike, NDArray
+    from ._surface import Surface
+    from ._types import Angle, Integers, Numbers, Progress
 
 
 class PlaneMap:
@@ -24,6 +33,16 @@ class PlaneMap:
     "done", or says why the map is not injective; of maps by "spectral" and "lscm" it is
     "inaccurate" if faces have turned over or have no area.
     """
+
+    surface: Surface
+    uv: Numbers
+    status: str
+    certificate: dict[str, Any] | None
+    distortion: dict[str, float] | None
+    rounds: int
+    inserted_vertices: int
+    injective_on_input: bool | None
+    original_vertex: NDArray[np.uint32] | None
 
     def __init__(self, surface, uv, status, certificate, distortion, rounds, inserted):
         self.surface, self.uv, self.status = surface, uv, status
@@ -47,13 +66,13 @@ class Layout(NamedTuple):
     `seams` of shape (s, 2) are the ends of the edges that were cut.
     """
 
-    points: np.ndarray
-    polygons: list
-    uv: np.ndarray
-    weights: np.ndarray
-    vertices: np.ndarray
-    input_faces: np.ndarray
-    seams: np.ndarray
+    points: Numbers
+    polygons: list[Integers]
+    uv: Numbers
+    weights: Numbers
+    vertices: Integers
+    input_faces: Integers
+    seams: Integers
 
 
 class ConformalMap:
@@ -72,6 +91,23 @@ class ConformalMap:
     None for spheres, and where `no_layout` says why there is none: a Möbius strip or a cloud of
     points has no front, and a solver that stalled may leave triangles that have no shape.
     """
+
+    target: str
+    u: Numbers
+    scale_factors: Numbers
+    status: str
+    iterations: int
+    flips: int
+    residual: float
+    proven_residual: float | None
+    cones: dict[int, float]
+    period: complex | None
+    positions: Numbers | None
+    sphere: dict[str, Any] | None
+    layout: Layout | None
+    no_layout: str | None
+    certificate: dict[str, Any] | None
+    distortion: dict[str, float] | None
 
     def __init__(self, found):
         sphere = found.pop("sphere", None)
@@ -139,7 +175,10 @@ def _angle_arrays(angles, vertices):
 
 
 class _Maps:
-    def parametrize(self, method="harmonic", *, cut=None, start=None, progress=None):
+    def parametrize(self, method: Literal["harmonic", "lscm", "spectral", "conformal"] = "harmonic",
+                    *, cut: Literal["auto"] | ArrayLike | None = None,
+                    start: Literal["input", "delaunay"] | None = None,
+                    progress: Progress = None) -> PlaneMap | ConformalMap:
         """Maps a disk to the plane: a `PlaneMap`.
 
         `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
@@ -179,8 +218,11 @@ class _Maps:
         _core.expect_disks(self._core)
         return self.uniformize(target="plane", start=start or "delaunay", progress=progress)
 
-    def uniformize(self, angles=None, *, cones=None, target=None, start="delaunay",
-                   progress=None):
+    def uniformize(self, angles: Sequence[Angle] | ArrayLike | None = None, *,
+                   cones: int | Mapping[int, Angle] | None = None,
+                   target: Literal["plane", "sphere", "torus", "disk"] | None = None,
+                   start: Literal["input", "delaunay"] = "delaunay",
+                   progress: Progress = None) -> ConformalMap:
         """Finds scale factors with which the surface has prescribed angles, and lays it out: a
         `ConformalMap`.
 
@@ -213,14 +255,17 @@ class _Maps:
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
                                              progress))
 
-    def eigen(self, k, *, progress=None):
+    def eigen(self, k: int, *, progress: Progress = None) -> tuple[Numbers, Numbers]:
         """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
         the eigenfunctions, of shape (n, k), orthonormal in the mass matrix. There are at most as
         many as vertices, and fewer are returned if `k` is larger."""
         count = _arrays.whole(k, "k", "the number of eigenfunctions")
         return _core.eigen(self._flipped(), count, progress)
 
-    def deform(self, handles, displacements=None, *, energy="biharmonic", progress=None):
+    def deform(self, handles: ArrayLike | Mapping[int, ArrayLike],
+               displacements: ArrayLike | None = None, *,
+               energy: Literal["biharmonic", "harmonic"] = "biharmonic",
+               progress: Progress = None) -> Numbers:
         """Moves some vertices, and the others with them, as smoothly as possible. Returns the
         displacements of all vertices, of shape (n, d).
 

@@ -2,17 +2,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces as pages for browsers and notebooks."""
 
+from __future__ import annotations
+
 import os
+from typing import TYPE_CHECKING
 
 from . import _core
 
+if TYPE_CHECKING:
+    from typing import Any
+    from ._types import Path
+
 
 class _Pages:
-    def html(self, *, megabytes=30):
+    def html(self, *, megabytes: float = 30) -> str:
         """Returns a page for browsers that shows the triangulation on the surface."""
         return _core.page(self._core, megabytes)
 
-    def show(self, path=None, *, open_browser=True):
+    def show(self, path: Path | None = None, *, open_browser: bool = True) -> str:
         """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
         import tempfile
         import webbrowser
@@ -34,6 +41,6 @@ class _Pages:
         page = html.escape(self.html(megabytes=8), quote=True)
         return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
 
-    def to_pyvista(self):
+    def to_pyvista(self) -> Any:
         """Returns the common subdivision as a pyvista.PolyData, if PyVista is installed."""
         return self.common_subdivision().to_pyvista()

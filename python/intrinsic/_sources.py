@@ -2,18 +2,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Surfaces of files, and of points alone."""
 
+from __future__ import annotations
+
 import os
+from typing import TYPE_CHECKING
 
 from . import _arrays, _core, _options
 from ._surface import Surface
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+    from ._types import Arithmetic, FileDomain, Mollification, Path, Polygons, Progress
 
 
 def _neighbors(x):
     return _arrays.whole(x, "neighbors", "a number of points, two at least", 2)
 
 
-def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="fan",
-         neighbors=None, progress=None):
+def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | None = None,
+         mollification: Mollification | None = None, polygons: Polygons = "fan",
+         neighbors: int | None = None, progress: Progress = None) -> Surface:
     """Reads a mesh (OFF, OBJ, PLY, STL, TS), points (XYZ, PWN) or a triangulation (IDT).
 
     Options are those of `Surface`; `domain` may also be "points", which ignores faces, with
@@ -32,12 +40,13 @@ def read(path, *, domain="auto", arithmetic=None, mollification=None, polygons="
                                   progress))
 
 
-def load(path):
+def load(path: Path) -> Surface:
     """Reads what `Surface.save()` has written."""
     return read(path)
 
 
-def points(P, *, neighbors=30, arithmetic="exact", mollification="automatic"):
+def points(P: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "exact",
+           mollification: Mollification = "automatic") -> Surface:
     """Makes a surface of points near a surface in space, of shape (n, 3).
 
     The nearest `neighbors` of each point are triangulated around it; the union of the triangles is

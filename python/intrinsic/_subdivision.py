@@ -2,9 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The class `CommonSubdivision`."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from . import _arrays
+
+if TYPE_CHECKING:
+    from typing import Any
+    from ._types import Integers, Matrix, Numbers
 
 
 class CommonSubdivision:
@@ -21,7 +29,16 @@ class CommonSubdivision:
             of the triangulation, to those of the subdivision.
     """
 
-    def __init__(self, parts):
+    V: Numbers | None
+    corners: Integers
+    begins: Integers
+    input_face: Integers
+    intrinsic_face: Integers
+    sheet: Integers
+    P_input: Matrix
+    P_intrinsic: Matrix
+
+    def __init__(self, parts: dict[str, Any]) -> None:
         self.V = parts["V"] if parts["has_points"] else None
         self.corners = parts["corners"]
         self.begins = parts["begins"]
@@ -32,11 +49,11 @@ class CommonSubdivision:
         self.P_intrinsic = _arrays.sparse(parts["P_intrinsic"])
 
     @property
-    def polygons(self):
+    def polygons(self) -> list[Integers]:
         """The vertices of each polygon, counterclockwise: a list of arrays."""
         return np.split(self.corners, self.begins[1:-1])
 
-    def triangles(self):
+    def triangles(self) -> tuple[Integers, Integers]:
         """Returns triangles of the polygons, fans from their first corners, and their polygons."""
         sizes = np.diff(self.begins) - 2
         polygon = np.repeat(np.arange(len(sizes)), sizes)
@@ -45,7 +62,7 @@ class CommonSubdivision:
         at = np.column_stack([first, first + k + 1, first + k + 2])
         return self.corners[at], polygon
 
-    def to_pyvista(self):
+    def to_pyvista(self) -> Any:
         """Returns a pyvista.PolyData with `input_face` and `intrinsic_face`, if it is installed."""
         import pyvista
 

@@ -2,9 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The class `Surface`."""
 
+from __future__ import annotations
+
 import json
 import os
 import threading
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,8 +17,15 @@ from ._distances import _Distances
 from ._fields import _Fields
 from ._maps import _Maps
 from ._pages import _Pages
-from ._points import place_arrays
+from ._points import Point, place_arrays
 from ._subdivision import CommonSubdivision
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any, Literal
+    from numpy.typing import ArrayLike
+    from ._types import (Arithmetic, Domain, Integers, Matrix, Mollification, Numbers, Path,
+                         Polygons, Progress)
 
 
 class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
@@ -51,8 +61,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     0.4
     """
 
-    def __init__(self, V, F, *, lengths=None, glue=None, domain="auto", arithmetic="exact",
-                 correspondence="integer", mollification="automatic", polygons="fan"):
+    def __init__(self, V: ArrayLike | None, F: ArrayLike | Sequence[ArrayLike], *,
+                 lengths: ArrayLike | None = None, glue: ArrayLike | None = None,
+                 domain: Domain = "auto", arithmetic: Arithmetic = "exact",
+                 correspondence: Literal["integer"] = "integer",
+                 mollification: Mollification = "automatic", polygons: Polygons = "fan") -> None:
         _options.expect_correspondence(correspondence)
         _options.expect(domain=domain, arithmetic=arithmetic, mollification=mollification,
                         polygons=polygons)
@@ -93,7 +106,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     # ---- Better triangulations ------------------------------------------------------------------
 
-    def delaunay(self, *, keep=None, progress=None):
+    def delaunay(self, *, keep: ArrayLike | None = None, progress: Progress = None) -> Surface:
         """Returns the surface with edges flipped until all are Delaunay.
 
         Parameters:
@@ -104,8 +117,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """
         return Surface._of(_core.delaunay(self._core, *_options.kept(keep), progress))
 
-    def refine(self, *, min_angle=25, size=None, max_circumradius=None, max_insertions=None,
-               order="first-come", conforming=False, keep=None, odt_length=None, progress=None):
+    def refine(self, *, min_angle: float = 25, size: ArrayLike | None = None,
+               max_circumradius: float | None = None, max_insertions: int | None = None,
+               order: Literal["first-come", "largest-first", "worst-first"] = "first-come",
+               conforming: bool = False, keep: ArrayLike | None = None,
+               odt_length: float | None = None, progress: Progress = None) -> Surface:
         """Returns the Delaunay triangulation with vertices inserted until faces meet criteria.
 
         Parameters:
@@ -138,8 +154,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
                                         longest, max_circumradius, max_insertions, order,
                                         bool(conforming), *_options.kept(keep), odt, progress))
 
-    def adapt(self, source=0, *, heat_time=0, tolerance=0.01, max_vertices=100000, min_angle=25,
-              keep=None, progress=None):
+    def adapt(self, source: int = 0, *, heat_time: float = 0, tolerance: float = 0.01,
+              max_vertices: int = 100000, min_angle: float = 25, keep: ArrayLike | None = None,
+              progress: Progress = None) -> Surface:
         """Returns the surface refined where a function with a pole at a vertex needs it.
 
         Parameters:
@@ -162,64 +179,64 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     # ---- The triangulation ----------------------------------------------------------------------
 
     @property
-    def number_of_vertices(self):
+    def number_of_vertices(self) -> int:
         """How many vertices there are, those that were inserted included."""
         return self._core.number_of_vertices
 
     @property
-    def number_of_faces(self):
+    def number_of_faces(self) -> int:
         """How many triangles there are; on a cover, those of all sheets."""
         return self._core.number_of_faces
 
     @property
-    def number_of_input_vertices(self):
+    def number_of_input_vertices(self) -> int:
         """How many vertices the user's mesh has."""
         return self._core.number_of_input_vertices
 
     @property
-    def number_of_input_faces(self):
+    def number_of_input_faces(self) -> int:
         """How many faces the user's mesh has."""
         return self._core.number_of_input_faces
 
     @property
-    def faces(self):
+    def faces(self) -> Integers:
         """The vertices of the triangles, of shape (m, 3) and type int64."""
         return _core.faces(self._core)
 
     @property
-    def lengths(self):
+    def lengths(self) -> Numbers:
         """The lengths of the sides of triangles, of shape (m, 3): from each corner to the next."""
         return _core.lengths(self._core)
 
     @property
-    def glue(self):
+    def glue(self) -> Integers:
         """The triangle and the side that each side is glued to, of shape (m, 3, 2); -1: none."""
         return _core.glue(self._core)
 
     @property
-    def points(self):
+    def points(self) -> Numbers | None:
         """The places of all vertices in space, of shape (n, 3); None if there are only lengths."""
         return None if self._core.points is None else _core.positions(self._core)
 
     @property
-    def report(self):
+    def report(self) -> dict[str, Any]:
         """What the input is and what was done to it, a dict as in statistics."""
         return json.loads(_core.report(self._core))
 
     @property
-    def statistics(self):
+    def statistics(self) -> dict[str, Any]:
         """What was found and done, a dict with the keys of `intrinsic --stats`."""
         return json.loads(_core.statistics(self._core))
 
     @property
-    def certificate(self):
+    def certificate(self) -> Literal["exact", "interval", "none"]:
         """How sure it is that the triangulation is Delaunay: "exact", all edges that are not kept
         are proven to be; "interval", the same but for probable ties; or "none"."""
         return self.statistics["certificate"]
 
     # ---- Matrices -------------------------------------------------------------------------------
 
-    def laplacian(self):
+    def laplacian(self) -> Matrix:
         """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix of shape (n, n).
 
         It is positive semidefinite: minus that of libigl. It has a row for each vertex, zero if no
@@ -228,7 +245,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """
         return _arrays.sparse(_core.laplacian(self._flipped()), symmetric=True)
 
-    def mass(self, kind="lumped"):
+    def mass(self, kind: Literal["lumped", "galerkin", "voronoi"] = "lumped") -> Matrix:
         """Returns the mass matrix, a scipy.sparse.csr_matrix of shape (n, n).
 
         `kind` is "lumped": diagonal, a third of the area of the faces at each vertex, or on a cloud
@@ -244,7 +261,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     # ---- The input and the triangulation --------------------------------------------------------
 
-    def to_input(self, u, how="l2", *, progress=None):
+    def to_input(self, u: ArrayLike, how: Literal["l2", "pointwise"] = "l2", *,
+                 progress: Progress = None) -> Numbers:
         """Takes values at the vertices of the triangulation, of shape (n,) or (n, k), to those of
         the input: a row for each of them.
 
@@ -253,7 +271,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """
         return self._transfer(u, how, True, self.number_of_vertices, progress)
 
-    def from_input(self, u, how="l2", *, progress=None):
+    def from_input(self, u: ArrayLike, how: Literal["l2", "pointwise"] = "l2", *,
+                   progress: Progress = None) -> Numbers:
         """Takes values at the vertices of the input to those of the triangulation. See
         `to_input()` for shapes and `how`."""
         return self._transfer(u, how, False, self.number_of_input_vertices, progress)
@@ -267,7 +286,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         result = _core.transfer(self._core, values, to_input, how == "l2", progress)
         return result[:, 0] if values.ndim == 1 else result
 
-    def locate(self, points, *, on="triangulation"):
+    def locate(self, points: int | Point | ArrayLike | Sequence[int | Point], *,
+               on: Literal["triangulation", "input"] = "triangulation") -> tuple[Integers, Numbers]:
         """Finds where points of the input are on the triangulation, or the other way round.
 
         Parameters:
@@ -284,14 +304,14 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         faces, weights, vertices = place_arrays(points, "points", 0, self.number_of_faces)
         return _core.locate_on_input(self._core, faces, weights)
 
-    def common_subdivision(self, *, progress=None):
+    def common_subdivision(self, *, progress: Progress = None) -> CommonSubdivision:
         """Returns the coarsest mesh in which edges of the input and of the triangulation are paths.
         """
         return CommonSubdivision(_core.common_subdivision(self._core, progress))
 
     # ---- Keeping --------------------------------------------------------------------------------
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it."""
         _core.save(self._core, os.fspath(path))
 
@@ -304,7 +324,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     def __deepcopy__(self, memo):
         return self.__copy__()
 
-    def copy(self):
+    def copy(self) -> Surface:
         """Returns a surface with its own lock and cache, for another thread."""
         return self.__copy__()
 

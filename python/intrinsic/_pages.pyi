@@ -1,9 +1,0 @@
-# Copyright (c) 2026 The Intrinsic Triangulations authors
-# SPDX-License-Identifier: GPL-3.0-or-later
-from os import PathLike
-from typing import Any
-
-class _Pages:
-    def html(self, *, megabytes: float = ...) -> str: ...
-    def show(self, path: str | PathLike[str] | None = ..., *, open_browser: bool = ...) -> str: ...
-    def to_pyvista(self) -> Any: ...
