@@ -44,6 +44,8 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/Vector_options.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/centres.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>

@@ -6,6 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
+#include <iostream>
+#include <stdexcept>
 #include <string>
 
 namespace program {
@@ -25,6 +27,22 @@ void run_delaunay(const Options& options) {
     run_delaunay_elsewhere(options);
   else
     run_delaunay_with<IT::Integer_coordinates>(options);
+}
+
+void run_info(const Options& options) {
+  Progress_line progress(options.logs_progress);
+  with_loaded(options, progress, [&](auto& loaded) {
+    Options as_it_is = options;
+    as_it_is.no_flip = true;
+    Json json = improve_and_measure(loaded, as_it_is, progress);
+    Stopwatch watch;
+    Output_files files;
+    finish(json, options, files, watch);
+    if (!options.stats.empty()) return;
+    print_summary(std::cout, json);
+    if (!std::cout.flush())
+      throw std::runtime_error("standard output cannot be written; is the disk full?");
+  });
 }
 
 } // namespace program

@@ -4,7 +4,6 @@
 #ifndef INTRINSIC_DELAUNAY_H
 #define INTRINSIC_DELAUNAY_H
 
-#include "accuracy.h"
 #include "improve.h"
 #include "load.h"
 #include "matrices.h"
@@ -24,7 +23,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -101,8 +99,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
   json["seconds"]["subdivide"] = watch.lap();
   progress.show("writing");
   if (is_mesh_output(options))
-    files.write(options.output, [&](std::ostream& out) {
-      const std::string extension = std::filesystem::path(options.output).extension().string();
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
       IT::write_common_subdivision(out, extension, s, points);
     });
   if (!options.interpolation.empty())

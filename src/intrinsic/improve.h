@@ -4,7 +4,6 @@
 #ifndef INTRINSIC_IMPROVE_H
 #define INTRINSIC_IMPROVE_H
 
-#include "accuracy.h"
 #include "constraints.h"
 #include "load.h"
 #include "options.h"
@@ -40,6 +39,13 @@ IT::Improve_options asked_improvement(const Options& options, const std::vector<
 /// checks what was done, and warns of what is not.
 /// \throws std::runtime_error if rounding has spoilt the triangulation
 void check_improvement(const IT::Improvement& done, const Options& options, Progress& progress);
+
+/// checks that flips have kept the area.
+/// \throws std::runtime_error if rounding has changed it
+void expect_area_kept(double before, double after, const Options& options);
+/// checks that the common subdivision covers the input once.
+/// \throws std::runtime_error if rounding has spoilt it
+void expect_covered(double input_area, double area, const Options& options);
 
 /// flips to Delaunay, refines and inserts vertices, as options say.
 /// \param insert called after refinement, which may remove vertices that were inserted before

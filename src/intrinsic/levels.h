@@ -21,10 +21,6 @@ std::optional<std::size_t> number_of_levels(std::string_view text);
 /// returns the levels of a list; those that are not finite numbers become NaN.
 std::vector<double> listed_levels(std::string_view text);
 
-/// returns the levels that a text without misuse asks for: those of a list, or so many between two
-/// values, evenly spaced.
-std::vector<double> levels_of(const std::string& text, double least, double greatest);
-
 } // namespace program
 
 #endif // INTRINSIC_LEVELS_H

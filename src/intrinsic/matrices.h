@@ -10,16 +10,23 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/matrix_market.h>
 
 #include <Eigen/SparseCore>
 
+#include <ostream>
 #include <string>
 
 namespace program {
 
 /// writes a matrix. \param what what it is, for the comment in the file
-void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
-                  const std::string& what, Output_files& files);
+inline void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
+                         const std::string& what, Output_files& files) {
+  files.write(path, [&](std::ostream& out) {
+    CGAL::Intrinsic_triangulations::write_matrix_market(
+        out, matrix, what + ",\nby intrinsic " + INTRINSIC_TRIANGULATIONS_VERSION);
+  });
+}
 
 /// writes the Laplacian and the mass matrix, if options name files for them.
 /// \throws Invalid_input naming the file

@@ -2,85 +2,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "option_groups.h"
-#include "support/file_formats.h"
+#include "asked_curves.h"
 #include "support/surface_words.h"
 
-#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace program {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-
 namespace {
-
-// what means nothing without refinement
-constexpr std::array refinement_options{"min-angle",       "max-circumradius",
-                                        "max-edge-length", "size",
-                                        "max-insertions",  "order",
-                                        "conforming",      "odt",
-                                        "adaptive"};
 
 // The input, and how it is read.
 void add_input_options(CLI::App& command, Options& options) {
-  command
-      .add_option("IN", options.input,
-                  "mesh (" + extensions_of(Contents::mesh) + "), points (" +
-                      extensions_of(Contents::point_set) +
-                      ", or a mesh without faces) or intrinsic triangulation (" +
-                      extensions_of(Contents::triangulation) + ")")
+  const Option_adder add(command);
+  add("IN", options.input,
+      "mesh (" + extensions_of(Contents::mesh) + "), points (" +
+          extensions_of(Contents::point_set) +
+          ", or a mesh without faces) or intrinsic triangulation (" +
+          extensions_of(Contents::triangulation) + ")")
       ->required();
-  command
-      .add_option_function<std::string>(
-          "--arithmetic",
-          [&options](const std::string& word) {
-            options.arithmetic = word;
-            options.is_arithmetic_given = true;
-          },
-          "exact (certified predicates, default) or double")
-      ->check(CLI::IsMember({"exact", "double"}));
-  command
-      .add_option_function<std::string>(
-          "--mollification",
-          [&options](const std::string& word) {
-            options.mollification = word;
-            options.is_mollification_given = true;
-          },
-          "treatment of faces without area: automatic (only where flips cannot remove them, "
-          "default), none, lengths or squared")
-      ->check(CLI::IsMember({"automatic", "none", "lengths", "squared"}));
-  command.add_option("--domain", options.domain, surface_description)
-      ->check(CLI::IsMember(surface_words));
-  command
-      .add_option("--neighbors", options.neighbors,
-                  "number of neighbors of each point to triangulate; default 30")
-      ->check(between(2, 1e9))
-      ->type_name("K");
-  command
-      .add_option(
-          "--polygons", options.polygons,
-          "what to make from polygons that are not planar: fan (triangles in space, default) or "
-          "planar (the planar polygon with the same sides and the nearest angles)")
-      ->check(CLI::IsMember({"fan", "planar"}));
+  add("--arithmetic", options.arithmetic, {CLI::IsMember({"exact", "double"})},
+      "exact (certified predicates, default) or double")
+      ->each([&options](const std::string&) { options.is_arithmetic_given = true; });
+  add("--mollification", options.mollification,
+      {CLI::IsMember({"automatic", "none", "lengths", "squared"})},
+      "treatment of faces without area: automatic (only where flips cannot remove them, default), "
+      "none, lengths or squared")
+      ->each([&options](const std::string&) { options.is_mollification_given = true; });
+  add("--domain", options.domain, {CLI::IsMember(surface_words)}, surface_description);
+  add("--neighbors", options.neighbors, {between(2, 1e9), Type{"K"}},
+      "number of neighbors of each point to triangulate; default 30");
+  add("--polygons", options.polygons, {CLI::IsMember({"fan", "planar"})},
+      "what to make from polygons that are not planar: fan (triangles in space, default) or planar "
+      "(the planar polygon with the same sides and the nearest angles)");
 }
 
 // What is written about the work, and when it ends.
 void add_report_options(CLI::App& command, Options& options) {
-  command.add_option("--stats", options.stats, "write statistics as JSON; - is standard output")
-      ->type_name("FILE");
-  command
-      .add_option("--records", options.records,
-                  "write all records of lists that statistics shorten to 1000, as JSON Lines")
-      ->type_name("FILE");
-  command
-      .add_option("--time-limit", options.time_limit,
-                  "seconds after which the program gives up, with exit code 1, and writes nothing")
-      ->check(between(1e-6, 1e9))
-      ->type_name("SECONDS");
-  command.add_flag("--progress", options.logs_progress,
-                   "write lines with the current step to standard error");
+  const Option_adder add(command);
+  add("--stats", options.stats, {file}, "write statistics as JSON; - is standard output");
+  add("--records", options.records, {file},
+      "write all records of lists that statistics shorten to 1000, as JSON Lines");
+  add("--time-limit", options.time_limit, {between(1e-6, 1e9), Type{"SECONDS"}},
+      "seconds after which the program gives up, with exit code 1, and writes nothing");
+  add("--progress", options.logs_progress, "write lines with the current step to standard error");
 }
 
 } // namespace
@@ -95,22 +62,21 @@ CLI::Validator file_of(std::vector<Contents> offered) {
       "FILE");
 }
 
-CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                               const std::vector<Contents>& offered) {
-  return command.add_option(name, path, "write " + listed_with_extensions(offered))
-      ->check(file_of(offered));
+CLI::Validator curve_points(std::size_t least) {
+  return CLI::Validator([least](std::string& text) { return curve_points_misuse(text, least); },
+                        "POINTS");
+}
+
+void add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                       const std::vector<Contents>& offered) {
+  Option_adder{command}(name, path, {file_of(offered)}, "write " + listed_with_extensions(offered));
 }
 
 void add_view_option(CLI::App& command, Options& options, const std::string& what) {
-  CLI::Option* const view =
-      command.add_option("--view", options.view, "write a page that shows " + what)
-          ->type_name("FILE");
-  command
-      .add_option("--view-limit", options.view_limit,
-                  "most megabytes of the page, which shows less if it needs more; default 30")
-      ->check(between(2, 2000))
-      ->type_name("MB")
-      ->needs(view);
+  const Option_adder add(command);
+  CLI::Option* const view = add("--view", options.view, {file}, "write a page that shows " + what);
+  add("--view-limit", options.view_limit, {between(2, 2000), Type{"MB"}, view},
+      "most megabytes of the page, which shows less if it needs more; default 30");
 }
 
 void add_common_options(CLI::App& command, Options& options) {
@@ -119,42 +85,29 @@ void add_common_options(CLI::App& command, Options& options) {
 }
 
 void add_constraint_options(CLI::App& command, Options& options) {
-  command
-      .add_option("--sharp-angle", options.sharp_angle,
-                  "keep edges whose faces deviate by more than so many degrees from a plane")
-      ->check(between(0, 180));
-  command
-      .add_option("--constrain", options.constraints,
-                  "keep the edges that a text file lists: the numbers of two vertices on each line")
-      ->type_name("FILE");
+  const Option_adder add(command);
+  add("--sharp-angle", options.sharp_angle, {between(0, 180)},
+      "keep edges whose faces deviate by more than so many degrees from a plane");
+  add("--constrain", options.constraints, {file},
+      "keep the edges that a text file lists: the numbers of two vertices on each line");
 }
 
 void add_metric_option(CLI::App& command, Options& options) {
-  command
-      .add_option(
-          "--metric", options.metric,
-          "change lengths: a text file with a factor per vertex, or with a tensor xx xy xz yy "
-          "yz zz per face")
-      ->type_name("FILE");
+  Option_adder{command}("--metric", options.metric, {file},
+                        "change lengths: a text file with a factor per vertex, or with a tensor xx "
+                        "xy xz yy yz zz per face");
 }
 
 void add_refinement_options(CLI::App& command, Options& options) {
-  CGAL::Intrinsic_triangulations::Refine_criteria& r = options.refinement;
-  command.add_option("--min-angle", r.minimum_angle, "least angle in degrees; default 30")
-      ->check(between(0, 59));
-  command.add_option("--max-circumradius", r.maximum_circumradius, "largest circumradius of faces")
-      ->check(positive());
-  command.add_option("--max-edge-length", r.maximum_edge_length, "largest length of edges")
-      ->check(positive());
-  command
-      .add_option("--size", options.sizes,
-                  "largest length of edges at each vertex of the input: a text file with a number "
-                  "per vertex")
-      ->type_name("FILE");
-  command
-      .add_option("--max-insertions", r.maximum_insertions,
-                  "cap on the number of insertions; default a million and ten per face")
-      ->check(between(0, 1e18));
+  const Option_adder add(command);
+  IT::Refine_criteria& r = options.refinement;
+  add("--min-angle", r.minimum_angle, {between(0, 59)}, "least angle in degrees; default 30");
+  add("--max-circumradius", r.maximum_circumradius, {positive()}, "largest circumradius of faces");
+  add("--max-edge-length", r.maximum_edge_length, {positive()}, "largest length of edges");
+  add("--size", options.sizes, {file},
+      "largest length of edges at each vertex of the input: a text file with a number per vertex");
+  add("--max-insertions", r.maximum_insertions, {between(0, 1e18)},
+      "cap on the number of insertions; default a million and ten per face");
   command
       .add_option_function<std::string>(
           "--order",
@@ -165,53 +118,39 @@ void add_refinement_options(CLI::App& command, Options& options) {
           },
           "which face comes next: first (default), largest or worst")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
-  command.add_flag("--conforming", r.is_conforming,
-                   "split kept edges until all edges are Delaunay");
-  command
-      .add_option("--odt", r.odt_length,
-                  "then move inserted vertices to an optimal Delaunay triangulation, split edges "
-                  "longer than "
-                  "this, and refine to the least angle again")
-      ->check(positive());
+  add("--conforming", r.is_conforming, "split kept edges until all edges are Delaunay");
+  add("--odt", r.odt_length, {positive()},
+      "then move inserted vertices to an optimal Delaunay triangulation, split edges longer than "
+      "this, and refine to the least angle again");
 }
 
-// The vertex may be named by another option.
 void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) {
-  CGAL::Intrinsic_triangulations::Adapt_criteria& a = options.adaptive;
+  const Option_adder add(command);
+  IT::Adapt_criteria& a = options.adaptive;
   CLI::Option* const adaptive =
-      command.add_flag("--adaptive", options.is_adaptive,
-                       "refine where the Green's function of a vertex has large errors");
+      add("--adaptive", options.is_adaptive,
+          "refine where the Green's function of a vertex has large errors");
   for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
                             "--order", "--conforming", "--odt"})
     adaptive->excludes(other);
-  if (has_vertex)
-    command.add_option("--source", a.source, "the vertex; default 0")->needs(adaptive);
-  command
-      .add_option("--heat-time", a.heat_time,
-                  "refine for the heat kernel after this time instead, in squares of the mean edge")
-      ->check(positive())
-      ->needs(adaptive);
-  command
-      .add_option("--tolerance", a.tolerance,
-                  "estimated error to reach, divided by the root of the area, or with "
-                  "--heat-time by the norm of the kernel; default 0.01")
-      ->check(positive())
-      ->needs(adaptive);
-  command
-      .add_option("--max-vertices", a.maximum_vertices,
-                  "cap on the number of vertices; default 100000")
-      ->check(between(1, 1e9))
-      ->needs(adaptive);
+  if (has_vertex) add("--source", a.source, {adaptive}, "the vertex; default 0");
+  add("--heat-time", a.heat_time, {positive(), adaptive},
+      "refine for the heat kernel after this time instead, in squares of the mean edge");
+  add("--tolerance", a.tolerance, {positive(), adaptive},
+      "estimated error to reach, divided by the root of the area, or with --heat-time by the norm "
+      "of the kernel; default 0.01");
+  add("--max-vertices", a.maximum_vertices, {between(1, 1e9), adaptive},
+      "cap on the number of vertices; default 100000");
 }
 
 void add_matrix_options(CLI::App& command, Options& options) {
-  const auto matrix = [&command](const char* name, std::string& path, const char* what) {
-    command.add_option(name, path, std::string("write ") + what + " in Matrix Market format")
-        ->check(file_of({Contents::matrix}));
+  const Option_adder add(command);
+  const auto matrix = [&](const char* name, std::string& path, const std::string& what) {
+    add(name, path, {file_of({Contents::matrix})}, "write " + what + " in Matrix Market format");
   };
   matrix("--mass", options.mass, "the mass matrix");
-  command.add_option("--mass-kind", options.mass_kind, "lumped (diagonal, default) or galerkin")
-      ->check(CLI::IsMember({"lumped", "galerkin"}));
+  add("--mass-kind", options.mass_kind, {CLI::IsMember({"lumped", "galerkin"})},
+      "lumped (diagonal, default) or galerkin");
   matrix("--interpolation", options.interpolation,
          "the interpolation from the vertices of the triangulation to the common subdivision");
   matrix("--input-interpolation", options.input_interpolation,
@@ -219,20 +158,86 @@ void add_matrix_options(CLI::App& command, Options& options) {
 }
 
 void add_correspondence_options(CLI::App& command, Options& options) {
-  command
-      .add_option("--correspondence", options.correspondence,
-                  "how to store where edges run on the input: integer (coordinates, default), "
-                  "signposts, crossings or none")
-      ->check(CLI::IsMember({"none", "integer", "signposts", "crossings"}));
+  Option_adder{command}("--correspondence", options.correspondence,
+                        {CLI::IsMember({"none", "integer", "signposts", "crossings"})},
+                        "how to store where edges run on the input: integer (coordinates, "
+                        "default), signposts, crossings or none");
   add_output_option(command, "-o", options.output,
                     {Contents::subdivision, Contents::triangulation});
   add_view_option(command, options, "the triangulation");
 }
 
-void make_refinement_options_need(CLI::Option& refine, CLI::App& command) {
-  for (CLI::Option* const option : command.get_options())
-    for (const char* const name : refinement_options)
-      if (option->check_lname(name)) option->needs(&refine);
+void make_refinement_options_need_refine(CLI::App& command) {
+  CLI::Option* const refine = command.get_option_no_throw("--refine");
+  if (refine == nullptr) return;
+  for (const char* const name :
+       {"--min-angle", "--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
+        "--order", "--conforming", "--odt", "--adaptive"})
+    if (CLI::Option* const option = command.get_option_no_throw(name)) option->needs(refine);
+}
+
+void add_adaptive_options(CLI::App& command, Options& options) {
+  add_adaptive_options(command, options, true);
+}
+
+void add_refine_flag(CLI::App& command, Options& options) {
+  Option_adder{command}("--refine", options.refines,
+                        "refine the triangulation, as the command refine does");
+}
+
+void add_joined_curve_options(CLI::App& command, Options& options) {
+  const Option_adder add(command);
+  Geodesic_options& g = options.geodesic;
+  add("--path", g.paths, {curve_points(2)},
+      "path through points, separated by commas: numbers of vertices, or face:b0:b1:b2; may be "
+      "repeated")
+      ->allow_extra_args(false);
+  add("--loop", g.loops, {curve_points(3)}, "closed curve through points; may be repeated")
+      ->allow_extra_args(false);
+  add("--network", g.network, {file},
+      "text file of curves: on each line the vertices of a path, or after the word loop of a "
+      "closed curve");
+  add("--marked", options.constraints, {file},
+      "text file of edges that become curves: the numbers of two vertices on each line");
+  add("--sharp-angle", options.sharp_angle, {between(0, 180)},
+      "edges whose faces deviate by more than so many degrees from a plane become curves");
+  add("--waypoints", g.has_waypoints, "curves stay at all points that are given");
+}
+
+void add_results(CLI::App& command, Options& options, bool has_sources,
+                 const std::vector<Contents>& outputs) {
+  const Option_adder add(command);
+  add_output_option(command, "-o", options.output, outputs);
+  add("--on", options.application.on, {CLI::IsMember({"subdivision", "input", "intrinsic"})},
+      "where results are: subdivision (on the common subdivision, default), input, or intrinsic "
+      "(values only)");
+  add_view_option(command, options, "the result");
+  add_refine_flag(command, options);
+  add_constraint_options(command, options);
+  add_metric_option(command, options);
+  add_refinement_options(command, options);
+  add_adaptive_options(command, options, !has_sources);
+  if (has_sources)
+    add("--source", options.application.sources, {curve_points(1)},
+        "points, separated by commas: vertices as numbered in the file, from 0, or face:b0:b1:b2")
+        ->required();
+}
+
+void add_result_options(CLI::App& command, Options& options) {
+  add_results(command, options, false);
+}
+
+void add_time_option(CLI::App& command, Options& options) {
+  Option_adder{command}("--time", options.application.time_factor, {CLI::PositiveNumber},
+                        "how long heat flows, in squares of the mean edge length; with --signed, "
+                        "in squares of half of it (default 1)");
+}
+
+void add_start_option(CLI::App& command, Options& options) {
+  Option_adder{command}(
+      "--start", options.uniformize.start, {CLI::IsMember({"delaunay", "input"})},
+      "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
+      "triangulation) or input (those of the mesh); by default delaunay");
 }
 
 } // namespace program

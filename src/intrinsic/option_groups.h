@@ -8,20 +8,38 @@
 #include "support/command_line.h"
 #include "support/file_formats.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
-// Options that several commands have in common.
+// Options that several commands have in common, and what is wrong with options.
 
 namespace program {
+
+/// Adds options to a command.
+using Option_group = void (*)(CLI::App&, Options&);
+
+/// A command: one row of the table that the program reads.
+struct Command {
+  const char* name;                                ///< on the command line
+  const char* help;                                ///< what it does
+  void (*run)(const Options&);                     ///< does it
+  std::vector<Option_group> options;               ///< in the order of its help
+  std::string (*misuse)(const Options&) = nullptr; ///< what is wrong with its options alone
+};
+
+/// returns all commands, in the order of the help.
+const std::vector<Command>& commands();
 
 /// returns a check that the extension of a file allows one of several contents; the error lists
 /// them with their extensions.
 CLI::Validator file_of(std::vector<Contents> offered);
+/// returns a check that a word is a list of so many points at least.
+CLI::Validator curve_points(std::size_t least);
 /// adds an option that names a file to be written with one of several contents; its help lists
 /// them with their extensions.
-CLI::Option* add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                               const std::vector<Contents>& offered);
+void add_output_option(CLI::App& command, const std::string& name, std::string& path,
+                       const std::vector<Contents>& offered);
 /// adds a page that shows something.
 void add_view_option(CLI::App& command, Options& options, const std::string& what);
 
@@ -33,34 +51,31 @@ void add_constraint_options(CLI::App& command, Options& options);
 void add_metric_option(CLI::App& command, Options& options);
 /// adds the criteria of `refine`.
 void add_refinement_options(CLI::App& command, Options& options);
-/// adds adaptive refinement, which replaces all criteria but the least angle; the vertex that it is
+/// adds adaptive refinement, which replaces all criteria but the least angle. The vertex that it is
 /// about may be named by another option.
-void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex = true);
+void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex);
+/// adds the same, with the vertex.
+void add_adaptive_options(CLI::App& command, Options& options);
 /// adds matrices besides the Laplacian.
 void add_matrix_options(CLI::App& command, Options& options);
 /// adds the correspondence, and the files that need it.
 void add_correspondence_options(CLI::App& command, Options& options);
-/// adds curves to be made geodesic, and where to stop.
-void add_curve_options(CLI::App& command, Options& options);
-/// adds curves and isolines to cut along, and the files of the cut surface.
-void add_cut_options(CLI::App& command, Options& options);
-/// adds the files of curves.
-void add_curve_output_options(CLI::App& command, Options& options);
-/// adds the options of all commands that solve a problem on the triangulation: refinement, files of
-/// results, and the points from which they start, if they do.
-void add_application_options(CLI::App& command, Options& options, bool has_sources = false,
-                             const std::vector<Contents>& outputs = {Contents::values,
-                                                                     Contents::subdivision});
-/// adds the triangles whose lengths conformal maps scale.
-void add_start_option(CLI::App& command, Options& options);
-/// adds prescribed angles, and where results are written.
-void add_uniformize_options(CLI::App& command, Options& options);
-/// adds the method, curves as sources, and the limits of the search.
-void add_distance_options(CLI::App& command, Options& options);
+/// adds `--refine`.
+void add_refine_flag(CLI::App& command, Options& options);
+/// adds curves that may be given together.
+void add_joined_curve_options(CLI::App& command, Options& options);
+/// adds files of results, refinement, and the points from which something is computed, if there are
+/// any: then adaptive refinement is about the first of them.
+void add_results(CLI::App& command, Options& options, bool has_sources,
+                 const std::vector<Contents>& outputs = {Contents::values, Contents::subdivision});
+/// adds the same, without points.
+void add_result_options(CLI::App& command, Options& options);
 /// adds how long heat flows.
 void add_time_option(CLI::App& command, Options& options);
-/// refuses criteria of refinement without an option.
-void make_refinement_options_need(CLI::Option& refine, CLI::App& command);
+/// adds the triangles whose lengths conformal maps scale.
+void add_start_option(CLI::App& command, Options& options);
+/// refuses criteria of refinement without `--refine`, if the command has this option.
+void make_refinement_options_need_refine(CLI::App& command);
 
 /// returns what is wrong with the options of the command `geodesic`, like `misuse()`.
 std::string geodesic_misuse(const Options& options);

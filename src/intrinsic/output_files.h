@@ -7,10 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 
 #include <exception>
+#include <filesystem>
 #include <list>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace program {
 
@@ -31,13 +33,16 @@ public:
 
   /// opens a file. \throws std::runtime_error naming the file
   std::ostream& open(const std::string& path);
-  /// writes a file: calls a function with its stream.
+  /// writes a file: calls a function with its stream, and with its extension if it takes that.
   /// \throws std::runtime_error naming the file if it is not complete
   template <class Function>
   void write(const std::string& path, const Function& function) {
     std::ostream& out = open(path);
     try {
-      function(out);
+      if constexpr (std::is_invocable_v<Function, std::ostream&, std::string>)
+        function(out, std::filesystem::path(path).extension().string());
+      else
+        function(out);
     } catch (const std::exception&) {
       if (out) throw;
       throw std::runtime_error(path + ": the file cannot be written completely; is the disk full?");

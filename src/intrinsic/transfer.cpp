@@ -81,9 +81,8 @@ void write_fields(const std::string& path, const Transferred& r, const IT::Commo
   };
   add("field_on_input", r.input_on_subdivision);
   add("field_on_intrinsic", r.intrinsic_on_subdivision);
-  files.write(path, [&](std::ostream& out) {
-    IT::write_common_subdivision(out, std::filesystem::path(path).extension().string(), s, points,
-                                 fields);
+  files.write(path, [&](std::ostream& out, const std::string& extension) {
+    IT::write_common_subdivision(out, extension, s, points, fields);
   });
 }
 

@@ -79,38 +79,28 @@ std::string description(const Json& json) {
 
 IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
                                 const std::vector<Point>& points, const Options& options,
-                                const Json& json, const Viewed& viewed) {
+                                const Json& json, IT::Html_view view) {
   if (three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
                              "install libjs-three and build it again");
   const std::string title = as_utf8(std::filesystem::path(options.input).filename().string());
   const std::string text = description(json);
-  IT::Html_view view;
   view.title = title;
   view.description = text;
   view.three = three_js();
   view.trackball_controls = trackball_controls_js();
-  view.curves = viewed.curves;
-  view.initial_curves = viewed.initial_curves;
-  view.fields = viewed.fields;
-  view.shown_field = viewed.shown_field;
-  view.marks = viewed.marks;
-  view.marks_name = viewed.marks_name;
-  view.isolines = viewed.isolines;
-  view.texture = viewed.texture;
-  view.is_disk = viewed.is_disk;
-  view.has_edges = view.has_face_colors = !viewed.is_plain;
+  if (view.marks.empty()) view.marks_name = {};
   constexpr std::size_t many = 1000; // curves, which would cover the surface
-  view.curve_width = viewed.curves.size() > many ? 1 : viewed.curve_width;
+  if (view.curves.size() > many) view.curve_width = 1;
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
   return IT::write_html_view(out, s, points, view);
 }
 
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
                 const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed& viewed) {
-  const IT::Html_view_report report = write_page(out, s, points, options, json, viewed);
+                IT::Html_view view) {
+  const IT::Html_view_report report = write_page(out, s, points, options, json, view);
   if (!report.is_complete())
     std::cerr << options.view << ": " << report.description()
               << "; --view-limit allows a larger page, and -o writes all to a file\n";

@@ -22,28 +22,13 @@
 
 namespace program {
 
-/// What a page shows besides the triangulation.
-struct Viewed {
-  std::span<const IT::Polyline> curves{}, initial_curves{};
-  std::span<const IT::Subdivision_field> fields{}; ///< numbers at vertices, to be shown as colours
-  std::size_t shown_field = 0;                     ///< which of them at first; others: none
-  unsigned isolines = 0;                           ///< steps between lines of equal values of it
-  std::span<const IT::Polyline> marks{};           ///< points that are marked, of one point each
-  std::string marks_name{};
-  std::span<const std::array<double, 2>> texture{}; ///< places in the plane, or none
-  bool is_disk = false;                             ///< whether these are in Poincaré's disk
-  bool is_plain =
-      false; ///< whether edges are hidden at first, and faces without a field have no colours
-  double curve_width = 3.5; ///< in pixels
-};
-
 /*!
 \brief writes the page that shows the intrinsic triangulation, and says on standard error what it
 leaves out; see `write_page()`.
 */
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
                 const std::vector<Point>& points, const Options& options, const Json& json,
-                const Viewed& viewed);
+                IT::Html_view view);
 
 /*!
 \brief writes the page that shows the intrinsic triangulation.
@@ -52,12 +37,12 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
 \param points the position of each vertex of it
 \param options the options
 \param json the statistics
-\param viewed what else is shown
+\param view what else is shown
 \return what the page leaves out
 */
 IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
                                 const std::vector<Point>& points, const Options& options,
-                                const Json& json, const Viewed& viewed);
+                                const Json& json, IT::Html_view view);
 
 } // namespace program
 

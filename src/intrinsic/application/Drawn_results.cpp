@@ -12,7 +12,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <ostream>
 #include <stdexcept>
@@ -92,19 +91,20 @@ Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
 
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
                         const Cut& cut, const Options& options, const Json& json) {
-  Viewed viewed;
+  IT::Html_view view;
   const std::vector<IT::Polyline> lines =
       cut.is_cut() ? cut.seams : direction_lines(results.directions, results.drawn);
-  viewed.curves = lines;
-  viewed.marks = computed.marks.points;
-  viewed.marks_name = computed.marks.name;
-  viewed.isolines = computed.isolines;
-  viewed.is_plain = computed.isolines > 0 || computed.is_map || computed.directions;
-  if (computed.directions) viewed.curve_width = 1.5;
-  viewed.fields = results.fields;
-  viewed.shown_field = computed.is_map ? results.fields.size() : computed.shown;
-  viewed.texture = results.texture;
-  write_view(out, results.drawn.s, results.drawn.points, options, json, viewed);
+  view.curves = lines;
+  view.marks = computed.marks.points;
+  view.marks_name = computed.marks.name;
+  view.isolines = computed.isolines;
+  view.has_edges = view.has_face_colors =
+      computed.isolines == 0 && !computed.is_map && !computed.directions;
+  if (computed.directions) view.curve_width = 1.5;
+  view.fields = results.fields;
+  view.shown_field = computed.is_map ? results.fields.size() : computed.shown;
+  view.texture = results.texture;
+  write_view(out, results.drawn.s, results.drawn.points, options, json, view);
 }
 
 void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options& options,
@@ -112,31 +112,30 @@ void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options&
   constexpr std::array<std::string_view, 1> without_corners{"vtp"};
   const Surface_with_fields& opened = laid_out.opened;
   if (!options.view.empty()) {
-    Viewed viewed;
-    viewed.is_plain = true;
-    viewed.curves = laid_out.seams;
-    viewed.marks = marks.points;
-    viewed.marks_name = marks.name;
+    IT::Html_view view;
+    view.has_edges = view.has_face_colors = false;
+    view.curves = laid_out.seams;
+    view.marks = marks.points;
+    view.marks_name = marks.name;
     std::vector<IT::Subdivision_field> shown;
     for (const IT::Subdivision_field& field : opened.fields)
       if (field.is_function()) shown.push_back(field);
     std::vector<std::array<double, 2>> texture;
     for (std::size_t v = 0; v < opened.points.size(); ++v)
       texture.push_back({shown[0].values[v], shown[1].values[v]});
-    viewed.fields = shown;
-    viewed.shown_field = shown.size(); // none
-    viewed.texture = texture;
-    viewed.is_disk = laid_out.is_disk;
+    view.fields = shown;
+    view.shown_field = shown.size(); // none
+    view.texture = texture;
+    view.is_disk = laid_out.is_disk;
     files.write(options.view, [&](std::ostream& out) {
-      write_view(out, opened.s, opened.points, options, json, viewed);
+      write_view(out, opened.s, opened.points, options, json, view);
     });
   }
   if (!is_mesh_output(options)) return;
   const Surface_with_fields& written =
       IT::has_extension(options.output, without_corners) ? opened : laid_out.closed;
-  files.write(options.output, [&](std::ostream& out) {
-    IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
-                                 written.s, written.points, written.fields);
+  files.write(options.output, [&](std::ostream& out, const std::string& extension) {
+    IT::write_common_subdivision(out, extension, written.s, written.points, written.fields);
   });
 }
 

@@ -3,20 +3,21 @@
 
 #include "../become.h"
 #include "../commands.h"
+#include "../delaunay.h"
+
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 
 // Commands that the program `intrinsic-applications` leaves to the one that becomes it.
 
 namespace program {
 
-// Here, so that the first program compiles faster: few users ask for these two correspondences.
-void run_delaunay_with_crossings(const Options& options);
-void run_delaunay_with_signposts(const Options& options);
-
+// Two correspondences are here so that the first program compiles faster: few users ask for them.
 void run_delaunay(const Options& options) {
   if (options.correspondence == "crossings")
-    run_delaunay_with_crossings(options);
+    run_delaunay_with<IT::Explicit_crossings>(options);
   else if (options.correspondence == "signposts")
-    run_delaunay_with_signposts(options);
+    run_delaunay_with<IT::Signposts>(options);
   else
     become("intrinsic", options.arguments);
 }

@@ -50,6 +50,16 @@ void carry_over(Constraints& constraints, const IT::Gluing_map& before,
   constraints.mesh = after;
 }
 
+// Numbers at vertices become numbers at corners.
+void take_to_corners(const IT::Common_subdivision& s, std::vector<IT::Subdivision_field>& fields) {
+  for (IT::Subdivision_field& field : fields) {
+    if (!field.is_function()) continue;
+    std::vector<double> at_corners;
+    for (const std::uint32_t v : s.corner) at_corners.push_back(field.values[v]);
+    field = {field.name, std::move(at_corners), IT::Subdivision_field::Place::corners};
+  }
+}
+
 } // namespace
 
 void take_sheet(Mesh_file& file) {
@@ -94,12 +104,7 @@ void close_seams(Drawn_subdivision& drawn, std::vector<IT::Subdivision_field>& f
   const auto is_of_input = [&s](std::size_t v) {
     return s.kind(v) == IT::Subdivision_vertex_kind::input;
   };
-  for (IT::Subdivision_field& field : fields) {
-    if (!field.is_function()) continue;
-    std::vector<double> at_corners;
-    for (const std::uint32_t v : s.corner) at_corners.push_back(field.values[v]);
-    field = {field.name, std::move(at_corners), IT::Subdivision_field::Place::corners};
-  }
+  take_to_corners(s, fields);
   // a vertex of the file has its own number among its copies
   std::vector<std::uint32_t> of_file(cut.original_vertex.size(), IT::Gluing::none);
   for (std::uint32_t v = 0; v < s.vertices.size(); ++v)

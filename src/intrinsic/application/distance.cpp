@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
-#include "../levels.h"
+#include "../geodesic/Range.h"
 #include "../support/Number_rows.h"
-#include "../support/Range.h"
 #include "../support/naming_file.h"
 #include "../support/progress.h"
+#include "../support/text_lines.h"
 #include "Column_writer.h"
 #include "application.h"
-#include "vertex_sets.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <ostream>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,30 @@ IT::Distance_options asked_of(const Application_options& o, Progress& progress) 
            progress.show("solving", std::to_string(done) + " of " + std::to_string(all));
   };
   return asked;
+}
+
+// Reads a text file with numbers of vertices on each line, two for pairs.
+// \throws std::runtime_error naming the line that is wrong, or has a vertex without faces
+template <class Triangulation>
+Sources read_places(const Triangulation& t, const std::string& path, bool are_pairs) {
+  IT::Place_finder<Triangulation> find(t);
+  Text_lines lines(path);
+  Sources sets;
+  while (lines.next()) {
+    if (are_pairs) lines.expect_words(2, "the numbers of two vertices");
+    Places& places = sets.emplace_back();
+    for (std::size_t i = 0; i < lines.words().size(); ++i) try {
+        places.push_back(
+            IT::Place::at_vertex(lines.element(i, "vertex", t.input().number_of_rows())));
+        (void)find.vertex(places.back().vertex);
+      } catch (const IT::Invalid_input& e) {
+        lines.refuse(e.what());
+      }
+  }
+  if (sets.empty())
+    throw std::runtime_error(path + ": the file has no vertices; give " +
+                             (are_pairs ? "two" : "the sources of a column") + " on each line");
+  return sets;
 }
 
 // The places of lists, one after another.
@@ -79,7 +104,7 @@ Computed computed_distances(const Triangulation& t, Eigen::VectorXd distances,
                    {"max", finite_or_null(range.greatest)},
                    {"unreached_vertices", range.infinite}};
   if (!o.isolines.empty()) {
-    computed.levels = levels_of(o.levels, range.least, range.greatest);
+    computed.levels = levels_in(range, o.levels);
     computed.json["levels"] = computed.levels;
   }
   computed.functions.push_back({"distance", std::move(distances)});
@@ -217,8 +242,7 @@ Computed distances_of_pairs(const Triangulation& t, const Application_options& o
                             Progress& progress) {
   const IT::Distance_options asked = asked_of(o, progress);
   Places from, to;
-  for (const Places& pair :
-       places_of(t, read_vertex_sets(o.pairs, t.input().number_of_rows(), true))) {
+  for (const Places& pair : read_places(t, o.pairs, true)) {
     from.push_back(pair[0]);
     to.push_back(pair[1]);
   }
@@ -251,8 +275,7 @@ void run_distance(const Options& options) {
       for (const IT::Place& p : joined(sources, 0, o.sources.size())) sets.push_back({p});
       return distances_of(t, sets, joined(sources, o.sources.size(), sources.size()), o, progress);
     }
-    const Sources sets =
-        places_of(t, read_vertex_sets(o.source_sets, t.input().number_of_rows(), false));
+    const Sources sets = read_places(t, o.source_sets, false);
     return o.voronoi.empty() ? distance_matrix(t, sets, options, progress)
                              : distances_of(t, sets, {}, o, progress);
   });

@@ -3,8 +3,7 @@
 
 #include "../commands.h"
 #include "application.h"
-#include "conformal_disks.h"
-#include "conformal_layout.h"
+#include "conformal_results.h"
 #include "prescribed_angles.h"
 
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>

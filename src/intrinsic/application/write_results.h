@@ -27,7 +27,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <numbers>
 #include <ostream>
 #include <span>
@@ -163,21 +162,21 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
       write_results_view(out, results, computed, loaded.cut, options, json);
     });
   if (is_mesh_output(options))
-    files.write(options.output, [&](std::ostream& out) {
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
       constexpr std::array<std::string_view, 1> without_corners{"vtp"};
       std::vector<IT::Subdivision_field> fields = results.fields;
       if (computed.directions) append_fields(fields, computed.directions->name, results.directions);
       if (loaded.cut.is_cut() && !IT::has_extension(options.output, without_corners))
         close_seams(results.drawn, fields, loaded.cut);
-      IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
-                                   results.drawn.s, results.drawn.points, fields);
+      IT::write_common_subdivision(out, extension, results.drawn.s, results.drawn.points, fields);
     });
 }
 
 /// writes isolines of the first function as polylines in space, and counts them.
 template <class Triangulation>
-void write_isolines(std::ostream& out, const Loaded<Triangulation>& loaded,
-                    const Computed& computed, const Options& options, Json& json) {
+void write_isolines(std::ostream& out, const std::string& extension,
+                    const Loaded<Triangulation>& loaded, const Computed& computed,
+                    const Options& options, Json& json) {
   expect_points(loaded, options);
   const Triangulation& t = loaded.triangulation;
   const Eigen::VectorXd& values = computed.functions.front().values;
@@ -187,8 +186,31 @@ void write_isolines(std::ostream& out, const Loaded<Triangulation>& loaded,
                    computed.levels),
       input_points(loaded));
   json[computed.command]["isolines"] = lines.size();
-  IT::write_polylines(out, std::filesystem::path(options.application.isolines).extension().string(),
-                      lines, "level");
+  IT::write_polylines(out, extension, lines, "level");
+}
+
+/// writes points and lines in space that were computed: singularities, isolines, cells.
+template <class Triangulation>
+void write_lines(const Loaded<Triangulation>& loaded, const Computed& computed,
+                 const Options& options, Json& json, Output_files& files) {
+  if (!options.application.singularities.empty()) {
+    expect_points(loaded, options);
+    files.write(options.application.singularities,
+                [&](std::ostream& out, const std::string& extension) {
+                  IT::write_polylines(out, extension, computed.marks.points, "index");
+                });
+  }
+  if (!options.application.isolines.empty())
+    files.write(options.application.isolines, [&](std::ostream& out, const std::string& extension) {
+      write_isolines(out, extension, loaded, computed, options, json);
+    });
+  if (computed.cell_boundaries) {
+    expect_points(loaded, options);
+    files.write(options.application.voronoi, [&](std::ostream& out, const std::string& extension) {
+      IT::write_polylines(out, extension, computed.cell_boundaries(input_points(loaded)),
+                          "boundary");
+    });
+  }
 }
 
 /// writes what was computed.
@@ -209,25 +231,7 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
     else
       write_on_surface(loaded, loaded, computed, options, json, files, progress, watch);
   }
-  if (!options.application.singularities.empty()) {
-    expect_points(loaded, options);
-    files.write(options.application.singularities, [&](std::ostream& out) {
-      IT::write_polylines(
-          out, std::filesystem::path(options.application.singularities).extension().string(),
-          computed.marks.points, "index");
-    });
-  }
-  if (!options.application.isolines.empty())
-    files.write(options.application.isolines,
-                [&](std::ostream& out) { write_isolines(out, loaded, computed, options, json); });
-  if (computed.cell_boundaries) {
-    expect_points(loaded, options);
-    const std::string& name = options.application.voronoi;
-    files.write(name, [&](std::ostream& out) {
-      IT::write_polylines(out, std::filesystem::path(name).extension().string(),
-                          computed.cell_boundaries(input_points(loaded)), "boundary");
-    });
-  }
+  write_lines(loaded, computed, options, json, files);
   if (computed.write && !options.output.empty()) {
     watch.lap();
     files.write(options.output,

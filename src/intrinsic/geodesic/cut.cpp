@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
-#include "../levels.h"
-#include "../support/Range.h"
 #include "../support/text_lines.h"
+#include "Range.h"
 #include "geodesic.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
@@ -20,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <ostream>
 #include <stdexcept>
@@ -57,7 +55,7 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
   Triangulation& t = loaded.triangulation;
   const std::vector<double> values = values_of_rows(t, loaded, options);
   const Range range = range_of(values);
-  const std::vector<double> levels = levels_of(options.cut.levels, range.least, range.greatest);
+  const std::vector<double> levels = levels_in(range, options.cut.levels);
   const std::vector<IT::Isoline> lines = IT::isolines(t, values, levels);
   json["isolines"] = {
       {"levels", levels}, {"lines", lines.size()}, {"min", range.least}, {"max", range.greatest}};
@@ -138,9 +136,8 @@ void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progre
   progress.show("writing");
   Output_files files;
   if (!options.output.empty())
-    files.write(options.output, [&](std::ostream& out) {
-      IT::write_cut_surface(out, std::filesystem::path(options.output).extension().string(), s,
-                            points);
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
+      IT::write_cut_surface(out, extension, s, points);
     });
   if (!options.cut.labels.empty())
     files.write(options.cut.labels, [&](std::ostream& out) { write_labels(out, s); });

@@ -4,23 +4,90 @@
 #ifndef INTRINSIC_GEODESIC_GEODESIC_H
 #define INTRINSIC_GEODESIC_GEODESIC_H
 
+#include "../asked_curves.h"
+#include "../constraints.h"
 #include "../delaunay.h"
+#include "../load.h"
+#include "../options.h"
+#include "../statistics.h"
 #include "../support/file_formats.h"
-#include "curves.h"
+#include "../support/naming_file.h"
+#include "../support/progress.h"
 
+#include <CGAL/Intrinsic_geodesics/compiled.h>
+#include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace program {
+
+/// Shows what is done to find curves, and measures the time.
+class Curve_progress {
+public:
+  /// begins. \param json gets the seconds
+  Curve_progress(Json& json, Progress& progress) : json_(json), progress_(progress) {}
+  /// is called with what is done next.
+  bool operator()(IT::Curve_stage stage, std::uint64_t count);
+  /// notes the time of the last stage.
+  void end();
+
+private:
+  Json& json_;
+  Progress& progress_;
+  Stopwatch watch_;
+  const char* timed_ = "paths";
+};
+
+/// returns what is reported of curves.
+Json curves_json(const IT::Found_curves& found);
+
+/*!
+\brief finds the curves that options ask for, and reports them.
+\param is_drawn whether their ways are wanted
+\throws std::runtime_error naming what cannot be found, and the remedy
+*/
+template <class Triangulation>
+IT::Curves_along_edges<Triangulation> find_curves(Loaded<Triangulation>& loaded,
+                                                  const Options& options, bool is_drawn, Json& json,
+                                                  Progress& progress) {
+  const Geodesic_options& g = options.geodesic;
+  const bool is_viewed = is_drawn && !options.view.empty();
+  Curve_progress shown(json, progress);
+  IT::Find_curves_options how;
+  how.is_along_edges = g.is_along_edges;
+  how.are_edges = options.refines || g.writes_subdivision ||
+                  (!options.output.empty() && !is_file_of(Contents::curves, options.output));
+  how.is_traced = is_viewed || (is_drawn && !options.output.empty());
+  how.keeps_initial = is_viewed && g.source.empty();
+  how.relative_length = g.relative_length;
+  how.minimum_joint_angle = g.joint_angle;
+  how.progress = std::ref(shown);
+  IT::Edge_marker<Triangulation> mark;
+  if (has_constraints(options))
+    mark = [&](const Triangulation& t) { return marked_edges(t, loaded.constraints); };
+  const std::vector<Asked_curve> asked =
+      asked_curves(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
+  IT::Curves_along_edges<Triangulation> found = naming_file(
+      options.input, [&] { return IT::find_curves(loaded.triangulation, asked, how, mark); });
+  if (found.curves.empty())
+    throw std::runtime_error(options.input +
+                             ": no edge is marked, so there is no curve; mark edges, or choose a "
+                             "smaller --sharp-angle");
+  json["geodesic"] = curves_json(found);
+  shown.end();
+  return found;
+}
 
 /// prints what became of curves to standard error if that is a terminal.
 void print_geodesic_summary_on_terminal(const Json& json);
@@ -56,19 +123,20 @@ void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
   progress.show("writing");
   const Triangulation& t = loaded.triangulation;
   if (options.geodesic.writes_subdivision)
-    files.write(options.output, [&](std::ostream& out) {
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
       const IT::Subdivision_field field = curve_field(t, drawn.s, found.labels);
-      IT::write_common_subdivision(out, std::filesystem::path(options.output).extension().string(),
-                                   drawn.s, drawn.points, std::span(&field, 1));
+      IT::write_common_subdivision(out, extension, drawn.s, drawn.points, std::span(&field, 1));
     });
   if (!options.view.empty())
     files.write(options.view, [&](std::ostream& out) {
       const std::vector<Point> points = input_points(loaded);
       const auto curves = polylines(t, found, points);
       const auto initial = polylines(t, found, points, &IT::Found_curve::initial);
-      Viewed viewed{curves, initial};
-      viewed.is_plain = true; // curves are not to be looked for among colours
-      write_view(out, drawn.s, drawn.points, options, json, viewed);
+      IT::Html_view view;
+      view.curves = curves;
+      view.initial_curves = initial;
+      view.has_edges = view.has_face_colors = false; // curves are not looked for among colours
+      write_view(out, drawn.s, drawn.points, options, json, view);
     });
 }
 
@@ -95,11 +163,10 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     write_curves_on_subdivision(loaded, found, options, json, files, progress, watch);
   if (!options.output.empty() && !options.geodesic.writes_subdivision) {
     progress.show("writing");
-    files.write(options.output, [&](std::ostream& out) {
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
       if (is_file_of(Contents::curves, options.output)) {
         expect_points(loaded, options);
-        IT::write_polylines(out, std::filesystem::path(options.output).extension().string(),
-                            polylines(t, found, input_points(loaded)));
+        IT::write_polylines(out, extension, polylines(t, found, input_points(loaded)));
       } else {
         IT::write_intrinsic_triangulation(out, t);
       }

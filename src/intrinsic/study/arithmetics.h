@@ -35,10 +35,8 @@ struct Registered_arithmetic {
 std::vector<Arithmetic> hardware_arithmetics();
 /// returns intervals alone, which may leave signs open.
 std::vector<Arithmetic> interval_arithmetics();
-/// returns floating point numbers with more bits.
-std::vector<Arithmetic> boost_arithmetics();
-/// returns exact number types.
-std::vector<Arithmetic> exact_number_types();
+/// returns floating point numbers with more bits, and exact number types.
+std::vector<Arithmetic> number_types();
 /// returns the exact arithmetics of this package.
 std::vector<Arithmetic> certified_arithmetics();
 

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "job.h"
-
 #include "arithmetics.h"
 #include "run.h"
 #include "sources.h"
+#include "study.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
@@ -107,9 +106,8 @@ Registered_arithmetic::Registered_arithmetic(std::string name, void (*study)(Stu
 const std::vector<Arithmetic>& arithmetics() {
   static const std::vector<Arithmetic> all = [] {
     std::vector<Arithmetic> sorted;
-    for (const auto& kind :
-         {hardware_arithmetics(), interval_arithmetics(), boost_arithmetics(), exact_number_types(),
-          certified_arithmetics(), registered_arithmetics()})
+    for (const auto& kind : {hardware_arithmetics(), interval_arithmetics(), number_types(),
+                             certified_arithmetics(), registered_arithmetics()})
       sorted.insert(sorted.end(), kind.begin(), kind.end());
     return sorted;
   }();

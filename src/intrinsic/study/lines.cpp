@@ -17,6 +17,41 @@ namespace program {
 
 namespace {
 
+// In the order that is documented.
+constexpr std::array keys{"mesh",
+                          "family",
+                          "arithmetic",
+                          "status",
+                          "message",
+                          "vertices",
+                          "faces",
+                          "flips",
+                          "checks",
+                          "refused_flips",
+                          "filter_failures",
+                          "escalations",
+                          "integer",
+                          "certified_zero",
+                          "probable_zero",
+                          "undecided",
+                          "different_decisions",
+                          "nonconvex_flips",
+                          "inverted_faces",
+                          "bent_edges",
+                          "non_delaunay_edges",
+                          "cocircular_edges",
+                          "cycles",
+                          "largest_interval_width",
+                          "area_drift",
+                          "cone_angle_drift",
+                          "result",
+                          "comparison",
+                          "seconds",
+                          "peak_rss_mib",
+                          "limits",
+                          "version",
+                          "machine"};
+
 bool is_result(const Json& line) {
   return line.is_object() && line.value("mesh", Json()).is_string() &&
          line.value("arithmetic", Json()).is_string() && line.value("status", Json()).is_string();
@@ -25,39 +60,6 @@ bool is_result(const Json& line) {
 } // namespace
 
 std::string study_line(const Json& findings) {
-  constexpr std::array keys{"mesh",
-                            "family",
-                            "arithmetic",
-                            "status",
-                            "message",
-                            "vertices",
-                            "faces",
-                            "flips",
-                            "checks",
-                            "refused_flips",
-                            "filter_failures",
-                            "escalations",
-                            "integer",
-                            "certified_zero",
-                            "probable_zero",
-                            "undecided",
-                            "different_decisions",
-                            "nonconvex_flips",
-                            "inverted_faces",
-                            "bent_edges",
-                            "non_delaunay_edges",
-                            "cocircular_edges",
-                            "cycles",
-                            "largest_interval_width",
-                            "area_drift",
-                            "cone_angle_drift",
-                            "result",
-                            "comparison",
-                            "seconds",
-                            "peak_rss_mib",
-                            "limits",
-                            "version",
-                            "machine"};
   Json ordered = Json::object();
   for (const char* key : keys)
     if (findings.contains(key)) ordered[key] = findings[key];

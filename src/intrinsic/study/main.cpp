@@ -4,7 +4,6 @@
 #include "../support/command_line.h"
 #include "../support/surface_words.h"
 #include "arithmetics.h"
-#include "job.h"
 #include "study.h"
 
 #include <cstdint>
@@ -37,18 +36,14 @@ CLI::Validator is_no_result() {
       "");
 }
 
-void add_domain(CLI::App& app, Study_options& study) {
-  app.add_option("--domain", study.domain, program::surface_description)
-      ->check(CLI::IsMember(program::surface_words));
-}
-
-void add_limits(CLI::App& app, Study_options& study) {
-  app.add_option("--time-limit", study.limits.seconds,
-                 "seconds that an arithmetic may take on a mesh; default 60")
-      ->check(program::between(0.001, 1e9));
-  app.add_option("--memory-limit", study.limits.mib,
-                 "MiB of address space that it may take; default 4096")
-      ->check(CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U));
+// The surfaces of meshes, and what an arithmetic may take on one.
+void add_common(const program::Option_adder& add, Study_options& study) {
+  add("--domain", study.domain, {CLI::IsMember(program::surface_words)},
+      program::surface_description);
+  add("--time-limit", study.limits.seconds, {program::between(0.001, 1e9)},
+      "seconds that an arithmetic may take on a mesh; default 60");
+  add("--memory-limit", study.limits.mib, {CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U)},
+      "MiB of address space that it may take; default 4096");
 }
 
 CLI::Validator lines_file() {
@@ -63,34 +58,27 @@ CLI::Validator lines_file() {
 
 void add_options(CLI::App& app, Study_options& study) {
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
-  app.add_option("CORPUS", study.corpus,
-                 "meshes, directories of meshes, stress:FAMILY[:key=value]..., or stress (the "
-                 "standard list)")
-      ->required()
-      ->check(is_no_result());
-  app.add_option("--arithmetic", study.arithmetics, "arithmetics, separated by commas; default all")
-      ->delimiter(',')
-      ->check(is_arithmetic());
-  app.add_option("-o", study.output,
-                 "append results to this file, one JSON object per line, unless it has them; "
-                 "default study.jsonl")
-      ->check(lines_file());
-  app.add_option("--jobs", study.jobs, "processes at a time; default 1")
-      ->check(CLI::Range(1U, 1024U));
-  add_domain(app, study);
-  add_limits(app, study);
+  const program::Option_adder add(app);
+  add("CORPUS", study.corpus, {is_no_result()},
+      "meshes, directories of meshes, stress:FAMILY[:key=value]..., or stress (the standard list)")
+      ->required();
+  add("--arithmetic", study.arithmetics, {is_arithmetic()},
+      "arithmetics, separated by commas; default all")
+      ->delimiter(',');
+  add("-o", study.output, {lines_file()},
+      "append results to this file, one JSON object per line, unless it has them; default "
+      "study.jsonl");
+  add("--jobs", study.jobs, {CLI::Range(1U, 1024U)}, "processes at a time; default 1");
+  add_common(add, study);
 }
 
 // What this program starts of itself for every mesh and arithmetic.
 void add_job_options(CLI::App& app, Study_options& study) {
+  const program::Option_adder add(app);
   app.add_flag("--job")->required();
-  app.add_option("--source", study.corpus)->required()->expected(1);
-  app.add_option("--arithmetic", study.arithmetics)
-      ->required()
-      ->expected(1)
-      ->check(is_arithmetic());
-  add_domain(app, study);
-  add_limits(app, study);
+  add("--source", study.corpus, "")->required()->expected(1);
+  add("--arithmetic", study.arithmetics, {is_arithmetic()}, "")->required()->expected(1);
+  add_common(add, study);
 }
 
 int run(int argc, char** argv) {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "processes.h"
-#include "job.h"
-#include "machine.h"
+#include "study.h"
 
 #include <algorithm>
 #include <array>
@@ -11,20 +10,45 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <list>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace program {
 
 namespace {
+
+// Empty if the system does not provide it.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) {
+      const std::size_t value = line.find(": ");
+      if (value != std::string::npos) return line.substr(value + 2);
+    }
+  return "";
+}
+
+// Names the machine, as far as times depend on it: processor, how many of them, system.
+std::string machine() {
+  utsname system{};
+  uname(&system);
+  const std::string name = processor();
+  return (name.empty() ? system.machine : name) + ", " +
+         std::to_string(std::thread::hardware_concurrency()) + " processors, " + system.sysname +
+         ' ' + system.release;
+}
 
 using Clock = std::chrono::steady_clock;
 

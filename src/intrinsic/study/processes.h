@@ -5,8 +5,8 @@
 #define INTRINSIC_STUDY_PROCESSES_H
 
 #include "json.h"
-#include "options.h"
 #include "sources.h"
+#include "study.h"
 
 #include <functional>
 #include <string>

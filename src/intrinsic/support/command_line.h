@@ -12,6 +12,9 @@
 #include <cstddef>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 // What the command lines of the programs share.
 
@@ -19,6 +22,46 @@ namespace program {
 
 /// Longest word of a command line that messages repeat.
 constexpr std::size_t longest_argument = 60;
+
+/// What help calls the word after an option.
+struct Type {
+  const char* name; ///< such as FILE
+};
+/// The name of a file.
+constexpr Type file{"FILE"};
+
+/// Adds options to a command.
+class Option_adder {
+public:
+  /// A check, what help calls the word, or an option without which this one may not be given.
+  using How = std::variant<CLI::Validator, Type, CLI::Option*>;
+
+  /// \param command gets them
+  explicit Option_adder(CLI::App& command) : command_(command) {}
+  /// adds an option, or a flag if its target is a `bool`.
+  template <class Target>
+  CLI::Option* operator()(const std::string& name, Target& target, const std::string& help) const {
+    if constexpr (std::is_same_v<Target, bool>)
+      return command_.add_flag(name, target, help);
+    else
+      return command_.add_option(name, target, help);
+  }
+  /// adds one with checks and more.
+  template <class Target>
+  CLI::Option* operator()(const std::string& name, Target& target, const std::vector<How>& how,
+                          const std::string& help) const {
+    CLI::Option* const option = (*this)(name, target, help);
+    for (const How& h : how) {
+      if (const auto* check = std::get_if<CLI::Validator>(&h)) option->check(*check);
+      if (const auto* type = std::get_if<Type>(&h)) option->type_name(type->name);
+      if (const auto* needed = std::get_if<CLI::Option*>(&h)) option->needs(*needed);
+    }
+    return option;
+  }
+
+private:
+  CLI::App& command_;
+};
 
 /// returns a check that a number is in a range, which NaN is not.
 inline CLI::Validator between(double least, double most) {

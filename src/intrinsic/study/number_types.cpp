@@ -8,6 +8,10 @@
 #include "arithmetics.h"
 #include "measure.h"
 
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Lazy_exact_nt.h>
+
 namespace program {
 
 namespace {
@@ -19,9 +23,13 @@ using Float = boost::multiprecision::number<
 
 } // namespace
 
-std::vector<Arithmetic> boost_arithmetics() {
+std::vector<Arithmetic> number_types() {
   return {{"boost-100", measure_and_compare<IT::Euclidean_traits<Float<100>>>},
-          {"boost-200", measure_and_compare<IT::Euclidean_traits<Float<200>>>}};
+          {"boost-200", measure_and_compare<IT::Euclidean_traits<Float<200>>>},
+          {"gmpq", measure_and_compare<IT::Euclidean_traits<CGAL::Gmpq>>},
+          {"core-expr", measure_and_compare<IT::Euclidean_traits<CORE::Expr>>},
+          {"lazy-core-expr",
+           measure_and_compare<IT::Euclidean_traits<CGAL::Lazy_exact_nt<CORE::Expr>>>}};
 }
 
 } // namespace program

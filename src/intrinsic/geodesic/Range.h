@@ -1,13 +1,20 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTRINSIC_SUPPORT_RANGE_H
-#define INTRINSIC_SUPPORT_RANGE_H
+#ifndef INTRINSIC_GEODESIC_RANGE_H
+#define INTRINSIC_GEODESIC_RANGE_H
+
+#include "../levels.h"
+
+#include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace program {
 
@@ -34,6 +41,15 @@ Range range_of(const Numbers& numbers) {
   return range;
 }
 
+/// returns the levels that a text without misuse asks for: those of a list, or so many in a range,
+/// evenly spaced.
+inline std::vector<double> levels_in(const Range& range, const std::string& text) {
+  const auto count = number_of_levels(text);
+  return count ? CGAL::Intrinsic_triangulations::even_levels(
+                     std::array{range.least, range.greatest}, *count)
+               : listed_levels(text);
+}
+
 } // namespace program
 
-#endif // INTRINSIC_SUPPORT_RANGE_H
+#endif // INTRINSIC_GEODESIC_RANGE_H

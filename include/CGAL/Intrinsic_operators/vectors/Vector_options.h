@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
+
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+What is asked of `Vectors`, and what it finds.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// What is done at the time to find vectors.
+enum class Vector_step : std::uint8_t {
+  windows,       ///< looks through the windows of exact distances; how many is counted
+  factorization, ///< factors matrices
+  solution,      ///< solves with them
+  field          ///< factors matrices and solves for a field of directions
+};
+
+/// How vectors are found.
+struct Vector_options {
+  double time_factor = 1;     ///< of the flow of heat, see `Vector_heat_method`
+  std::size_t neighbors = 30; ///< of each point of a cloud, see `Point_cloud_vectors`
+  /// How far logarithms along shortest paths go, in the units of the input.
+  double maximum_distance = std::numeric_limits<double>::infinity();
+  /// Is called with what is done, and how much of it; returns whether to go on.
+  std::function<bool(Vector_step, std::uint64_t)> progress{};
+};
+
+/// Vectors at places: in their tangent planes, see `Tangents_at_places`, or in space.
+struct Given_vectors {
+  std::vector<Place> places; ///< where they are, normalized
+  /// One per place; none: they are in space.
+  std::vector<std::complex<double>> in_planes{};
+  std::vector<std::array<double, 3>> in_space{}; ///< one per place, or none
+
+  /// tells whether all places are named as vertices, not as corners of faces.
+  bool are_at_vertices() const { return std::ranges::none_of(places, &Place::has_face); }
+};
+
+/// Vectors at all vertices.
+struct Found_vectors {
+  /// Of each copy of a vertex, see `Tangent_field`; of each point of a cloud; NaN if unknown.
+  Tangent_field vectors{};
+  /// Which of them stands for each row, `Gluing::none` if the vertex has no face.
+  std::vector<std::uint32_t> of_row{};
+  Status status = Status::done; ///< or `cancelled`: then there are no vectors
+};
+
+/// A field of directions, and where it is singular; clouds of points have no faces, where it could.
+struct Found_directions : Found_vectors {
+  std::vector<int> index{}; ///< of each face of the triangulation, see `Field_singularities`
+  /// The centres of faces with an index other than 0, on the input, and this index.
+  std::vector<std::pair<Surface_point, int>> centres{};
+  std::ptrdiff_t index_sum = 0; ///< of all faces
+  int border_turns = 0;         ///< along all boundary loops
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H

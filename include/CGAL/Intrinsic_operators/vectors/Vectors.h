@@ -1,0 +1,320 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTORS_H
+#define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTORS_H
+
+#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
+#include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/Vector_options.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
+#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
+#include <CGAL/Intrinsic_operators/vectors/direction_field.h>
+#include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
+#include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
+#include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/*!
+\brief finds vectors from places that a user names: transported ones, logarithmic maps, fields of
+directions; on the surface of a cloud of points by its tangent planes, `Point_cloud_vectors`.
+
+On a cover, a place has points on all sheets, and a vertex the vector of one of its copies. Factored
+matrices are kept from call to call, as long as the time of the flow is the same.
+\tparam Triangulation a model of `CorrespondingTriangulation` and `MeasuredTriangulation`, Delaunay
+*/
+template <QueriedTriangulation Triangulation>
+class Vectors {
+public:
+  /// Coordinates of a point.
+  using Point = std::array<double, 3>;
+
+  /// prepares calls.
+  /// \param t the triangulation
+  /// \param points where the user's vertices are, none of an abstract metric; both must outlive
+  ///   this object unchanged
+  Vectors(const Triangulation& t, const std::vector<Point>& points) : t_(t), points_(points) {}
+  Vectors(const Vectors&) = delete;
+  Vectors& operator=(const Vectors&) = delete;
+
+  /// tells whether the surface is that of a cloud of points, each of which has one tangent plane.
+  bool is_cloud() const { return t_.input().names().sheets > 2; }
+
+  /*!
+  \brief transports vectors to all vertices, each from the nearest of the places.
+  \throws Invalid_input if a place does not exist, or a vector has no direction there
+  \throws std::invalid_argument see `Vector_heat_method`
+  */
+  Found_vectors transport(const Given_vectors& given, const Vector_options& options = {}) {
+    if (is_cloud()) {
+      const Point_cloud_vectors& c = cloud(options);
+      return of_points(c.transport(at_points(c, given)));
+    }
+    const Heat* const method = heat(options);
+    if (method == nullptr) return cancelled();
+    Finder find(t_, points_);
+    Found_vectors found;
+    found.vectors =
+        find.sheets.averaged(given.are_at_vertices() ? method->transport(find.at_vertices(given))
+                                                     : method->transport(find.in_faces(given)));
+    found.of_row = known_copies_of_rows(t_, found.vectors);
+    return found;
+  }
+
+  /*!
+  \brief extends values at places to all vertices.
+  \param places the places
+  \param values a number for each
+  \param options how
+  \return a value per row; not a number where no path leads to a place; empty if cancelled
+  \throws Invalid_input, std::invalid_argument as `transport()`
+  */
+  std::vector<double> extend(const std::vector<Place>& places, const std::vector<double>& values,
+                             const Vector_options& options = {}) {
+    std::vector<double> result(t_.number_of_vertices(), std::numeric_limits<double>::quiet_NaN());
+    if (is_cloud()) {
+      std::vector<std::pair<std::size_t, double>> sources;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        sources.push_back({point_of_cloud(places[i]), values.at(i)});
+      std::ranges::copy(cloud(options).extend_scalars(sources), result.begin());
+      return result;
+    }
+    const Heat* const method = heat(options);
+    if (method == nullptr) return {};
+    Place_finder<Triangulation> find(t_);
+    std::vector<std::pair<Surface_point, double>> sources;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (const Surface_point& p : find.points(places[i])) sources.push_back({p, values.at(i)});
+    const Eigen::VectorXd extended = method->extend_scalars(sources);
+    const std::vector<std::uint32_t> first = first_copies_of_rows(t_); // all have one value
+    for (std::size_t r = 0; r < first.size(); ++r)
+      if (first[r] != Gluing::none) result[r] = extended[first[r]];
+    return result;
+  }
+
+  /*!
+  \brief finds the logarithmic map of a place: for each vertex the vector along the shortest path to
+  it, as long as the path, in the frame that `logarithms_from_place()` describes.
+  \param place the place
+  \param method how; clouds of points have only `affine`
+  \param options how
+  \throws Invalid_input, std::invalid_argument as `transport()`
+  */
+  Found_vectors logarithms(const Place& place, Logarithm_method method,
+                           const Vector_options& options = {}) {
+    if (is_cloud()) return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
+    const Heat* const by_heat = method == Logarithm_method::exact ? nullptr : heat(options);
+    if (by_heat == nullptr && method != Logarithm_method::exact) return cancelled();
+    Visitor visitor{&options, Vector_step::windows};
+    Found_vectors found;
+    found.vectors = logarithms_from_place(t_, place, method, [&](const auto& from) {
+      if (by_heat != nullptr) return by_heat->logarithmic_map(from, method);
+      return logarithmic_map(
+          t_, from,
+          parameters::maximum_distance(options.maximum_distance).visitor(std::ref(visitor)));
+    });
+    found.of_row = nearest_copies_of_rows(t_, found.vectors);
+    return found;
+  }
+
+  /*!
+  \brief finds the smoothest field of directions, or one that follows the directions of curvature.
+  \param degree the number of equivalent directions at a vertex
+  \param alignment how strongly the field follows curvature, see `aligned_direction_field()`; none:
+    it does not. A cloud of points has no curvature
+  \param fixed directions that are kept, at vertices
+  \param options how
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if a direction is inside a face
+  */
+  Found_directions directions(int degree, const std::optional<double>& alignment = {},
+                              const Given_vectors& fixed = {}, const Vector_options& options = {}) {
+    Visitor visitor{&options, Vector_step::field};
+    const auto np = parameters::visitor(std::ref(visitor));
+    if (is_cloud()) {
+      const Point_cloud_vectors& c = cloud(options);
+      if (!visitor.progress(0U)) return {cancelled()};
+      const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);
+      if (f.status == Status::cancelled) return {cancelled()};
+      return {of_points(f.directions())};
+    }
+    if (!fixed.are_at_vertices())
+      throw Invalid_input(Element_kind::none, 0, "directions can be fixed at vertices only");
+    Finder find(t_, points_);
+    const auto kept = find.at_vertices(fixed);
+    const Direction_field f =
+        alignment ? aligned_direction_field(t_, degree, principal_directions(t_, points_),
+                                            *alignment, kept, np)
+                  : smoothest_direction_field(t_, degree, kept, np);
+    if (f.status == Status::cancelled) return {cancelled()};
+    const Field_singularities<Triangulation> singular = singularities(t_, f);
+    Found_directions found{
+        {find.sheets.averaged(f.directions(), degree, kept), first_copies_of_rows(t_)},
+        singular.index,
+        centres(singular.index),
+        singular.sum()};
+    for (const auto& [h, turns] : singular.turns) found.border_turns += turns;
+    return found;
+  }
+
+  /// returns the tangent planes of a cloud of points, inserted ones included.
+  const Point_cloud_vectors& cloud(std::size_t neighbors) {
+    Vector_options options;
+    options.neighbors = neighbors;
+    if (cloud_ && neighbors_ == neighbors) options.time_factor = time_factor_;
+    return cloud(options);
+  }
+
+private:
+  using Heat = Vector_heat_method<Triangulation>;
+  using Vertex = typename Triangulation::vertex_descriptor;
+
+  // Asks the caller whether to go on, with a number if the step counts.
+  struct Visitor {
+    const Vector_options* options;
+    Vector_step step;
+    template <class Step, class... More>
+    bool progress(const Step& s, const More&...) {
+      std::uint64_t count = 0;
+      if constexpr (std::integral<Step>) count = s;
+      return !options->progress || options->progress(step, count);
+    }
+  };
+
+  // Finds given vectors on the triangulation, on a cover also those on the other sheet.
+  struct Finder {
+    Tangents_at_places<Triangulation> find;
+    Vectors_on_sheets<Triangulation> sheets;
+
+    Finder(const Triangulation& t, const std::vector<Point>& points) : find(t, points), sheets(t) {}
+
+    Tangent_vector tangent(const Given_vectors& given, std::size_t i) {
+      return given.in_planes.empty() ? find(given.places[i], given.in_space.at(i))
+                                     : find(given.places[i], given.in_planes.at(i));
+    }
+    std::vector<std::pair<Vertex, std::complex<double>>> at_vertices(const Given_vectors& given) {
+      std::vector<std::pair<Vertex, std::complex<double>>> result;
+      for (std::size_t i = 0; i < given.places.size(); ++i) {
+        const auto [v, z] =
+            given.in_planes.empty()
+                ? sheets.at_vertex(tangent(given, i))
+                : std::pair(find.places().vertex(given.places[i].vertex), given.in_planes.at(i));
+        const auto copies = sheets(v, z);
+        result.insert(result.end(), copies.begin(), copies.end());
+      }
+      return result;
+    }
+    std::vector<Tangent_vector> in_faces(const Given_vectors& given) {
+      std::vector<Tangent_vector> result;
+      for (std::size_t i = 0; i < given.places.size(); ++i) {
+        const auto copies = sheets(tangent(given, i));
+        result.insert(result.end(), copies.begin(), copies.end());
+      }
+      return result;
+    }
+  };
+
+  static Found_vectors cancelled() { return {{}, {}, Status::cancelled}; }
+
+  // The method with its matrices; null if the caller has ended the work.
+  const Heat* heat(const Vector_options& options) {
+    if (heat_ && time_factor_ != options.time_factor) heat_.reset();
+    if (!heat_) heat_.emplace(t_, parameters::time_factor(options.time_factor));
+    time_factor_ = options.time_factor;
+    Visitor visitor{&options, Vector_step::factorization};
+    if (heat_->factor(parameters::visitor(std::ref(visitor))) == Status::cancelled) return nullptr;
+    visitor.step = Vector_step::solution;
+    return visitor.progress(0U) ? &*heat_ : nullptr;
+  }
+  const Point_cloud_vectors& cloud(const Vector_options& options) {
+    if (neighbors_ != options.neighbors || time_factor_ != options.time_factor) cloud_.reset();
+    if (!cloud_)
+      cloud_.emplace(points_of_rows(t_, points_), options.neighbors, options.time_factor);
+    neighbors_ = options.neighbors;
+    time_factor_ = options.time_factor;
+    return *cloud_;
+  }
+
+  static std::size_t point_of_cloud(const Place& p) {
+    if (!p.is_vertex())
+      throw Invalid_input(Element_kind::none, 0,
+                          "a cloud of points has no faces; give the number of a point");
+    return p.vertex;
+  }
+  // Given vectors in the tangent planes of points.
+  static std::vector<std::pair<std::size_t, std::complex<double>>>
+  at_points(const Point_cloud_vectors& cloud, const Given_vectors& given) {
+    std::vector<std::pair<std::size_t, std::complex<double>>> result;
+    for (std::size_t i = 0; i < given.places.size(); ++i) {
+      const std::size_t p = point_of_cloud(given.places[i]);
+      std::complex<double> z = 0;
+      if (!given.in_planes.empty())
+        z = given.in_planes.at(i);
+      else if (p < cloud.size()) {
+        const auto v = Eigen::Vector3d::Map(given.in_space.at(i).data());
+        const auto& [x, y] = cloud.axes(p);
+        z = {Eigen::Vector3d::Map(x.data()).dot(v), Eigen::Vector3d::Map(y.data()).dot(v)};
+      }
+      result.push_back({p, z});
+    }
+    return result;
+  }
+  // The vectors of a cloud, each of its own row.
+  Found_vectors of_points(Tangent_field vectors) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Found_vectors found{std::move(vectors), {}};
+    found.vectors.resize(t_.number_of_vertices(), std::complex<double>(unknown, unknown));
+    for (std::uint32_t r = 0; r < found.vectors.size(); ++r) found.of_row.push_back(r);
+    return found;
+  }
+
+  // The centres of the faces with an index other than 0, with that.
+  std::vector<std::pair<Surface_point, int>> centres(const std::vector<int>& index) const {
+    std::vector<std::pair<Surface_point, int>> result;
+    for (const auto f : faces(t_.mesh())) {
+      const int i = index[t_.index(f)];
+      if (i == 0) continue;
+      const Surface_point centre{t_.numbers().halfedge(halfedge(f, t_.mesh())),
+                                 {1. / 3, 1. / 3, 1. / 3}};
+      if (const auto p = locate_on_input(t_, centre)) result.push_back({*p, i});
+    }
+    return result;
+  }
+
+  const Triangulation& t_;
+  const std::vector<Point>& points_;
+  std::optional<Heat> heat_;
+  std::optional<Point_cloud_vectors> cloud_;
+  std::size_t neighbors_ = 0; // of the cloud
+  double time_factor_ = 0;    // of the method that is kept
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_OPERATORS_VECTORS_VECTORS_H
