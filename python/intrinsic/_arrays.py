@@ -50,29 +50,39 @@ def sequence(x, name, wanted):
         raise TypeError(f"{name} is {shortened(x)}; give {wanted}") from None
 
 
-def numbers(x, name, shape=None):
-    """Returns finite numbers of any type as a C-contiguous array of doubles.
-
-    `shape` is a tuple, in which None stands for any size.
-    """
+def _array(x, name, kind):
+    """Returns an array, of numbers of a kind if its elements are objects that can be these."""
     try:
         a = np.asarray(x)
     except ValueError as error:  # rows of different lengths
         raise ValueError(f"{name} has rows of different lengths; give an array") from error
     if a.dtype.kind == "O":
         try:
-            a = a.astype(np.float64)
-        except (TypeError, ValueError):
+            a = a.astype(kind)
+        except (TypeError, ValueError, OverflowError):
             pass
+    return a
+
+
+def refuse_first(a, bad, name, remedy):
+    """Raises ValueError about the first element of an array that is bad, if there is one."""
+    if bad.any():
+        at = tuple(int(i) for i in np.argwhere(bad)[0])
+        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; {remedy}")
+
+
+def numbers(x, name, shape=None):
+    """Returns finite numbers of any type as a C-contiguous array of doubles.
+
+    `shape` is a tuple, in which None stands for any size.
+    """
+    a = _array(x, name, np.float64)
     if a.dtype.kind not in "iufb":
         raise ValueError(f"{name} has no real numbers but {a.dtype}; give an array of numbers")
     if shape is not None:
         expect_shape(a, name, shape)
     a = np.ascontiguousarray(a, dtype=np.float64)
-    bad = ~np.isfinite(a)
-    if bad.any():
-        at = tuple(int(i) for i in np.argwhere(bad)[0])
-        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; give finite numbers")
+    refuse_first(a, ~np.isfinite(a), name, "give finite numbers")
     return a
 
 
@@ -90,22 +100,12 @@ def indices(x, name, shape=None, count=None):
 
     `count` says how many elements there are, whose numbers they are.
     """
-    try:
-        a = np.asarray(x)
-    except ValueError as error:
-        raise ValueError(f"{name} has rows of different lengths; give an array") from error
+    a = _array(x, name, np.int64)
     if a.size == 0 and a.dtype.kind == "f":
         a = a.astype(np.int64)
-    if a.dtype.kind == "O":
-        try:
-            a = a.astype(np.int64)
-        except (TypeError, ValueError, OverflowError):
-            pass
     if a.dtype.kind == "f":
         whole = np.isfinite(a) & (a == np.floor(a)) & (np.abs(a) < 2**62)
-        if not whole.all():
-            at = tuple(int(i) for i in np.argwhere(~whole)[0])
-            raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; give whole numbers")
+        refuse_first(a, ~whole, name, "give whole numbers")
     elif a.dtype.kind not in "iu":
         raise ValueError(f"{name} has no whole numbers but {a.dtype}; give an array of integers")
     if shape is not None:
@@ -113,10 +113,8 @@ def indices(x, name, shape=None, count=None):
     if a.dtype == np.uint64 and a.size and a.max() > 2**62:
         raise ValueError(f"{name} has the number {a.max()}, which no element has")
     a = np.ascontiguousarray(a, dtype=np.int64)
-    if count is not None and a.size and not (0 <= a.min() and a.max() < count):
-        at = tuple(int(i) for i in np.argwhere((a < 0) | (a >= count))[0])
-        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; "
-                         f"give numbers from 0 to {count - 1}")
+    if count is not None:
+        refuse_first(a, (a < 0) | (a >= count), name, f"give numbers from 0 to {count - 1}")
     return a
 
 

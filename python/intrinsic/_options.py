@@ -56,9 +56,7 @@ def abstract_arrays(V, F, lengths, glue):
         vertices = len(points)
     faces = _arrays.indices(faces, "F", count=vertices)
     lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))
-    if lengths.size and lengths.min() < 0:
-        at = tuple(int(i) for i in np.argwhere(lengths < 0)[0])
-        raise ValueError(f"lengths[{at[0]}, {at[1]}] is {lengths[at]}; give lengths from 0")
+    _arrays.refuse_first(lengths, lengths < 0, "lengths", "give lengths from 0")
     if glue is not None:
         glue = _arrays.indices(glue, "glue", (len(faces), 3, 2))
         if glue.size and not (-1 <= glue.min() and glue[..., 0].max() < len(faces)

@@ -57,6 +57,8 @@ struct Surface {
 
   /// Held by whoever uses the triangulation or the cache.
   std::mutex mutex;
+  /// What asks on behalf of that call whether to go on; methods that the cache keeps ask it, too.
+  Watch* watch = nullptr;
   /// The thread that does.
   std::atomic<std::thread::id> user{};
   /// What was computed of the triangulation, such as factorizations, by the names of the methods
@@ -90,9 +92,10 @@ struct Surface {
 class Surface_lock {
 public:
   /// waits for the lock. \throws std::runtime_error if this thread has it
-  explicit Surface_lock(Surface& s) : surface_(s) {
+  Surface_lock(Surface& s, Watch& watch) : surface_(s) {
     s.expect_free();
     s.mutex.lock();
+    s.watch = &watch;
     s.user.store(std::this_thread::get_id());
   }
   Surface_lock(const Surface_lock&) = delete;
@@ -148,7 +151,7 @@ that of the surface.
 template <class Function>
 auto with_triangulation(Surface& s, Watch& watch, const Function& function) {
   return without_interpreter(watch, [&] {
-    const Surface_lock lock(s);
+    const Surface_lock lock(s, watch);
     return std::visit([&](auto& loaded) { return function(loaded->triangulation); }, s.loaded);
   });
 }
@@ -157,7 +160,7 @@ auto with_triangulation(Surface& s, Watch& watch, const Function& function) {
 template <class Function>
 auto with_loaded(Surface& s, Watch& watch, const Function& function) {
   return without_interpreter(watch, [&] {
-    const Surface_lock lock(s);
+    const Surface_lock lock(s, watch);
     return std::visit([&](auto& loaded) { return function(*loaded); }, s.loaded);
   });
 }

@@ -9,6 +9,7 @@
 #include <pybind11/pybind11.h>
 
 #include <chrono>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -84,12 +85,23 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/// Asks whether to go on, for visitors that count what is done in a stage.
-struct Counting {
+/// Asks whether to go on, for visitors of the library: says what is being done, and how much of it
+/// if they count that.
+struct Watching {
   Watch* watch;      ///< what is asked
   const char* stage; ///< what is being done
-  /// is called with a number of what the stage does.
-  bool progress(std::uint64_t count) { return (*watch)(stage, count); }
+  /// is called after each step.
+  template <class Step, class... More>
+  bool progress(const Step& step, const More&...) {
+    if constexpr (std::integral<Step>)
+      return (*watch)(stage, step);
+    else if constexpr (requires { step.flips; })
+      return (*watch)(stage, step.flips);
+    else if constexpr (requires { step.rounds; })
+      return (*watch)(stage, step.rounds);
+    else
+      return (*watch)(stage);
+  }
 };
 
 } // namespace python

@@ -6,12 +6,15 @@
 
 #include "arrays.h"
 
+#include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,12 @@ using Points = std::vector<Point>;
 struct Way {
   IT::Traced_curve curve;
   bool is_closed = false; ///< then the last of its points is the first one again
+};
+
+/// Curves along the edges of a triangulation, which it keeps.
+struct Curve_edges {
+  std::shared_ptr<const IT::Input> input; ///< that of the triangulation
+  std::function<IT::Cut_surface()> cut;   ///< cuts along all of them
 };
 
 /// adds the class to the module: an object that can be pickled, but has no members there.

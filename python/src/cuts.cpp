@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Curve_edges.h"
 #include "Surface.h"
 #include "curve_arrays.h"
 #include "places.h"
@@ -35,12 +34,6 @@ struct Cut {
   IT::Cut_surface surface;
 };
 
-// Asks during shortening whether to go on.
-struct Shortening_watch {
-  Watch* watch;
-  bool progress(const IT::Shortening_result& r) { return (*watch)("flips", r.flips); }
-};
-
 // Inserts curves into a copy of a triangulation, and cuts along them.
 template <class T>
 Cut cut_along_ways(T t, const std::vector<const Way*>& ways, Watch& watch) {
@@ -62,7 +55,7 @@ Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
   std::vector<typename T::vertex_descriptor> vertices;
   Place_finder<T> find(t);
   for (const Place& p : through) vertices.push_back(find.vertex(p.vertex));
-  Shortening_watch visitor{&watch};
+  Watching visitor{&watch, "flips"};
   const auto cut =
       IT::flip_to_geodesic_cut(t, vertices, IT::parameters::visitor(std::ref(visitor)));
   watch.begin("cut");
@@ -149,7 +142,7 @@ py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
 
 py::list isolines(Surface& s, const Doubles& u, const Doubles& l, const py::object& progress) {
   Watch watch(progress);
-  Counting visitor{&watch, "levels"};
+  Watching visitor{&watch, "levels"};
   std::shared_ptr<const IT::Input> input;
   std::vector<IT::Traced_isoline> lines;
   const std::span values(u.data(), static_cast<std::size_t>(u.size()));

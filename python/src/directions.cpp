@@ -1,26 +1,23 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "asked_vectors.h"
 #include "curve_arrays.h"
 #include "fields.h"
-#include "kept_heat.h"
 
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_operators/distance/Heat_solver.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/curve_sources.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
-#include <CGAL/Intrinsic_operators/vectors/direction_field.h>
-#include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
-#include <CGAL/Intrinsic_operators/vectors/principal_directions.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 
 #include <pybind11/stl.h>
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -45,90 +42,20 @@ py::tuple connection_laplacian(Surface& s, int degree) {
 
 // ---- Direction fields --------------------------------------------------------------------------
 
-// A field of directions, and where it is singular.
-struct Directions {
-  Field field{};
-  std::vector<int> index{};          // of each face of the triangulation
-  std::vector<std::int64_t> faces{}; // the user's, at centres of singular faces
-  std::vector<Point> weights{};
-  std::vector<Point> points{};
-  std::vector<int> singular{}; // their indices
-  std::ptrdiff_t sum = 0;
-  int border_turns = 0;
-};
-
-constexpr const char* solving = "factorization and solutions";
-
-template <class T>
-IT::Direction_field
-smooth_field(const T& t, const Surface& s, int degree, const std::optional<double>& strength,
-             const std::vector<std::pair<typename T::vertex_descriptor, Complex>>& fixed,
-             Watch& watch) {
-  Watching visitor{&watch, solving};
-  const auto np = IT::parameters::visitor(std::ref(visitor));
-  if (!strength) return IT::smoothest_direction_field(t, degree, fixed, np);
-  if (degree % 2 != 0)
-    refuse("directions of curvature have no sign; with align, give an even degree: 2 for lines, 4 "
-           "for crosses");
-  if (s.points.empty())
-    refuse("a surface with lengths alone has no directions of curvature; leave align out");
-  return IT::aligned_direction_field(t, degree, IT::principal_directions(t, s.points), *strength,
-                                     fixed, np);
-}
-
-// Finds the centres of the faces with an index other than 0.
-template <class T>
-void add_singularities(const T& t, const std::vector<Point>& points, Directions& d) {
-  for (const auto f : faces(t.mesh())) {
-    const int i = d.index[t.index(f)];
-    if (i == 0) continue;
-    const auto p = IT::locate_on_input(
-        t, {t.numbers().halfedge(halfedge(f, t.mesh())), {1. / 3, 1. / 3, 1. / 3}});
-    if (!p) continue;
-    const std::uint32_t face = t.input().face(p->halfedge);
-    d.faces.push_back(t.input().names().polygon(face));
-    d.weights.push_back(IT::seen_from(t.input(), *p, t.input().halfedge_of_face(face)).weights);
-    d.singular.push_back(i);
-    if (!points.empty()) d.points.push_back(IT::point_in_space(t, *p, points));
-  }
-}
-
-template <class T>
-Directions cloud_directions(Surface& s, const T& t, int degree,
-                            const std::optional<double>& strength, const Asked_vectors& asked,
-                            std::size_t neighbors, Watch& watch) {
-  if (strength)
-    refuse("align needs curvature, which a cloud of points does not have; leave it out");
-  const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, {1, neighbors});
-  watch.begin(solving);
-  Watching visitor{&watch, solving};
-  const auto np = IT::parameters::visitor(std::ref(visitor));
-  Directions result;
-  result.field.vectors =
-      cloud.smoothest_direction_field(degree, vectors_of_cloud(cloud, asked), np).directions();
-  return result;
-}
-
-Directions directions(Surface& s, int degree, const std::optional<double>& strength,
-                      const Asked_vectors& asked, std::size_t neighbors, Watch& watch) {
+IT::Found_directions directions(Surface& s, int degree, const std::optional<double>& strength,
+                                const IT::Given_vectors& fixed, std::size_t neighbors,
+                                Watch& watch) {
   return with_triangulation(s, watch, [&](auto& t) {
-    if (is_cloud(t)) {
-      Directions result = cloud_directions(s, t, degree, strength, asked, neighbors, watch);
-      result.field = cloud_field(t, std::move(result.field.vectors));
-      return result;
-    }
-    if (!asked.are_at_vertices()) refuse("directions can be fixed at vertices only");
-    Vector_finder find(t, s.points);
-    const auto fixed = find.at_vertices(asked);
-    const IT::Direction_field f = smooth_field(t, s, degree, strength, fixed, watch);
-    const auto singular = IT::singularities(t, f);
-    Directions result{
-        {find.sheets().averaged(f.directions(), degree, fixed), IT::first_copies_of_rows(t)},
-        singular.index};
-    result.sum = singular.sum();
-    for (const auto& [h, turns] : singular.turns) result.border_turns += turns;
-    add_singularities(t, s.points, result);
-    return result;
+    auto& find = vectors_on(s, t);
+    if (strength && find.is_cloud())
+      refuse("align needs curvature, which a cloud of points does not have; leave it out");
+    if (strength && degree % 2 != 0)
+      refuse(
+          "directions of curvature have no sign; with align, give an even degree: 2 for lines, 4 "
+          "for crosses");
+    if (strength && s.points.empty())
+      refuse("a surface with lengths alone has no directions of curvature; leave align out");
+    return find.directions(degree, strength, fixed, vector_options(1, neighbors, watch));
   });
 }
 
@@ -136,12 +63,23 @@ py::tuple direction_field(Surface& s, int degree, const std::optional<double>& s
                           const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
                           const py::object& progress) {
   Watch watch(progress);
-  Directions d = directions(s, degree, strength, Asked_vectors(places_of(s, places), vectors),
-                            neighbors, watch);
-  return py::make_tuple(std::move(d.field), array_of(std::move(d.index)),
-                        array_of(std::move(d.faces)), array_of(std::move(d.weights)),
-                        array_of(std::move(d.points)), array_of(std::move(d.singular)), d.sum,
-                        d.border_turns);
+  IT::Found_directions found = directions(
+      s, degree, strength, given_vectors(places_of(s, places), vectors), neighbors, watch);
+  const IT::Input& input = input_of(s);
+  std::vector<std::int64_t> faces; // the user's, at centres of singular faces
+  std::vector<Point> weights, points;
+  std::vector<int> index;
+  for (const auto& [p, i] : found.centres) {
+    const std::uint32_t face = input.face(p.halfedge);
+    faces.push_back(input.names().polygon(face));
+    weights.push_back(IT::seen_from(input, p, input.halfedge_of_face(face)).weights);
+    if (!s.points.empty()) points.push_back(IT::point_in_space(input, p, s.points));
+    index.push_back(i);
+  }
+  return py::make_tuple(static_cast<Field>(found), array_of(std::move(found.index)),
+                        array_of(std::move(faces)), array_of(std::move(weights)),
+                        array_of(std::move(points)), array_of(std::move(index)), found.index_sum,
+                        found.border_turns);
 }
 
 // ---- Signed distances --------------------------------------------------------------------------
@@ -192,6 +130,12 @@ Eigen::VectorXd signed_distances(const T& t, const Signed_curves& curves,
   return method.distances(pieces);
 }
 
+// Asks during steps of matrices that a surface keeps, on behalf of the call that uses them.
+struct Matrices_watch {
+  Surface* surface;
+  bool progress(IT::Heat_step) { return (*surface->watch)("matrices"); }
+};
+
 py::array_t<double>
 signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, Integers>>& given,
                 double time_factor, const py::object& progress) {
@@ -207,8 +151,15 @@ signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, In
   Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&]<class T>(const T& t) {
     using Method = IT::Signed_heat_distance<T>;
-    return with_heat<Method>(s, t, time_factor, watch,
-                             [&](Method& method) { return signed_distances(t, curves, method); });
+    const std::string key =
+        "signed distance " + std::to_string(std::bit_cast<std::uint64_t>(time_factor));
+    Method& method = s.cached<Method>(key, [&] {
+      const auto factor = IT::parameters::time_factor(time_factor);
+      return new Method(t, factor.visitor(Matrices_watch{&s}));
+    });
+    Eigen::VectorXd result = signed_distances(t, curves, method);
+    if (method.status() == IT::Status::cancelled) s.cache.erase(key);
+    return result;
   }));
 }
 

@@ -3,15 +3,12 @@
 
 #include "fields.h"
 #include "Faces_in_order.h"
-#include "asked_vectors.h"
 
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
-#include <CGAL/Intrinsic_operators/vectors/logarithms_from_place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <pybind11/complex.h>
@@ -21,9 +18,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <numeric>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,50 +38,19 @@ IT::Logarithm_method logarithm_method(const std::string& method) {
   refuse("method=\"" + method + "\" does not exist; give \"exact\", \"affine\" or \"polar\"");
 }
 
-// How to find a logarithmic map.
-struct Asked_logarithm {
-  IT::Logarithm_method method;
-  Diffusion diffusion;
-  double maximum_distance;
-};
-
-// From a vertex or a point of the triangulation.
-template <class T, class From>
-std::vector<Complex> logarithms_from(Surface& s, const T& t, const From& from,
-                                     const Asked_logarithm& asked, Watch& watch) {
-  if (asked.method != IT::Logarithm_method::exact)
-    return vector_heat(s, t, asked.diffusion, watch).logarithmic_map(from, asked.method);
-  Watching visitor{&watch, "windows"};
-  return IT::logarithmic_map(
-      t, from, IT::parameters::maximum_distance(asked.maximum_distance).visitor(std::ref(visitor)));
-}
-
-template <class T>
-std::vector<Complex> logarithms(Surface& s, const T& t, const Place& p,
-                                const Asked_logarithm& asked, Watch& watch) {
-  return IT::logarithms_from_place(t, p, asked.method, [&](const auto& from) {
-    return logarithms_from(s, t, from, asked, watch);
-  });
-}
-
 py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,
                             double time_factor, double maximum_distance, std::size_t neighbors,
                             const py::object& progress) {
   const Place p = places_of(s, place).at(0);
-  const Diffusion diffusion{time_factor, neighbors};
   Watch watch(progress);
+  IT::Vector_options options = vector_options(time_factor, neighbors, watch);
+  options.maximum_distance = maximum_distance;
   return array_of(with_triangulation(s, watch, [&](auto& t) {
-    if (is_cloud(t)) {
-      if (!method.empty() && method != "affine")
-        refuse("logarithmic maps of points are found by affine heat; leave out method=\"" + method +
-               "\"");
-      return cloud_field(t, cloud_vectors(s, t, diffusion).logarithmic_map(point_of_cloud(p)))
-          .coordinates();
-    }
-    const Asked_logarithm asked{logarithm_method(method), diffusion, maximum_distance};
-    Field field{logarithms(s, t, p, asked, watch), {}};
-    field.of_row = IT::nearest_copies_of_rows(t, field.vectors);
-    return field.coordinates();
+    auto& find = vectors_on(s, t);
+    if (find.is_cloud() && !method.empty() && method != "affine")
+      refuse("logarithmic maps of points are found by affine heat; leave out method=\"" + method +
+             "\"");
+    return coordinates_of(find.logarithms(p, logarithm_method(method), options));
   }));
 }
 
@@ -93,53 +58,22 @@ py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::st
 
 Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, double time_factor,
                 std::size_t neighbors, const py::object& progress) {
-  const Asked_vectors asked(places_of(s, places), vectors);
-  const Diffusion diffusion{time_factor, neighbors};
+  const IT::Given_vectors given = given_vectors(places_of(s, places), vectors);
   Watch watch(progress);
-  return with_triangulation(s, watch, [&](auto& t) {
-    if (is_cloud(t)) {
-      const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, diffusion);
-      return cloud_field(t, cloud.transport(vectors_of_cloud(cloud, asked)));
-    }
-    Vector_finder find(t, s.points);
-    const auto& heat = vector_heat(s, t, diffusion, watch);
-    Field field{find.sheets().averaged(asked.are_at_vertices()
-                                           ? heat.transport(find.at_vertices(asked))
-                                           : heat.transport(find.tangents(asked))),
-                {}};
-    field.of_row = IT::known_copies_of_rows(t, field.vectors);
-    return field;
-  });
+  const IT::Vector_options options = vector_options(time_factor, neighbors, watch);
+  return with_triangulation(s, watch,
+                            [&](auto& t) { return vectors_on(s, t).transport(given, options); });
 }
 
 py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles& values,
                            double time_factor, std::size_t neighbors, const py::object& progress) {
   const std::vector<Place> at = places_of(s, places);
   expect_size(values, at.size(), "values");
-  const auto given = vector_of(values);
-  const Diffusion diffusion{time_factor, neighbors};
+  const std::vector<double> given(values.data(), values.data() + values.size());
   Watch watch(progress);
-  return array_of(with_triangulation(s, watch, [&](auto& t) {
-    using T = std::remove_cvref_t<decltype(t)>;
-    std::vector<double> result(t.number_of_vertices(), unknown);
-    if (is_cloud(t)) {
-      std::vector<std::pair<std::size_t, double>> sources;
-      for (std::size_t i = 0; i < at.size(); ++i)
-        sources.push_back({point_of_cloud(at[i]), given[static_cast<Eigen::Index>(i)]});
-      std::ranges::copy(cloud_vectors(s, t, diffusion).extend_scalars(sources), result.begin());
-      return result;
-    }
-    Place_finder<T> find(t);
-    std::vector<std::pair<IT::Surface_point, double>> sources;
-    for (std::size_t i = 0; i < at.size(); ++i)
-      for (const IT::Surface_point& p : find.points(at[i]))
-        sources.push_back({p, given[static_cast<Eigen::Index>(i)]});
-    const Eigen::VectorXd extended = vector_heat(s, t, diffusion, watch).extend_scalars(sources);
-    const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t); // all have one value
-    for (std::size_t r = 0; r < first.size(); ++r)
-      if (first[r] != IT::Gluing::none) result[r] = extended[first[r]];
-    return result;
-  }));
+  const IT::Vector_options options = vector_options(time_factor, neighbors, watch);
+  return array_of(with_triangulation(
+      s, watch, [&](auto& t) { return vectors_on(s, t).extend(at, given, options); }));
 }
 
 // ---- Fields in space ---------------------------------------------------------------------------
@@ -150,8 +84,8 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
                             const std::vector<std::uint32_t>& of_row, std::size_t neighbors) {
   std::vector<Point> result(of_row.size(), {unknown, unknown, unknown});
   if (s.points.empty()) refuse("this surface has lengths alone, so that it is not in space");
-  if (is_cloud(t)) {
-    const IT::Point_cloud_vectors& cloud = cloud_vectors(s, t, {1, neighbors});
+  if (vectors_on(s, t).is_cloud()) {
+    const IT::Point_cloud_vectors& cloud = vectors_on(s, t).cloud(neighbors);
     for (std::size_t i = 0; i < cloud.size(); ++i) result[i] = cloud.in_space(i, vectors[i]);
     return result;
   }
@@ -180,11 +114,10 @@ py::array_t<double> vectors_in_space(Surface& s, const Field& field, double angl
 template <class T, class Vector>
 Field field_of_rows(const T& t, const Vector& at) {
   Field field;
-  if (is_cloud(t))
-    field = cloud_field(t, {});
-  else
-    field.of_row = IT::first_copies_of_rows(t);
-  field.vectors.assign(std::max<std::size_t>(field.vectors.size(), IT::Vertex_copies(t).size()), 0);
+  field.of_row = IT::first_copies_of_rows(t);
+  if (t.input().names().sheets > 2) // a cloud of points has a vector for each of them
+    std::iota(field.of_row.begin(), field.of_row.end(), 0U);
+  field.vectors.assign(std::max(field.of_row.size(), IT::Vertex_copies(t).size()), 0);
   for (std::size_t r = 0; r < field.of_row.size(); ++r) {
     if (field.of_row[r] == IT::Gluing::none) continue;
     const Complex z = at(r);
@@ -242,7 +175,7 @@ py::array_t<double> side_angles(Surface& s) {
 
 void bind_fields(py::module_& m) {
   py::class_<Field>(m, "Field").def_property_readonly("coordinates", [](const Field& f) {
-    return array_of(f.coordinates());
+    return array_of(coordinates_of(f));
   });
   m.def("parts_of_field", [](const Field& f) { return std::make_pair(f.vectors, f.of_row); });
   m.def("field_of_parts", [](IT::Tangent_field vectors, std::vector<std::uint32_t> of_row) {

@@ -7,19 +7,15 @@
 #include "Surface.h"
 #include "places.h"
 
-#include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
-#include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
+#include <CGAL/Intrinsic_operators/vectors/Vectors.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 
 #include <array>
-#include <bit>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,85 +30,54 @@ using Complex = std::complex<double>; ///< a tangent vector
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Vectors at the vertices of a triangulation.
-struct Field {
-  IT::Tangent_field vectors;         ///< on a cover, of each copy of a vertex
-  std::vector<std::uint32_t> of_row; ///< which of them stands for each row
+using Field = IT::Found_vectors;
 
-  /// returns two coordinates for each row.
-  std::vector<std::array<double, 2>> coordinates() const {
-    std::vector<std::array<double, 2>> result(of_row.size(), {unknown, unknown});
-    for (std::size_t r = 0; r < of_row.size(); ++r)
-      if (of_row[r] != IT::Gluing::none)
-        result[r] = {vectors[of_row[r]].real(), vectors[of_row[r]].imag()};
-    return result;
-  }
-};
-
-/// Asks whether to go on, whatever was done.
-struct Watching {
-  Watch* watch;      ///< what is asked
-  const char* stage; ///< what is being done
-  /// is called after each step.
-  template <class... Step>
-  bool progress(const Step&...) {
-    return (*watch)(stage, 0);
-  }
-};
-
-/// tells whether the surface is that of a cloud of points, each of which has one tangent plane.
-template <class T>
-bool is_cloud(const T& t) {
-  return t.input().names().sheets > 2;
+/// returns two coordinates for each row.
+inline std::vector<std::array<double, 2>> coordinates_of(const Field& field) {
+  std::vector<std::array<double, 2>> result(field.of_row.size(), {unknown, unknown});
+  for (std::size_t r = 0; r < field.of_row.size(); ++r)
+    if (const std::uint32_t i = field.of_row[r]; i != IT::Gluing::none)
+      result[r] = {field.vectors[i].real(), field.vectors[i].imag()};
+  return result;
 }
 
-/// How a method diffuses.
-struct Diffusion {
-  double time_factor;    ///< of the time, in squares of the mean edge
-  std::size_t neighbors; ///< of each point of a cloud that are triangulated
-
-  /// returns a key for the cache.
-  std::string key(const char* method) const {
-    return std::string(method) + ' ' + std::to_string(std::bit_cast<std::uint64_t>(time_factor)) +
-           ' ' + std::to_string(neighbors);
-  }
-};
-
-/// returns the method on the triangulation of a surface, which keeps its factorizations.
-template <class T>
-const IT::Vector_heat_method<T>& vector_heat(Surface& s, const T& t, const Diffusion& d,
-                                             Watch& watch) {
-  using Method = IT::Vector_heat_method<T>;
-  const Method& method = s.cached<Method>(d.key("vector heat"), [&] {
-    return new Method(t, IT::parameters::time_factor(d.time_factor));
-  });
-  Watching visitor{&watch, "factorization"};
-  (void)method.factor(IT::parameters::visitor(std::ref(visitor)));
-  watch.begin("solution");
-  return method;
+/// returns how to find vectors. \param watch is asked meanwhile; it must outlive the result
+inline IT::Vector_options vector_options(double time_factor, std::size_t neighbors, Watch& watch) {
+  IT::Vector_options options;
+  options.time_factor = time_factor;
+  options.neighbors = neighbors;
+  options.progress = [&watch](IT::Vector_step step, std::uint64_t count) {
+    static constexpr std::array names{"windows", "factorization", "solution",
+                                      "factorization and solutions"};
+    return watch(names[static_cast<std::size_t>(step)], count);
+  };
+  return options;
 }
 
-/// returns the method on the points of a surface, inserted ones, too; it keeps its factorizations.
+/// returns what finds vectors on the triangulation of a surface, which keeps it.
 template <class T>
-const IT::Point_cloud_vectors& cloud_vectors(Surface& s, const T& t, const Diffusion& d) {
-  using Method = IT::Point_cloud_vectors;
-  return s.cached<Method>(d.key("cloud vectors"), [&] {
-    return new Method(IT::points_of_rows(t, s.points), d.neighbors, d.time_factor);
-  });
+IT::Vectors<T>& vectors_on(Surface& s, const T& t) {
+  return s.cached<IT::Vectors<T>>("vectors",
+                                  [&] { return std::make_unique<IT::Vectors<T>>(t, s.points); });
 }
 
-/// returns the number of a point of a cloud. \throws Invalid_input if it is in a face
-inline std::size_t point_of_cloud(const Place& p) {
-  if (!p.is_vertex()) refuse("a cloud of points has no faces; give the number of a point");
-  return p.vertex;
-}
-
-/// returns the field of the vectors of a cloud.
-template <class T>
-Field cloud_field(const T& t, IT::Tangent_field vectors) {
-  Field field{std::move(vectors), {}};
-  field.vectors.resize(t.number_of_vertices(), Complex(unknown, unknown));
-  for (std::uint32_t r = 0; r < field.vectors.size(); ++r) field.of_row.push_back(r);
-  return field;
+/// returns vectors that the user gives at points.
+/// \throws Invalid_input if there is not one vector per point
+inline IT::Given_vectors given_vectors(std::vector<Place> places, const Doubles& array) {
+  const Row_matrix rows = matrix_of(array);
+  if (rows.rows() != static_cast<Eigen::Index>(places.size()))
+    refuse("there must be a vector per point, " + std::to_string(places.size()) + ", not " +
+           std::to_string(rows.rows()));
+  if (rows.cols() != 2 && rows.cols() != 3)
+    refuse("vectors have two coordinates in the tangent plane or three in space, not " +
+           std::to_string(rows.cols()));
+  IT::Given_vectors given{std::move(places)};
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    if (rows.cols() == 2)
+      given.in_planes.emplace_back(rows(i, 0), rows(i, 1));
+    else
+      given.in_space.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
+  return given;
 }
 
 /// adds the functions on direction fields and signed distances.

@@ -60,12 +60,6 @@ namespace {
 
 // ---- Maps to the plane -------------------------------------------------------------------------
 
-struct Map_watch {
-  Watch* watch;
-  bool progress(const IT::Injective_map& map) { return (*watch)("rounds", map.rounds); }
-  bool progress(std::size_t solutions) { return (*watch)("solutions", solutions); }
-};
-
 IT::Map_method method_of(const std::string& name) {
   return name == "lscm"       ? IT::Map_method::least_squares
          : name == "spectral" ? IT::Map_method::spectral
@@ -76,7 +70,7 @@ IT::Map_method method_of(const std::string& name) {
 py::tuple parametrize(Surface& s, const std::string& method, const py::object& progress) {
   IT::Map_distortion distortion;
   Watch watch(progress);
-  Map_watch visitor{&watch};
+  Watching visitor{&watch, method == "harmonic" ? "rounds" : "solutions"};
   IT::Injective_map map = with_triangulation(s, watch, [&](auto& t) {
     IT::Injective_map result =
         IT::parametrize(t, method_of(method), IT::parameters::visitor(std::ref(visitor)));
@@ -91,7 +85,7 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
 
 py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, const py::object& progress) {
   Watch watch(progress);
-  Counting visitor{&watch, "solutions"};
+  Watching visitor{&watch, "solutions"};
   return array_of(with_triangulation(s, watch, [&](auto& t) {
     return IT::conformal_map_of_points(IT::points_of_rows(t, s.points), neighbors,
                                        IT::parameters::visitor(std::ref(visitor)));
@@ -178,7 +172,7 @@ std::uint32_t sheets(Surface& s) {
 
 py::tuple eigen(Surface& s, std::size_t count, const py::object& progress) {
   Watch watch(progress);
-  Counting visitor{&watch, "solutions"};
+  Watching visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
     IT::Eigenpairs found = IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
     if (found.values.size() > 0) IT::Twin_points(t).copy(found.vectors);

@@ -7,10 +7,16 @@
 #include "Surface.h"
 #include "arrays.h"
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 // Points that the user gives: vertices, and places in faces of the mesh.
@@ -24,8 +30,41 @@ using IT::Place_finder;
 /// for points in faces.
 using Place_arrays = std::tuple<Integers, Doubles, Integers>;
 
+/// returns the number of an element. \throws Invalid_input if no element has it
+inline std::uint32_t number_of(std::int64_t i, IT::Element_kind kind, const char* name) {
+  if (i >= 0 && i < std::int64_t{IT::Gluing::none}) return static_cast<std::uint32_t>(i);
+  throw IT::Invalid_input(kind, 0,
+                          std::string("there is no ") + name + ' ' + std::to_string(i) +
+                              "; numbers begin at 0");
+}
+
+/// returns the input of the triangulation of a surface, which never changes.
+inline const IT::Input& input_of(const Surface& s) {
+  return std::visit(
+      [](const auto& loaded) -> const IT::Input& { return loaded->triangulation.input(); },
+      s.loaded);
+}
+
 /// reads points of a surface, normalized.
-std::vector<Place> places_of(const Surface& s, const Place_arrays& arrays);
+inline std::vector<Place> places_of(const Surface& s, const Place_arrays& arrays) {
+  const auto faces = std::get<0>(arrays).unchecked<1>();
+  const auto weights = std::get<1>(arrays).unchecked<2>();
+  const auto vertices = std::get<2>(arrays).unchecked<1>();
+  if (faces.shape(0) != vertices.shape(0) || weights.shape(0) != vertices.shape(0) ||
+      weights.shape(1) != 3)
+    throw py::value_error("points need as many faces and triples of weights as vertices");
+  const IT::Input& input = input_of(s);
+  std::vector<Place> result;
+  for (py::ssize_t i = 0; i < vertices.shape(0); ++i) {
+    const bool is_vertex = vertices(i) != -1;
+    const Place p =
+        is_vertex ? Place::at_vertex(number_of(vertices(i), IT::Element_kind::vertex, "vertex"))
+                  : Place::in_face(number_of(faces(i), IT::Element_kind::face, "face"),
+                                   {weights(i, 0), weights(i, 1), weights(i, 2)});
+    result.push_back(normalized(input, p));
+  }
+  return result;
+}
 
 } // namespace python
 

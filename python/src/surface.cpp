@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <sstream>
 #include <string>
@@ -54,42 +55,24 @@ Surface_ptr surface_of(program::Mesh_file file, const Options& options, bool exa
                : surface_of(program::build<Double>(std::move(file), options), options);
 }
 
-// A range of the faces in arrays.
-class Faces {
-public:
-  // \param corners the corners of all faces
-  // \param begins where those of each face begin, and their number
-  Faces(const Integers& corners, const Integers& begins)
-      : corners_(corners.data(), static_cast<std::size_t>(corners.size())),
-        begins_(begins.data(), static_cast<std::size_t>(begins.size())) {}
-
-  struct Iterator {
-    const Faces* faces;
-    std::size_t f;
-    std::span<const std::int64_t> operator*() const {
-      const auto begin = static_cast<std::size_t>(faces->begins_[f]),
-                 end = static_cast<std::size_t>(faces->begins_[f + 1]);
-      return faces->corners_.subspan(begin, end - begin);
-    }
-    Iterator& operator++() {
-      ++f;
-      return *this;
-    }
-    bool operator==(const Iterator&) const = default;
-  };
-  Iterator begin() const { return {this, 0}; }
-  Iterator end() const { return {this, begins_.size() - 1}; }
-
-private:
-  std::span<const std::int64_t> corners_, begins_;
-};
+// The corners of each face.
+// \param corners the corners of all faces
+// \param begins where those of each face begin, and their number
+auto faces_of(const Integers& corners, const Integers& begins) {
+  const std::span all(corners.data(), static_cast<std::size_t>(corners.size()));
+  const std::span begin(begins.data(), static_cast<std::size_t>(begins.size()));
+  return std::views::iota(std::size_t{1}, begin.size()) | std::views::transform([=](std::size_t f) {
+           return all.subspan(static_cast<std::size_t>(begin[f - 1]),
+                              static_cast<std::size_t>(begin[f] - begin[f - 1]));
+         });
+}
 
 Surface_ptr build(const Doubles& points, const Integers& corners, const Integers& begins,
                   const std::string& domain, bool exact, const std::string& mollification,
                   const std::string& polygons) {
   const Options options = options_of("the surface", domain, mollification, polygons);
   const std::vector<Point> p = points_of(points);
-  const Faces faces(corners, begins);
+  const auto faces = faces_of(corners, begins);
   Watch watch;
   return without_interpreter(watch, [&] {
     const program::Surface_choice choice = program::surface_of(options);
@@ -170,15 +153,16 @@ IT::Domain domain_of_lengths(std::uint32_t vertices, const Triangles& faces,
       IT::Intrinsic_input(std::move(mesh), std::move(squares), choice.mollification), choice.kind);
 }
 
-Surface_ptr build_of_lengths(std::uint32_t vertices, const Integers& corners,
-                             const Doubles& lengths, const std::optional<Integers>& glue,
-                             std::vector<Point> points, const std::string& domain, bool exact,
-                             const std::string& mollification) {
+Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,
+                           const std::optional<Integers>& glue,
+                           const std::optional<Doubles>& points, const std::string& domain,
+                           bool exact, const std::string& mollification) {
   const Options options = options_of("the surface", domain, mollification, "fan");
   Triangles faces(static_cast<std::size_t>(corners.shape(0)));
   for (std::size_t c = 0; c < 3 * faces.size(); ++c)
     faces[c / 3][c % 3] = static_cast<std::uint32_t>(corners.data()[c]);
   const std::vector<Point> sides = points_of(lengths);
+  std::vector<Point> shown = points ? points_of(*points) : std::vector<Point>();
   Watch watch;
   return without_interpreter(watch, [&] {
     const program::Surface_choice choice = program::surface_of(options);
@@ -188,18 +172,9 @@ Surface_ptr build_of_lengths(std::uint32_t vertices, const Integers& corners,
     file.input = std::move(made.input);
     file.domain = std::move(made.report);
     Surface_ptr s = surface_of(std::move(file), options, exact);
-    s->points = std::move(points); // of pictures only
+    s->points = std::move(shown); // of pictures only
     return s;
   });
-}
-
-Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,
-                           const std::optional<Integers>& glue,
-                           const std::optional<Doubles>& points, const std::string& domain,
-                           bool exact, const std::string& mollification) {
-  return build_of_lengths(vertices, corners, lengths, glue,
-                          points ? points_of(*points) : std::vector<Point>(), domain, exact,
-                          mollification);
 }
 
 // ---- Files -------------------------------------------------------------------------------------
