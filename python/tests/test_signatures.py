@@ -1,0 +1,53 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Public functions say the types of their arguments and results, for programs that check them."""
+
+import ast
+import builtins
+import inspect
+import pathlib
+import typing
+import unittest
+
+import intrinsic
+from intrinsic import _maps, _types
+
+PACKAGE = pathlib.Path(intrinsic.__file__).parent
+
+
+def public_functions():
+    """Yields the functions and methods that users call, with their names."""
+    for x in (intrinsic.read, intrinsic.load, intrinsic.points):
+        yield x.__name__, x
+    for name, x in inspect.getmembers(intrinsic.Surface):
+        x = x.fget if isinstance(x, property) else x
+        if inspect.isfunction(x) and not name.startswith("_"):
+            yield f"Surface.{name}", x
+
+
+class Signatures(unittest.TestCase):
+    def test_all_arguments_and_results_have_types_that_exist(self):
+        names = {**vars(typing), **vars(_types), **vars(_maps), **vars(intrinsic)}
+        for name, function in public_functions():
+            with self.subTest(name):
+                hints = typing.get_type_hints(function, {**names, **function.__globals__})
+                expected = set(inspect.signature(function).parameters) - {"self"} | {"return"}
+                self.assertEqual(set(hints), expected)
+
+    def test_each_file_imports_the_names_in_its_types(self):
+        for path in PACKAGE.glob("_*.py"):
+            known, used = set(dir(builtins)), set()
+            for node in ast.walk(ast.parse(path.read_text())):
+                if isinstance(node, (ast.Import, ast.ImportFrom)):
+                    known |= {(a.asname or a.name).split(".")[0] for a in node.names}
+                elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+                    known.add(node.name)
+                found = [getattr(node, "annotation", None), getattr(node, "returns", None)]
+                used |= {x.id for a in found if a is not None for x in ast.walk(a)
+                         if isinstance(x, ast.Name)}
+            with self.subTest(path.name):
+                self.assertEqual(used - known, set())
+
+
+if __name__ == "__main__":
+    unittest.main()
