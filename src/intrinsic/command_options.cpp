@@ -90,7 +90,7 @@ void add_cut_options(CLI::App& command, Options& options) {
           "cut along isolines: how many, evenly spaced, or a list of values with commas");
   add("--source", options.application.sources, {levels, curve_points(1)},
       "isolines of the exact distance from points, separated by commas");
-  add("--values", options.field, {levels, file},
+  add("--values", options.field, {levels, file_name},
       "isolines of a function: a text file with a number for each vertex of the mesh");
   add("--to-disk", options.cut.makes_disks,
       "make a disk of each component by a short cut along geodesics");
@@ -121,9 +121,9 @@ void add_distance_searches(CLI::App& command, Options& options) {
       "a curve through points, along edges of the triangulation; closed if the last point is the "
       "first");
   add("--signed", a.is_signed, "distances on the left of curves are negative");
-  add("--pairs", a.pairs, {file},
+  add("--pairs", a.pairs, {file_name},
       "text file: the numbers of two vertices on each line; their distances are found");
-  add("--sources", a.source_sets, {file},
+  add("--sources", a.source_sets, {file_name},
       "text file: on each line the vertices of a set; the distances from each set are found, a "
       "column of a matrix each");
 }
@@ -171,7 +171,7 @@ void add_uniformize_options(CLI::App& command, Options& options) {
   add_view_option(command, options, "a checkerboard of the layout, or the logarithm of the scale");
   add_metric_option(command, options);
   CLI::Option* const angles =
-      add("--angles", u.angles, {file},
+      add("--angles", u.angles, {file_name},
           "text file: the angle around each vertex on a line of its own, in radians, as a multiple "
           "of pi (3/2pi), or free; by default 2pi, and free on the border");
   add("--cones", u.cones, {Type{"NUMBER|RATIO|FILE"}},

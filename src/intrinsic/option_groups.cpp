@@ -42,8 +42,8 @@ void add_input_options(CLI::App& command, Options& options) {
 // What is written about the work, and when it ends.
 void add_report_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
-  add("--stats", options.stats, {file}, "write statistics as JSON; - is standard output");
-  add("--records", options.records, {file},
+  add("--stats", options.stats, {file_name}, "write statistics as JSON; - is standard output");
+  add("--records", options.records, {file_name},
       "write all records of lists that statistics shorten to 1000, as JSON Lines");
   add("--time-limit", options.time_limit, {between(1e-6, 1e9), Type{"SECONDS"}},
       "seconds after which the program gives up, with exit code 1, and writes nothing");
@@ -74,7 +74,8 @@ void add_output_option(CLI::App& command, const std::string& name, std::string& 
 
 void add_view_option(CLI::App& command, Options& options, const std::string& what) {
   const Option_adder add(command);
-  CLI::Option* const view = add("--view", options.view, {file}, "write a page that shows " + what);
+  CLI::Option* const view =
+      add("--view", options.view, {file_name}, "write a page that shows " + what);
   add("--view-limit", options.view_limit, {between(2, 2000), Type{"MB"}, view},
       "most megabytes of the page, which shows less if it needs more; default 30");
 }
@@ -88,12 +89,12 @@ void add_constraint_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   add("--sharp-angle", options.sharp_angle, {between(0, 180)},
       "keep edges whose faces deviate by more than so many degrees from a plane");
-  add("--constrain", options.constraints, {file},
+  add("--constrain", options.constraints, {file_name},
       "keep the edges that a text file lists: the numbers of two vertices on each line");
 }
 
 void add_metric_option(CLI::App& command, Options& options) {
-  Option_adder{command}("--metric", options.metric, {file},
+  Option_adder{command}("--metric", options.metric, {file_name},
                         "change lengths: a text file with a factor per vertex, or with a tensor xx "
                         "xy xz yy yz zz per face");
 }
@@ -104,7 +105,7 @@ void add_refinement_options(CLI::App& command, Options& options) {
   add("--min-angle", r.minimum_angle, {between(0, 59)}, "least angle in degrees; default 30");
   add("--max-circumradius", r.maximum_circumradius, {positive()}, "largest circumradius of faces");
   add("--max-edge-length", r.maximum_edge_length, {positive()}, "largest length of edges");
-  add("--size", options.sizes, {file},
+  add("--size", options.sizes, {file_name},
       "largest length of edges at each vertex of the input: a text file with a number per vertex");
   add("--max-insertions", r.maximum_insertions, {between(0, 1e18)},
       "cap on the number of insertions; default a million and ten per face");
@@ -194,10 +195,10 @@ void add_joined_curve_options(CLI::App& command, Options& options) {
       ->allow_extra_args(false);
   add("--loop", g.loops, {curve_points(3)}, "closed curve through points; may be repeated")
       ->allow_extra_args(false);
-  add("--network", g.network, {file},
+  add("--network", g.network, {file_name},
       "text file of curves: on each line the vertices of a path, or after the word loop of a "
       "closed curve");
-  add("--marked", options.constraints, {file},
+  add("--marked", options.constraints, {file_name},
       "text file of edges that become curves: the numbers of two vertices on each line");
   add("--sharp-angle", options.sharp_angle, {between(0, 180)},
       "edges whose faces deviate by more than so many degrees from a plane become curves");

@@ -28,7 +28,7 @@ struct Type {
   const char* name; ///< such as FILE
 };
 /// The name of a file.
-constexpr Type file{"FILE"};
+constexpr Type file_name{"FILE"};
 
 /// Adds options to a command.
 class Option_adder {
