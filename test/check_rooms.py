@@ -65,7 +65,7 @@ ALLOWED_INTERNALS = {
     "Intrinsic_conformal/layout/test_turn_back.cpp": IN_FEW,
     "Intrinsic_conformal/metric/test_conformal_metric.cpp": HOSTILE,
     "Intrinsic_operators/solvers/test_factorizations.cpp": "that an analysis is shared shows only in time",
-    "Intrinsic_triangulations/connectivity/test_parameters.cpp": "how functions read the named parameters of users",
+    "Intrinsic_triangulations/support/test_parameters.cpp": "how functions read the named parameters of users",
     "Intrinsic_triangulations/domains/test_Delaunay_star.cpp": ORACLE,
     "Intrinsic_triangulations/domains/test_tufted_cover.cpp": ORACLE,
     "Intrinsic_triangulations/exact/test_expressions.cpp": ORACLE,

@@ -39,7 +39,7 @@ operations), [FaceListGraph](https://doc.cgal.org/latest/BGL/classFaceListGraph.
 BGL). *An instance of* a class template is that template with any arguments.
 */
 
-// Headers: connectivity/Invalid_input.h connectivity/Status.h connectivity/parameters.h
+// Headers: support/Invalid_input.h support/Status.h support/parameters.h
 // Headers: triangulation/Session.h triangulation/Surface_point.h
 /*!
 \defgroup ref_owner Triangulations

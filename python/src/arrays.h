@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_PYTHON_ARRAYS_H
 #define INTRINSIC_PYTHON_ARRAYS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -8,8 +8,8 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cstdint>

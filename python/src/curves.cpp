@@ -8,9 +8,9 @@
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/trace_geodesic.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

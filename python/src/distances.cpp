@@ -9,9 +9,8 @@
 #include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/stl.h>
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>

@@ -4,7 +4,7 @@
 #include "statistics.h"
 #include "support/messages.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 #include "properties.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <gtest/gtest.h>
 

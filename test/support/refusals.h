@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_TRIANGULATIONS_TEST_REFUSALS_H
 #define INTRINSIC_TRIANGULATIONS_TEST_REFUSALS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // Read by doxygen only.
 
 /*!
-\class NamedParameters parameters.h <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+\class NamedParameters parameters.h <CGAL/Intrinsic_triangulations/support/parameters.h>
 \cgalConcept
 
 The concept `NamedParameters` describes the options of a function: a chain of names with values, in

@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
 

@@ -7,8 +7,8 @@
 #include "prescribed_angles.h"
 
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
 

@@ -4,8 +4,8 @@
 #include "geodesic.h"
 #include "../commands.h"
 
-#include <CGAL/Intrinsic_triangulations/connectivity/status_name.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <iostream>
 #include <string>

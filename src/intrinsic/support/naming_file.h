@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_SUPPORT_NAMING_FILE_H
 #define INTRINSIC_SUPPORT_NAMING_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <stdexcept>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_conformal/layout/flat_torus.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include "flat_surfaces.h"
 

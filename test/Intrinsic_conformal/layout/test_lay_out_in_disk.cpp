@@ -6,8 +6,8 @@
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_conformal/metric/hyperbolic_metric.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include "hyperbolic_surfaces.h"
 #include "ideal_triangulations.h"

@@ -6,11 +6,11 @@
 #include <CGAL/Intrinsic_conformal/angles/ideal_start.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include "meshes.h"
 #include "operator_test_meshes.h"

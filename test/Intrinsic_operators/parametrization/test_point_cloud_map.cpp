@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>

@@ -10,10 +10,10 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <gtest/gtest.h>
 

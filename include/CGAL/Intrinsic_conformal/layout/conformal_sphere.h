@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_conformal/layout/lay_out_on_sphere.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>

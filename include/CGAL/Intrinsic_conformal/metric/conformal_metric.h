@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Ideal_surface_of.h>
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <cstddef>
 #include <functional>

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <cmath>
 

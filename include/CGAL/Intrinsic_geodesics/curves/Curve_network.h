@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_geodesics/curves/Curve_order.h>
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

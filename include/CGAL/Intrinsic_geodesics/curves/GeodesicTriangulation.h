@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_CURVES_GEODESICTRIANGULATION_H
 #define CGAL_INTRINSIC_GEODESICS_CURVES_GEODESICTRIANGULATION_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_CURVES_GROWING_PATHS_H
 #define CGAL_INTRINSIC_GEODESICS_CURVES_GROWING_PATHS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 
 #include <cstddef>

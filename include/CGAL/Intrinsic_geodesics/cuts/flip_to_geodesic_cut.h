@@ -10,8 +10,8 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_geodesics/shortening/shorten_curves.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

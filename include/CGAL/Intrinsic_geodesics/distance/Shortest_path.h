@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_GEODESICS_DISTANCE_SHORTEST_PATH_H
 #define CGAL_INTRINSIC_GEODESICS_DISTANCE_SHORTEST_PATH_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <vector>

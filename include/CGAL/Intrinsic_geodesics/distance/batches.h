@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_GEODESICS_DISTANCE_BATCHES_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_DISTANCE_SPREAD_WINDOWS_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_GEODESICS_DISTANCE_TRACE_BACK_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <array>
 #include <cstddef>

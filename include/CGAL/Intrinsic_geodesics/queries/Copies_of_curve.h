@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_QUERIES_COPIES_OF_CURVE_H
 
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_OPTIONS_H
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_OPTIONS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_operators/operators/residual_indicators.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 

@@ -4,13 +4,13 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_IMPROVEMENT_H
 #define CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_IMPROVEMENT_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_COTANGENT_LAPLACIAN_H
 
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_SYMMETRIC_ASSEMBLY_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>

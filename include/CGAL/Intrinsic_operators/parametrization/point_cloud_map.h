@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <Eigen/Core>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <array>
 #include <complex>

@@ -4,9 +4,9 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GLUING_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_GLUING_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <cstddef>

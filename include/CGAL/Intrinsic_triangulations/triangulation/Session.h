@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_SESSION_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>

@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_CONCEPTS_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/metric_concepts.h>
 

@@ -4,10 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REMOVE_VERTEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_REMOVE_VERTEX_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <CGAL/enum.h>
 

@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Angle_system.h>
 #include <CGAL/Intrinsic_conformal/angles/flat_angles.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 

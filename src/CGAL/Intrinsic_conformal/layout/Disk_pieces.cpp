@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_conformal/angles/Ideal_surface.h>
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_conformal/layout/conformal_sphere.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

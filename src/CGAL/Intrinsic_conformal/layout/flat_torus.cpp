@@ -5,8 +5,8 @@
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 

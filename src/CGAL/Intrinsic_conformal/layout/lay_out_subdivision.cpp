@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
 

@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_geodesics/cuts/Edge_graph.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

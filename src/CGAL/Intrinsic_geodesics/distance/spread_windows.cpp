@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Window_queue.h>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window.h>
 #include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Status.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
 

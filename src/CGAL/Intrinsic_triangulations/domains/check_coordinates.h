@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_CHECK_COORDINATES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_CHECK_COORDINATES_H
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_utils.h>

@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUBDIVISION_WRITE_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/parameters.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <array>
 #include <cstdint>

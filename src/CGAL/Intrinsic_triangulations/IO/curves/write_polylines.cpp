@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Replacing_file.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/columns.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <array>
 #include <cstddef>

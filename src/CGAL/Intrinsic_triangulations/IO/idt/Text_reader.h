@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_IDT_TEXT_READER_H
 
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <CGAL/Interval_nt.h>
 

@@ -5,11 +5,11 @@
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/subdivision_formats.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Output_buffer.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <array>
 #include <cmath>

@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/IO/view/page_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/upright.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <array>

@@ -5,10 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_EXPECT_MIDDLE_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Piece_gluer.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <cstddef>
 #include <cstdint>

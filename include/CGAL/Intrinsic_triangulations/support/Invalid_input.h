@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_INVALID_INPUT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_INVALID_INPUT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_INVALID_INPUT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_INVALID_INPUT_H
 
 #include <cstddef>
 #include <stdexcept>
@@ -47,4 +47,4 @@ inline Invalid_input Invalid_input::about(Element_kind kind, std::size_t index,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_INVALID_INPUT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_INVALID_INPUT_H

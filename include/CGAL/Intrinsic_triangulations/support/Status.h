@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_STATUS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_STATUS_H
 
 #include <cstdint>
 
@@ -41,6 +41,31 @@ enum class Move_status {
   not_traceable  ///< refused: the correspondence cannot find the point on the input
 };
 
+/// returns the word for how an algorithm ended, as in the documentation of `Status`.
+inline const char* name_of(Status status) {
+  switch (status) {
+  case Status::done:
+    return "done";
+  case Status::stopped:
+    return "stopped";
+  case Status::contracted:
+    return "contracted";
+  case Status::cap:
+    return "cap";
+  case Status::stalled:
+    return "stalled";
+  case Status::cancelled:
+    return "cancelled";
+  case Status::inaccurate:
+    return "inaccurate";
+  case Status::border:
+    return "border";
+  case Status::not_traceable:
+    return "not_traceable";
+  }
+  return "";
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_STATUS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_STATUS_H
