@@ -127,10 +127,13 @@ private:
     return largest;
   }
 
-  // 1 / length^2; sides that are points but for rounding count as a millionth of their piece.
-  double weight(Complex side, std::uint32_t i) const {
-    const double length = std::max({std::abs(side) / unit_, 1e-6 * p_.extent(i) / unit_, 1e-50});
-    return 1 / (length * length);
+  // 1 / length^2; sides that are points but for rounding count as a millionth of their piece, or a
+  // billionth of the distance from the origin of the place where they start: the rounding of this
+  // place, times the weights of shorter ones, would move all others.
+  double weight(Complex side, std::uint32_t i, Complex from) const {
+    const double length =
+        std::max({std::abs(side), 1e-6 * p_.extent(i), 0x1p-30 * std::abs(from), 1e-50 * unit_});
+    return unit_ / length * (unit_ / length);
   }
 
   // Solves for changes of the places, until the largest error does not fall.
@@ -141,9 +144,10 @@ private:
     for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
       if (a == b) return;
       const int v = static_cast<int>(a), w = static_cast<int>(b);
-      for (const int k : {v, w}) entries.emplace_back(k, k, weight(side, i));
-      entries.emplace_back(v, w, -weight(side, i));
-      entries.emplace_back(w, v, -weight(side, i));
+      const double by = weight(side, i, result_.position[a]);
+      for (const int k : {v, w}) entries.emplace_back(k, k, by);
+      entries.emplace_back(v, w, -by);
+      entries.emplace_back(w, v, -by);
     });
     Eigen::SparseMatrix<double> laplacian(n, n);
     laplacian.setFromTriplets(entries.begin(), entries.end());
@@ -165,7 +169,7 @@ private:
     std::vector<Complex> z = result_.position;
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(z.size()), 2);
     for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
-      const Complex d = weight(side, i) * (side - (z[b] - z[a]));
+      const Complex d = weight(side, i, result_.position[a]) * (side - (z[b] - z[a]));
       const Eigen::RowVector2d row(d.real(), d.imag());
       right.row(b) += row;
       right.row(a) -= row;
