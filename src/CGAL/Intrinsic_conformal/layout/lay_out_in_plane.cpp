@@ -134,7 +134,12 @@ std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double
 }
 
 std::complex<double> turn_across(std::complex<double> side, std::complex<double> partner) {
-  const std::complex<double> turn = -side * std::conj(partner);
+  // of sides below 1e-154, the product would be too small for doubles
+  const auto scaled = [](std::complex<double> z) {
+    const int e = -std::ilogb(std::abs(z));
+    return std::complex<double>(std::ldexp(z.real(), e), std::ldexp(z.imag(), e));
+  };
+  const std::complex<double> turn = -scaled(side) * std::conj(scaled(partner));
   return turn / std::abs(turn);
 }
 
