@@ -40,7 +40,7 @@ template <MeasuredTriangulation Triangulation>
 std::vector<double> nearest_squared_lengths(const Triangulation& t) {
   std::vector<double> result(t.numbers().edge_capacity(t.mesh()));
   if constexpr (Has_enclosures<typename Triangulation::Metric> && requires { t.exact_values(); }) {
-    constexpr unsigned bits = 106;
+    constexpr unsigned bits = 106; // those of `Double_double`, twice those of the result
     const typename Triangulation::Metric::Scope scope;
     std::vector<Indexed_face> sides;
     for (const typename Triangulation::face_descriptor f : faces(t.mesh()))

@@ -45,7 +45,7 @@ inline Place_on_curve place_on_curve(const Input& input, const Traced_curve& cur
   Surface_point p = end_of_piece(piece, 0);
   const Surface_point q = end_of_piece(piece, 1);
   double x = lengths[piece] > 0 ? std::clamp(left / lengths[piece], 0.0, 1.0) : 0.0;
-  // Up to rounding it is a point of the curve, which may be a vertex: that one is exact.
+  // Up to rounding of 8,000 sums it is an end of a piece, perhaps a vertex: that one is exact.
   for (const double end : {0., 1.})
     if (std::abs(x - end) * lengths[piece] <= 0x1p-40 * all) x = end;
   for (std::size_t k = 0; k < 3; ++k) p.weights[k] = (1 - x) * p.weights[k] + x * q.weights[k];

@@ -27,7 +27,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t maximum_faces = std::size_t{1} << 22U;
+  static constexpr std::size_t maximum_faces = std::size_t{1} << 22U; // as in `Trace_options`
   // A line that passes close to a vertex crosses half of its faces in no length: up to so many.
   static constexpr std::size_t maximum_faces_of_part = std::size_t{1} << 12U;
 

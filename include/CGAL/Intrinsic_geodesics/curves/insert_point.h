@@ -51,6 +51,7 @@ std::array<double, 3> without_rounding(const Complex& complex, const Surface_poi
   for (std::size_t k = 0; k < 3; ++k) {
     const double base = 2 * face.length[(k + 1) % 3]; // times the height it is the quadruple area
     const double distance = weights[k] * complex.quadruple_area(complex.face(p.halfedge));
+    // 2^-44 is 512 roundings of coordinates as large as the longest side
     if (weights[k] < 0x1p-38 || distance < 0x1p-44 * longest * base) weights[k] = 0;
     sum += weights[k];
   }

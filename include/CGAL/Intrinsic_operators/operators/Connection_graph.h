@@ -53,7 +53,8 @@ inline std::complex<double> unit_vector(const std::complex<double>& z) {
   return scaled / std::sqrt(std::norm(scaled));
 }
 
-// A sum of vectors that is shorter than this part of their lengths has no direction: rounding.
+// A sum of vectors that is shorter than this part of their lengths has no direction: rounding of
+// thousands of terms.
 inline constexpr double cancelled = 0x1p-40;
 
 // Refuses the surface of a point cloud: the sheets at a point share no tangent plane.

@@ -57,6 +57,7 @@ Then they define a point exactly, in any field.
 inline std::optional<std::array<double, 3>>
 representable_weights(const std::array<double, 3>& weights) {
   const double sum = weights[0] + weights[1] + weights[2];
+  // weights that were rounded to single precision, by 2^-25 each, pass
   if (!(std::abs(sum - 1) <= 0x1p-20)) return std::nullopt;
   const auto rounded = [](double x) { return std::floor(x * 0x1p52) * 0x1p-52; };
   std::array<double, 3> w{0, rounded(weights[1]), rounded(weights[2])};

@@ -77,6 +77,7 @@ inline Interval_nt<false> delaunay_value(const Interval_nt<false>& q_f,
 inline Flipped_values<Interval_nt<false>>
 flipped_nonnegative(const Diamond_values<Interval_nt<false>>& d) {
   using FT = Interval_nt<false>;
+  // else quotients by L_ij may overflow
   if (!(d.ij.inf() >= 0x1p-900)) return flipped(d);
   const FT p_k = d.ij + d.ki - d.jk, p_m = d.ij + d.im - d.mj;
   const FT r_k = d.ij + d.jk - d.ki, r_m = d.ij + d.mj - d.im;

@@ -41,6 +41,7 @@ inline std::vector<double> mean_value_weights(std::span<const std::array<double,
     // of unit vectors: products of lengths may overflow or vanish
     const double cross = (ax / a) * (by / b) - (ay / a) * (bx / b),
                  dot = (ax / a) * (bx / b) + (ay / a) * (by / b);
+    // eight roundings: seven of products, whose sizes sum to 1 at most, and one of the difference
     if (a == 0 || b == 0 || (dot < 0 && std::abs(cross) <= 0x1p-50)) {
       weights.assign(n, 0); // on the side
       weights[i] = b / (a + b);

@@ -108,7 +108,7 @@ public:
 
   /// returns the lambda lengths of the edges of the input, in scaled units.
   const std::vector<double>& input_lambdas() const { return input_lambda_; }
-  /// tells whether the interval of an edge shows nearly all digits.
+  /// tells whether the interval of an edge is as narrow as `Enclosed_values::narrow`.
   bool is_narrow(std::uint32_t e) const {
     return lambda(e).sup() - lambda(e).inf() <= 0x1p-41 * lambda(e).inf();
   }

@@ -53,7 +53,7 @@ public:
   void add(const Indexed_face&, const Face_values<double>& v) { add(v); }
 
   bool is_beyond_pi() const { return half_turns_ > 0; }
-  // to 1e-6
+  // to 1e-6, far above rounding: where the exact comparison may be needed
   bool is_nearly_pi() const {
     return half_turns_ == (real_ < 0 ? 0U : 1U) && imaginary_ < 1e-6 * std::abs(real_);
   }

@@ -57,6 +57,7 @@ template <NumberedComplex Complex>
 bool hits_vertex(const Geodesic_walk<Complex>& walk, typename Geodesic_walk<Complex>::Exit& e,
                  unsigned& corner) {
   const double length = walk.face().length[e.side];
+  // however large the bound of the error gets, at most 2^-30 of the side counts as zero
   const double tolerance = std::min(walk.position_error(), 0x1p-30 * length);
   const bool is_at_source = e.target_weight <= e.source_weight;
   if (length * (is_at_source ? e.target_weight : e.source_weight) > tolerance) return false;

@@ -104,7 +104,8 @@ bool Angle_system::has_same_pattern(const Eigen::SparseMatrix<double>& m) const 
          std::equal(m.innerIndexPtr(), m.innerIndexPtr() + m.nonZeros(), last_.innerIndexPtr());
 }
 
-// A few flips leave an order of elimination nearly as good as it was.
+// A few flips leave an order of elimination nearly as good as it was. But for rounding, orders only
+// differ in time.
 void Angle_system::analyze(const Eigen::SparseMatrix<double>& m) {
   constexpr double more = 1.2; // entries of the factor than when the order was found
   if (analysis_) {

@@ -22,6 +22,7 @@ struct Incircle {
   Incircle(const std::array<double, 3>& sides, const std::array<double, 3>& surplus)
       : half((sides[0] + sides[1] + sides[2]) / 2) {
     // In an ideal Delaunay triangulation all x are positive; rounding may lose that.
+    // 2^-60 is below rounding of these parts of 1, and its cube is far above the least double.
     constexpr double least = 0x1p-60;
     for (std::size_t k = 0; k < 3; ++k) x[k] = std::max(surplus[k] / (2 * half), least);
     r = std::sqrt(x[0] * x[1] * x[2]);

@@ -52,6 +52,7 @@ std::vector<Disk_motion> frames_of_sides(const Surface_to_cut& s) {
   for (std::uint32_t f = 0; f < s.gluing.number_of_faces(); ++f) {
     const double* l = s.length.data() + 3 * std::size_t{f};
     const double perimeter = l[0] + l[1] + l[2], longest = std::max({l[0], l[1], l[2]});
+    // 1e-14 is 90 roundings of lengths
     if (!(std::min({l[0], l[1], l[2]}) > 0) || !std::isfinite(perimeter) ||
         !(longest <= (1 + 1e-14) * perimeter / 2))
       throw Invalid_input::about(Element_kind::face, f,

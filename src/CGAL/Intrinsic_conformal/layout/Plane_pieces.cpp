@@ -129,7 +129,7 @@ private:
 
   // 1 / length^2; sides that are points but for rounding count as a millionth of their piece, or a
   // billionth of the distance from the origin of the place where they start: the rounding of this
-  // place, times the weights of shorter ones, would move all others.
+  // place, times the weights of shorter ones, would move all others. 1e-50 keeps weights finite.
   double weight(Complex side, std::uint32_t i, Complex from) const {
     const double length =
         std::max({std::abs(side), 1e-6 * p_.extent(i), 0x1p-30 * std::abs(from), 1e-50 * unit_});

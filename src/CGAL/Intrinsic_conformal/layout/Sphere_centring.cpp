@@ -44,7 +44,7 @@ void Sphere_centring::boost(const Eigen::Vector3d& direction, double length) {
 void Sphere_centring::run() {
   for (iterations = 0; iterations < 100; ++iterations) {
     const Eigen::Vector3d m = mean();
-    is_centred = m.norm() <= 1e-14;
+    is_centred = m.norm() <= 1e-14; // 90 roundings of coordinates up to 1
     if (is_centred) return;
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Identity();
     for (std::size_t i = 0; i < points.size(); ++i)

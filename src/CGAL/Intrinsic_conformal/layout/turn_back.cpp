@@ -146,7 +146,7 @@ private:
   const std::vector<std::array<std::uint32_t, 3>>& triangles_;
   Eigen::MatrixX2d& z_;
   const Eigen::MatrixX2d given_;
-  double limit_; // of all moves of a vertex
+  double limit_; // of all moves of a vertex: 512 roundings
   std::vector<std::size_t> begin_;
   std::vector<std::uint32_t> star_;
 };

@@ -294,6 +294,7 @@ Conformal_metric Conformal_newton::solve() {
       result.residual = before;
     }
   }
+  // among rounding a step may be better or worse: the best of so many counts
   if (result.status == Status::stalled && is_rounding()) polish(result, options_.tolerance, 16);
   // Layouts need more than the tolerance, and one step nearly squares the residual.
   if (result.status == Status::done) polish(result, options_.tolerance * 0x1p-10, 1);

@@ -122,7 +122,7 @@ inline void Face_pieces::add_triangle(const Triangle& t) {
 inline void Face_pieces::add_polygon(const std::vector<std::uint32_t>& polygon) {
   const std::size_t n = polygon.size();
   if (n < 3) return;
-  constexpr std::uint32_t double_edge = 1U << 12; // worse than triangles without area
+  constexpr std::uint32_t double_edge = 1U << 12; // worse than 4095 triangles without area
   std::vector<Choice> best(n * n);
   for (std::size_t length = 2; length < n; ++length)
     for (std::size_t i = 0; i + length < n; ++i) {

@@ -575,7 +575,7 @@ bool Window_propagation::knows_targets(const Propagation_limits& limits) const {
 
 Status Window_propagation::run(const Propagation_limits& limits,
                                const std::function<bool(std::uint64_t, double)>& progress) {
-  constexpr std::uint64_t most_between_progress = 65536;
+  constexpr std::uint64_t most_between_progress = 65536; // windows; matters to cancelled runs alone
   radius_ = limits.radius;
   field_.radius = limits.radius;
   most_windows_ =

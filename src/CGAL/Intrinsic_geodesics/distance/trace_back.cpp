@@ -198,7 +198,7 @@ private:
     return Step::crossed;
   }
 
-  static constexpr std::size_t most_places = std::size_t{1} << 22U;
+  static constexpr std::size_t most_places = std::size_t{1} << 22U; // as in `Trace_options`
 
   const Distance_field& field_;
   const Corner_table& table_;

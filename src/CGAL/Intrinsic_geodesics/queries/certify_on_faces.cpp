@@ -157,7 +157,7 @@ public:
 
 private:
   static constexpr std::uint32_t come = Gluing::none - 2, go = Gluing::none - 1;
-  static constexpr std::size_t most_steps = 1024;
+  static constexpr std::size_t most_steps = 1024; // ways may be exponentially many: no certificate
 
   // A corner of a face, between two sides that are named by the rows at their ends; or a part of
   // one, between a ray and a side.

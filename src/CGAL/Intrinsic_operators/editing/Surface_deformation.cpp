@@ -119,6 +119,7 @@ void Biharmonic_interpolation::factor_strengths() {
   a = unit_.asDiagonal() * a * unit_.asDiagonal();
   strengths_.compute(a);
   Eigen::Index least = 0;
+  // as for pivots of `Cholesky_factorization`
   if (strengths_.vectorD().minCoeff(&least) > 64 * std::numeric_limits<double>::epsilon()) return;
   Eigen::VectorXi order = Eigen::VectorXi::LinSpaced(a.rows(), 0, static_cast<int>(a.rows()) - 1);
   order = strengths_.transpositionsP() * order;

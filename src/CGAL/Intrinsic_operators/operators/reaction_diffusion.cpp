@@ -48,6 +48,7 @@ Eigen::VectorXd solve_reaction_diffusion(const Eigen::SparseMatrix<double>& lapl
   for (const std::uint32_t v : without_area) b[v] = 0;
   fixed = without_area;
   if (equation.reaction == 0 && without_area.size() < static_cast<std::size_t>(area.size())) {
+    // 1e-9 bounds the rounding of sums of nine million values
     if (!(std::abs(b.sum()) <= 1e-9 * b.cwiseAbs().sum()) || !is_connected(mass, area))
       throw std::invalid_argument("without reaction, the load must sum to zero and the surface be "
                                   "connected, or there is no solution");

@@ -38,7 +38,7 @@ inline void regularise_isolated(Complex_matrix& c) {
 // `progress` returns whether to go on, after each solution; the result is empty if not.
 inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_border& border,
                                                  const std::function<bool()>& progress) {
-  constexpr double shift = 1e-9;
+  constexpr double shift = 1e-9; // added to all eigenvalues; changes no eigenvector but by rounding
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(c.rows()); // sums to 1
   const double around = std::accumulate(border.lengths.begin(), border.lengths.end(), 0.0);
   const std::size_t n = border.rows.size();

@@ -75,6 +75,7 @@ bool Inverse_lanczos::combine(const Eigen::MatrixXcd& basis, const Eigen::Matrix
     solver.computeFromTridiagonal(diagonal.row(p), beside.row(p).head(last));
     weights.row(p) = solver.eigenvectors().col(last);
     const double residual = beside(p, last) * std::abs(weights(p, last));
+    // an eigenvalue errs by the square of its residual, over the gap to others (Kato, Temple)
     is_done = is_done && residual <= 1e-7 * solver.eigenvalues()[last];
   }
   for (Eigen::Index i = 0; i < z.size(); ++i)

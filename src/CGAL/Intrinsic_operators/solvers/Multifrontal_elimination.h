@@ -69,6 +69,7 @@ public:
       double* value = factors_[m]->column(place);
       for (int i = 1; i <= below; ++i) *value++ = column[i][of_pack] * inverse[of_pack];
     }
+    // as in `Cholesky_factorization`
     return (pivot > 64 * std::numeric_limits<double>::epsilon() * all).all();
   }
 
@@ -118,6 +119,7 @@ public:
     factor_.pivot[row_number(place)] = pivot;
     Eigen::Map<Eigen::Array2Xd>(factor_.column(place), 2, below) =
         Eigen::Map<const Eigen::Array2Xd>(column->data() + 2, 2, below) * inverse;
+    // as in `Cholesky_factorization`
     return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal_[row];
   }
 

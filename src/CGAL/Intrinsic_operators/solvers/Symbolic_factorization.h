@@ -197,6 +197,7 @@ inline void Symbolic_factorization::begin_supernode(int column) {
 
 // Supernodes above subtrees of some work come after both halves.
 inline void Symbolic_factorization::find_parts() {
+  // The lesser half gets the next subtree: they differ at most by the greatest share.
   constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
   std::vector<double> work(row_number(supernodes()), 0); // of the subtree
   double all = 0;

@@ -89,7 +89,7 @@ static Eigenpairs lanczos_eigenpairs(Shifted_inverse& inverse,
                                      Eigen::Index count, double shift) {
   auto m = mass; // which Spectra takes as not constant
   const Eigen::Index space = std::min(inverse.rows(), std::max<Eigen::Index>(2 * count + 1, 20));
-  // eigenvalues far above a cluster of others have fewer digits
+  // eigenvalues far above a cluster of others have fewer digits; 1e-10 is the default of Spectra
   for (const double tolerance : {1e-13, 1e-10}) {
     Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>,
                                  Spectra::GEigsMode::ShiftInvert>
@@ -136,7 +136,7 @@ static void expect_eigenpairs(const Eigen::SparseMatrix<double>& a,
     const Eigen::VectorXd x = pairs.vectors.col(i), size = x.cwiseAbs();
     const double value = pairs.values[i];
     const double terms = (sizes_a * size + std::abs(value) * (sizes_m * size)).norm();
-    if (!((a * x - value * (m * x)).norm() <= 0x1p-26 * terms))
+    if (!((a * x - value * (m * x)).norm() <= 0x1p-26 * terms)) // half of the digits
       throw std::runtime_error("eigenvalue " + std::to_string(i) +
                                " has not converged; ask for fewer");
   }

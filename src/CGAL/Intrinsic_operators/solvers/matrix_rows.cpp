@@ -25,7 +25,7 @@ Row_sums::Row_sums(const Eigen::SparseMatrix<double>& a)
       bound[i.row()] += std::abs(i.value());
       count[i.row()] += 1;
     }
-  bound = 0x1p-52 * count.cwiseProduct(bound);
+  bound = 0x1p-52 * count.cwiseProduct(bound); // n 2^-53 of these sums, twice
 }
 
 std::vector<char> laplacian_components(const Row_sums& sums,

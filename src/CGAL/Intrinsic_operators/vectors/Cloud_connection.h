@@ -151,6 +151,7 @@ private:
       return;
     }
     Vector x = first_[i] - normals_[i].dot(first_[i]) * normals_[i];
+    // where half of the digits cancel, the direction is rounding
     if (!(x.norm() > 1e-8 * first_[i].norm())) x = normals_[i].unitOrthogonal();
     first_[i] = x.normalized();
   }

@@ -172,7 +172,7 @@ private:
 };
 
 void check_size_of_cover(std::size_t faces) {
-  constexpr std::size_t most = Gluing::reversed_bit / 6;
+  constexpr std::size_t most = Gluing::reversed_bit / 6; // two copies have six halfedges
   if (faces > most)
     throw Invalid_input(Element_kind::none, 0,
                         "a cover is made of at most " + std::to_string(most) +

@@ -127,6 +127,7 @@ typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Inp
             internal::narrow_area(input, f)};
   else {
     if constexpr (std::is_same_v<FT, internal::Long_ball>)
+      // beyond the 256 bits of a thread at first
       if (Mpfr_number::rounding() < 0x1p-254) return internal::wide_face(input, f);
     const Input_side_values<FT> values(input);
     return {{values.squared_length({f, 0}), values.squared_length({f, 1}),

@@ -90,6 +90,7 @@ Mollification_report mollify(const Gluing_map& mesh, Input_metric& metric, Molli
   }
   double added = amount ? *amount * *amount : default_squared_length_delta;
   if (kind == Mollification::lengths)
+    // as the course recommends, see `mollifying_epsilon()`
     metric = mollify_lengths(mesh, metric, amount.value_or(1e-5), added);
   else
     metric.set_delta(added);

@@ -108,6 +108,7 @@ bool Polygon_shaper::is_triangle(const Triangle& t) const {
     return std::pair(squared_quadruple_area(l[0], l[1], l[2]), l[0] * l[2]);
   };
   const auto [area, scale] = squared_area(0.0);
+  // above rounding; rationals decide on all else
   if (area > 0x1p-30 * scale && area > 0x1p-40) return true;
   return squared_area(CGAL::Gmpq(0)).first >= CGAL::Gmpq(0);
 }

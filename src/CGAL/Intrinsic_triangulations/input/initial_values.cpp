@@ -58,6 +58,7 @@ static Interval_nt<false> embedded_area_interval(const Input_metric& m, std::uin
            interval_square(difference(u[0], v[1], u[1], v[0]));
   };
   FT squared = squared_norm(determinant_interval);
+  // wide where digits cancel: the other way keeps them
   if (squared.sup() - squared.inf() > 0x1p-47 * squared.sup())
     squared = squared_norm(sharp_determinant);
   if (!(squared.inf() > 0x1p-800 && squared.sup() < 0x1p800)) return {-1.0, -1.0};

@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 bool is_badly_ordered(const Gluing_map& mesh) {
   if (mesh.number_of_faces() <= 1U << 17) return false;
-  constexpr std::uint32_t samples = 4096;
+  constexpr std::uint32_t samples = 4096; // standard error at an eighth: half a percent
   std::uint32_t far = 0;
   for (std::uint32_t i = 0; i < samples; ++i) {
     const auto e = static_cast<std::uint32_t>(std::uint64_t{mesh.number_of_edges()} * i / samples);

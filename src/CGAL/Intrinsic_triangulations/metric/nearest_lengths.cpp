@@ -59,6 +59,7 @@ double nearest_length(const Input_metric& m, std::uint32_t f, unsigned k) {
     const double high = root.to_double(), low = (root - Double_double(high)).to_double();
     if (std::abs(low) < 0x1p-55 * high) return high; // half a unit in the last place is more
     const double next = std::nextafter(high, low > 0 ? std::numeric_limits<double>::max() : 0);
+    // the root errs by less than 2^-40 of a unit in the last place
     if (std::abs(low) < (0.5 - 0x1p-30) * std::abs(next - high)) return high;
   }
   const Gmpq exact = m.squared_length<Gmpq>(f, k);

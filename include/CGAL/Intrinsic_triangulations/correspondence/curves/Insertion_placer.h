@@ -140,7 +140,7 @@ public:
 
 private:
   // distance of points of a side from it, in units of the height of the face
-  static constexpr double nearness = 0x1p-40;
+  static constexpr double nearness = 0x1p-40; // 16^3 of it are `usual_farthest`
   // Distance up to which they, and points that rounding puts outside, are moved into the face: a
   // sixteenth of rounding in single precision; in thin faces at most the largest power of two below
   // a third, the distance of the barycenter from all sides.

@@ -61,8 +61,8 @@ public:
 
 private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  static constexpr std::uint32_t short_size = 3;
-  static constexpr std::uint32_t unit = 4; // size of the smallest block
+  static constexpr std::uint32_t short_size = 3; // fills 16 bytes, together with the size
+  static constexpr std::uint32_t unit = 4;       // size of the smallest block
 
   struct List {
     std::uint32_t size = 0;
@@ -235,6 +235,7 @@ public:
   }
 
 private:
+  // Steps per edge after which storing is tried, and the most crossings per edge, on average.
   static constexpr std::size_t patience = 32, most_per_edge = 128;
 
   void keep(const Edge_crossings& all);

@@ -59,6 +59,7 @@ face_axes_in_space(const Input& input, std::uint32_t h, const Source& source) {
     f[n] -= ef / ee * e[n];
     left += f[n] * f[n];
   }
+  // a height below 2^-48 of the side, which is 32 roundings of it, has no direction
   if (!(left > 0x1p-96 * ff)) return std::nullopt;
   for (std::size_t n = 0; n < 3; ++n) {
     e[n] /= std::sqrt(ee);

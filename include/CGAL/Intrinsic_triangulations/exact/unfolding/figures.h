@@ -185,7 +185,7 @@ private:
   // Sides follow from each other along the tree, so that their errors relative to their lengths
   // only add up; differences of positions would have the errors of all sides before, again and
   // again. The first few positions are better as differences: they take fewer operations, some of
-  // them exact.
+  // them exact. Both enclose, so that no sign depends on this number.
   static constexpr std::size_t few_points = 10;
 
   template <class FT, class Input_values>

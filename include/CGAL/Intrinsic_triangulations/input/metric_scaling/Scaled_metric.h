@@ -119,7 +119,7 @@ namespace internal {
 // How a metric is scaled: see `scale_conformally()`.
 struct Metric_scaling_options {
   Triangle_inequality triangle_inequality = Triangle_inequality::refuse;
-  double margin = 1e-5;
+  double margin = 1e-5; // as the course recommends for mollification
 };
 
 template <class NP>

@@ -125,6 +125,7 @@ public:
     if (!(maximum_circumradius > 0) || !(maximum_edge_length > 0))
       throw std::invalid_argument("the bounds of circumradius and edge length must be positive");
     if (minimum_angle > 0)
+      // a little less, since rounding of the tangent should not let smaller angles pass
       cotangent_ = (1 - 0x1p-50) / std::tan(minimum_angle * std::numbers::pi / 180);
     squared_radius_ = squared(maximum_circumradius, scale_exponent);
     squared_length_ = squared(maximum_edge_length, scale_exponent);
@@ -217,7 +218,7 @@ inline double squared_circumradius(const Face_values<double>& v) {
 // vertices: if they were nearer, refinement might not end. The circumcenter of a face of a Delaunay
 // triangulation is a circumradius from all vertices, which for bounds up to 30 degrees is not below
 // the shortest side of a thin face; for a face that is only too large, half of it is enough.
-// Squared, and a little less.
+// Squared, and a little less: rounding must not refuse a vertex at this distance.
 inline double least_distance(const Face_values<double>& v, bool is_thin) {
   const auto& l = v.squared_lengths;
   return (1 - 0x1p-10) *

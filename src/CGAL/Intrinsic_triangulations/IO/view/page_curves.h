@@ -60,6 +60,7 @@ inline Page_curves thinned_curves(std::span<const Polyline> curves,
 // keep their number.
 inline Page_curves curves_within(std::span<const Polyline> curves, const Unit_ball_scaling& scaling,
                                  std::size_t most_bytes) {
+  // a quarter of a pixel and two, where the ball of this diameter fills 1000
   constexpr double least_tolerance = 5e-4, visible_tolerance = 4e-3, diameter = 2;
   constexpr std::size_t few = 200;
   double tolerance = 0, share = 1;

@@ -41,6 +41,7 @@ public:
   // the surface is least high along y. \param extent the sides of the bounding box
   Standing find(const Direction& extent) const {
     constexpr double least_share = 0.03; // of the area; faces of fine meshes of balls have less
+    // of areas that are equal up to rounding the first counts, as on a cube
     constexpr double clearly_more = 1.01;
     Standing best;
     double largest = least_share * area_;

@@ -48,7 +48,7 @@ std::uint32_t first_side(const Input& input, std::uint32_t face) {
 std::array<double, 3> normalized_weights(const Place& place) {
   std::array<double, 3> weights = place.weights;
   const double sum = weights[0] + weights[1] + weights[2];
-  // false for what is not a number
+  // false for what is not a number; weights that were rounded to single precision pass
   const bool are_weights =
       std::ranges::all_of(weights, [](double w) { return w >= 0; }) && std::abs(sum - 1) <= 1e-6;
   if (!are_weights)

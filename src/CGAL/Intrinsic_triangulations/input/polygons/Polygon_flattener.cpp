@@ -144,7 +144,7 @@ double Nearest_angles::take_step() {
   for (int halvings = 0; halvings <= maximal_halvings; ++halvings, part /= 2) {
     for (std::size_t i = 0; i < step_.size(); ++i) directions_[i] = before[i] + part * step_[i];
     // short steps are Newton's: they need no shortening, and rounding would not let the penalty
-    // decrease
+    // decrease; 1e-4 is the usual part of the slope in the condition of Armijo
     if (longest < 1e-3 || merit() <= old + 1e-4 * part * slope) break;
   }
   return longest;
@@ -160,6 +160,7 @@ bool Nearest_angles::run(const std::vector<double>& start) {
   penalty_ = 0;
   for (int i = 0; i < maximal_steps; ++i) {
     if (!find_step(true) && !find_step(false)) return false;
+    // the error after a step of Newton is about the square of the step
     if (take_step() > 1e-10) continue;
     const Pair c = gap();
     return std::hypot(c[0], c[1]) < 1e-13;

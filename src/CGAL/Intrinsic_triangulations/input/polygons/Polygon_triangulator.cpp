@@ -85,6 +85,7 @@ bool Polygon_triangulator::triangulate_least_area(
           apex[i * n + j] = static_cast<std::uint32_t>(k);
         }
       const Point diagonal = difference(points_[j], points_[i]);
+      // triangulations of a convex polygon in a plane have the same area: short diagonals decide
       cost[i * n + j] = best + 1e-9 * inner_product(diagonal, diagonal);
     }
   if (cost[n - 1] == infinity) return false;
