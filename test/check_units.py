@@ -32,7 +32,7 @@ LEFT_OUT = {
     "the units of the visitor's caller, which are those of the result":
         "Polyhedral_distance_visitor",
     "reported only where rounding has spoilt a triangulation": "Inaccuracy",
-    "an option or a report of functions that are called": "Distance_options",
+    "an option or a report of functions that are called": "Distance_options Vector_options",
     "tells edges, faces, vertices, or signs, which have no units":
         "bent_edges certify_delaunay certify_geodesic certify_map certify_on_faces "
         "components_of_matrix constrained_input_edges cut_open cut_to_disk cut_to_disks "

@@ -311,7 +311,7 @@ private:
                                     internal::Vertex_places<Intrinsic_triangulation>,
                                     internal::No_vertex_places<Intrinsic_triangulation>>;
 
-  // calls a function with all observers, in the order in which they are asked, and follow moves
+  // Calls a function with all observers, in the order in which they are asked about moves and told.
   template <class Function>
   auto with_observers(const Function& f) {
     return f(places_, exact_memory_, rows_, correspondence_);

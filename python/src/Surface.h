@@ -57,10 +57,11 @@ struct Surface {
 
   /// Held by whoever uses the triangulation or the cache.
   std::mutex mutex;
-  /// What asks on behalf of that call whether to go on; methods that the cache keeps ask it, too.
-  Watch* watch = nullptr;
   /// The thread that does.
   std::atomic<std::thread::id> user{};
+  /// That of the call that holds the lock; methods in the cache ask it whether to go on. Only valid
+  /// while the lock is held.
+  Watch* watch = nullptr;
   /// What was computed of the triangulation, such as factorizations, by the names of the methods
   /// and their parameters.
   std::map<std::string, std::shared_ptr<void>> cache;

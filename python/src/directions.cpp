@@ -17,11 +17,8 @@
 
 #include <pybind11/stl.h>
 
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -151,12 +148,17 @@ signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, In
   Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&]<class T>(const T& t) {
     using Method = IT::Signed_heat_distance<T>;
-    const std::string key =
-        "signed distance " + std::to_string(std::bit_cast<std::uint64_t>(time_factor));
-    Method& method = s.cached<Method>(key, [&] {
+    struct Kept { // for one time
+      double time_factor;
+      Method method;
+    };
+    const std::string key = "signed distance";
+    const auto make = [&] {
       const auto factor = IT::parameters::time_factor(time_factor);
-      return new Method(t, factor.visitor(Matrices_watch{&s}));
-    });
+      return new Kept{time_factor, Method(t, factor.visitor(Matrices_watch{&s}))};
+    };
+    if (s.cached<Kept>(key, make).time_factor != time_factor) s.cache.erase(key);
+    Method& method = s.cached<Kept>(key, make).method;
     Eigen::VectorXd result = signed_distances(t, curves, method);
     if (method.status() == IT::Status::cancelled) s.cache.erase(key);
     return result;

@@ -26,7 +26,7 @@ What is asked of `Vectors`, and what it finds.
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// What is done at the time to find vectors.
+/// What `Vectors` is doing when it asks whether to go on.
 enum class Vector_step : std::uint8_t {
   windows,       ///< looks through the windows of exact distances; how many is counted
   factorization, ///< factors matrices
@@ -40,7 +40,8 @@ struct Vector_options {
   std::size_t neighbors = 30; ///< of each point of a cloud, see `Point_cloud_vectors`
   /// How far logarithms along shortest paths go, in the units of the input.
   double maximum_distance = std::numeric_limits<double>::infinity();
-  /// Is called with what is done, and how much of it; returns whether to go on.
+  /// Is called with what is done, and how much of it; returns whether to go on. On clouds of points
+  /// only `directions()` asks.
   std::function<bool(Vector_step, std::uint64_t)> progress{};
 };
 
@@ -59,12 +60,14 @@ struct Given_vectors {
 struct Found_vectors {
   /// Of each copy of a vertex, see `Tangent_field`; of each point of a cloud; NaN if unknown.
   Tangent_field vectors{};
-  /// Which of them stands for each row, `Gluing::none` if the vertex has no face.
+  /// The number in `vectors` of the one that stands for each row; `Gluing::none` if the vertex has
+  /// no face.
   std::vector<std::uint32_t> of_row{};
   Status status = Status::done; ///< or `cancelled`: then there are no vectors
 };
 
-/// A field of directions, and where it is singular; clouds of points have no faces, where it could.
+/// A field of directions, and the faces where it is singular; none on a cloud of points, which has
+/// no faces.
 struct Found_directions : Found_vectors {
   std::vector<int> index{}; ///< of each face of the triangulation, see `Field_singularities`
   /// The centres of faces with an index other than 0, on the input, and this index.

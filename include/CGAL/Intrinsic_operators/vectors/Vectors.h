@@ -46,8 +46,9 @@ namespace CGAL::Intrinsic_triangulations {
 \brief finds vectors from places that a user names: transported ones, logarithmic maps, fields of
 directions; on the surface of a cloud of points by its tangent planes, `Point_cloud_vectors`.
 
-On a cover, a place has points on all sheets, and a vertex the vector of one of its copies. Factored
-matrices are kept from call to call, as long as the time of the flow is the same.
+On a cover, a place stands for its points on all sheets, and each row gets the vector of one copy of
+its vertex. Factored matrices of the flow of heat are kept from call to call, as long as its time
+and, on clouds, the number of neighbours stay the same; fields of directions factor their own.
 \tparam Triangulation a model of `CorrespondingTriangulation` and `MeasuredTriangulation`, Delaunay
 */
 template <QueriedTriangulation Triangulation>
@@ -69,6 +70,7 @@ public:
 
   /*!
   \brief transports vectors to all vertices, each from the nearest of the places.
+  \pre one vector per place
   \throws Invalid_input if a place does not exist, or a vector has no direction there
   \throws std::invalid_argument see `Vector_heat_method`
   */
@@ -140,6 +142,7 @@ public:
           t_, from,
           parameters::maximum_distance(options.maximum_distance).visitor(std::ref(visitor)));
     });
+    if (!visitor.goes_on) return cancelled();
     found.of_row = nearest_copies_of_rows(t_, found.vectors);
     return found;
   }
@@ -158,7 +161,7 @@ public:
     Visitor visitor{&options, Vector_step::field};
     const auto np = parameters::visitor(std::ref(visitor));
     if (is_cloud()) {
-      const Point_cloud_vectors& c = cloud(options);
+      const Point_cloud_vectors& c = cloud(options.neighbors);
       if (!visitor.progress(0U)) return {cancelled()};
       const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);
       if (f.status == Status::cancelled) return {cancelled()};
@@ -183,7 +186,8 @@ public:
     return found;
   }
 
-  /// returns the tangent planes of a cloud of points, inserted ones included.
+  /// returns the tangent planes of a cloud of points, inserted ones included; valid until a call
+  /// with another number of neighbours or another time. \pre `is_cloud()`
   const Point_cloud_vectors& cloud(std::size_t neighbors) {
     Vector_options options;
     options.neighbors = neighbors;
@@ -199,11 +203,13 @@ private:
   struct Visitor {
     const Vector_options* options;
     Vector_step step;
+    bool goes_on = true;
+
     template <class Step, class... More>
     bool progress(const Step& s, const More&...) {
       std::uint64_t count = 0;
       if constexpr (std::integral<Step>) count = s;
-      return !options->progress || options->progress(step, count);
+      return goes_on = goes_on && (!options->progress || options->progress(step, count));
     }
   };
 

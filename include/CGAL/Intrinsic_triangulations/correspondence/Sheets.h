@@ -200,7 +200,10 @@ private:
     if (i >= is_there_.size()) is_there_.resize(i + 1, 0);
     is_there_[i] = is_inserted ? 1 : 0;
     forget_from(i);
-    is_inserted ? ++count_ : --count_;
+    if (is_inserted)
+      ++count_;
+    else
+      --count_;
   }
 
   // The rows of this vertex and of all after it may change. On a cover all rows may change, since

@@ -60,9 +60,10 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           diamond_of(h, mesh, number)};
 }
 
-// The elementary moves of a triangulation. Each is planned: it makes its record, computes values,
-// and asks all observers, which change nothing but caches. Then it is made, and nothing is refused
-// any more: connectivity, metric and observers follow. Moves that take others back are not refused.
+// The elementary moves of a triangulation. Each is planned: it makes its record, asks all
+// observers, which change nothing but caches, and computes the new values. Either may refuse. Then
+// it is made, and nothing is refused any more: connectivity, metric and observers follow. Moves
+// that take others back are not refused.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
@@ -185,10 +186,9 @@ public:
   }
 
   // whether a vertex can move within its star
-  static constexpr bool moves_in_star = requires(Metric & m, const Whole_star& star) {
-    m.move_in_star(star, 0., 0.);
-  }
-  &&RepositioningCorrespondence<typename Triangulation::Correspondence, Triangulation>;
+  static constexpr bool moves_in_star =
+      RepositioningCorrespondence<typename Triangulation::Correspondence, Triangulation> &&
+      requires(Metric & m, const Whole_star& star) { m.move_in_star(star, 0., 0.); };
   // of the source of the first spoke; edges and faces stay
   bool move_in_star(const Whole_star& star, const Move_in_star& move) requires(moves_in_star) {
     if (!ask(move) || !metric_.move_in_star(star, move.weights[1], move.weights[2])) return false;

@@ -80,7 +80,7 @@ struct Insertion_in_face : Star_of_vertex {
   std::array<double, 3> weights;
   /// The place on the input that defines p, if the correspondence need not find it.
   std::optional<Surface_point> place{};
-  /// The direction of a corner from there, if known and the correspondence requires it.
+  /// The direction of a corner from there, if known.
   std::optional<Seen_corner> seen{};
 };
 

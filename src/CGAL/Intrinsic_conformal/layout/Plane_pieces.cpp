@@ -40,6 +40,7 @@ public:
         is_placed_(pieces.number_of_vertices, 0) {
     result_.position.assign(pieces.number_of_vertices, 0);
     result_.rotation.assign(pieces.size(), 0);
+    for (std::uint32_t i = 0; i < p_.size(); ++i) unit_ = std::max(unit_, p_.extent(i));
   }
 
   Developed_pieces run() {
@@ -73,9 +74,10 @@ private:
     }
   };
 
-  // Lays out the component of a piece: breadth first, but small pieces before those more than a
-  // thousand times as large. Thus pieces between the corners of a needle follow from each other: if
-  // large ones around led to them from all sides, they would have the errors of those.
+  // Lays out the component of a piece: breadth first within classes of size, each a thousand
+  // times as large as the one before, and small classes first. Thus pieces between the corners of
+  // a needle follow from each other: if large ones around led to them from all sides, they would
+  // have the errors of those.
   void spread_from(std::uint32_t first) {
     fixed_.push_back(p_.vertex[p_.begin[first]]);
     is_placed_[fixed_.back()] = 1;
@@ -86,7 +88,7 @@ private:
       place(i, corner);
       for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c)
         if (p_.glue[c] != Gluing::none)
-          queue.push({std::ilogb(p_.extent(piece_of_side_[p_.glue[c]])) / 10, steps++, c});
+          queue.push({size_class(piece_of_side_[p_.glue[c]]), steps++, c});
     };
     reach(first, p_.begin[first], 1);
     while (!queue.empty()) {
@@ -97,6 +99,9 @@ private:
       reach(j, p_.glue[c], r / std::abs(r)); // the length is 1 but for rounding
     }
   }
+
+  // At most 0, by the largest piece, so that classes do not depend on the unit of lengths.
+  int size_class(std::uint32_t i) const { return std::ilogb(p_.extent(i) / unit_) / 10; }
 
   // Places the corners of a piece, of which corner `c` has a place.
   void place(std::uint32_t i, std::uint32_t c) {
@@ -127,9 +132,10 @@ private:
     return largest;
   }
 
-  // 1 / length^2; sides that are points but for rounding count as a millionth of their piece, or a
-  // billionth of the distance from the origin of the place where they start: the rounding of this
-  // place, times the weights of shorter ones, would move all others. 1e-50 keeps weights finite.
+  // 1 / length^2. A side shorter than a millionth of its piece counts as so long: it may be a point
+  // but for rounding. So does one shorter than a billionth of the distance of its start from the
+  // origin: the rounding of that place, times a greater weight, would move all others. 1e-50 keeps
+  // weights finite.
   double weight(Complex side, std::uint32_t i, Complex from) const {
     const double length =
         std::max({std::abs(side), 1e-6 * p_.extent(i), 0x1p-30 * std::abs(from), 1e-50 * unit_});
@@ -139,12 +145,12 @@ private:
   // Solves for changes of the places, until the largest error does not fall.
   void improve() {
     const auto n = static_cast<Eigen::Index>(p_.number_of_vertices);
-    for (std::uint32_t i = 0; i < p_.size(); ++i) unit_ = std::max(unit_, p_.extent(i));
     std::vector<Eigen::Triplet<double>> entries;
     for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
       if (a == b) return;
       const int v = static_cast<int>(a), w = static_cast<int>(b);
       const double by = weight(side, i, result_.position[a]);
+      weight_.push_back(by);
       for (const int k : {v, w}) entries.emplace_back(k, k, by);
       entries.emplace_back(v, w, -by);
       entries.emplace_back(w, v, -by);
@@ -168,8 +174,10 @@ private:
   std::vector<Complex> changed(const Laplacian_factorization& factor) const {
     std::vector<Complex> z = result_.position;
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(z.size()), 2);
-    for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t i) {
-      const Complex d = weight(side, i, result_.position[a]) * (side - (z[b] - z[a]));
+    auto by = weight_.begin();
+    for_each_side([&](std::uint32_t a, std::uint32_t b, Complex side, std::uint32_t) {
+      if (a == b) return;
+      const Complex d = *by++ * (side - (z[b] - z[a]));
       const Eigen::RowVector2d row(d.real(), d.imag());
       right.row(b) += row;
       right.row(a) -= row;
@@ -187,7 +195,8 @@ private:
   std::vector<std::uint32_t> piece_of_side_;
   std::vector<char> is_placed_;
   std::vector<std::uint32_t> fixed_; // a vertex of each component
-  double unit_ = 0;
+  double unit_ = 0; // the longest side
+  std::vector<double> weight_; // of each side between two vertices
   Developed_pieces result_;
 };
 

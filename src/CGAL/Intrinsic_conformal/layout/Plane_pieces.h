@@ -38,7 +38,8 @@ struct Developed_pieces {
 Developed_pieces develop(const Plane_pieces& pieces);
 
 // The sides of triangles, each in the frame of its side 0, as complex numbers.
-// \throws Invalid_input naming a face that no triangle has the sides of
+// \throws Invalid_input naming a face that no triangle has the sides of, or with sides beyond the
+//   range of doubles
 std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s);
 
 // The frame beyond a side in the frame before it, from the vectors of that side in both.

@@ -55,8 +55,8 @@ std::array<std::complex<double>, 3> sides_of_triangle(const Surface_to_cut& s, s
     squares[k] = lengths[k] * lengths[k];
   }
   double area = squared_quadruple_area_of(lengths);
-  if (!(least > 0) || !std::isfinite(longest) || !(area >= -1e-14 * squares[0]))
-    throw no_triangle(f);
+  // lengths to the fourth power, of which the greatest is between 1 and 16: 1e-14 is rounding
+  if (!(least > 0) || !std::isfinite(longest) || !(area >= -1e-14)) throw no_triangle(f);
   area = std::sqrt(std::max(area, 0.));
   std::array<std::complex<double>, 3> result;
   const Plane_sides sides =
@@ -136,7 +136,8 @@ std::vector<std::array<double, 2>> vectors_of_triangles(const std::vector<Double
 std::complex<double> turn_across(std::complex<double> side, std::complex<double> partner) {
   // of sides below 1e-154, the product would be too small for doubles
   const auto scaled = [](std::complex<double> z) {
-    const int e = -std::ilogb(std::abs(z));
+    const double r = std::abs(z);
+    const int e = r > 0 && std::isfinite(r) ? -std::ilogb(r) : 0;
     return std::complex<double>(std::ldexp(z.real(), e), std::ldexp(z.imag(), e));
   };
   const std::complex<double> turn = -scaled(side) * std::conj(scaled(partner));
@@ -147,8 +148,10 @@ std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s) {
   std::vector<std::complex<double>> result;
   result.reserve(s.length.size());
   for (const auto& [x, y] : s.vector) {
-    if (!std::isnormal(std::hypot(x, y))) // overflow, or underflow
-      throw no_triangle(static_cast<std::uint32_t>(result.size() / 3));
+    if (!std::isnormal(std::hypot(x, y)))
+      throw Invalid_input::about(Element_kind::face, static_cast<std::uint32_t>(result.size() / 3),
+                                 " has sides that are too long or too short for doubles; the scale "
+                                 "factors of its vertices differ too much");
     result.emplace_back(x, y);
   }
   if (!result.empty()) return result;

@@ -66,10 +66,10 @@ public:
     return a.at[0] * b.at[1] - a.at[1] * b.at[0] >
            part * norm(cross_product(a.in_space, b.in_space));
   }
-  // whether the angle between two neighbours is above 5/6 pi
-  static bool is_wide(const Neighbour& a, const Neighbour& b) {
-    return a.at[0] * b.at[0] + a.at[1] * b.at[1] <
-           -std::sqrt(0.75 * squared_distance(a) * squared_distance(b));
+  // of the angle between two neighbours
+  static double cosine(const Neighbour& a, const Neighbour& b) {
+    return (a.at[0] * b.at[0] + a.at[1] * b.at[1]) /
+           std::sqrt(squared_distance(a) * squared_distance(b));
   }
 
 private:
@@ -78,8 +78,8 @@ private:
   template <class E, class A>
   using Exactly = Point_kernel::Exactly<E, A>;
 
-  // What the turn into the plane may change: from 1/16 to 1/4 clouds have the same areas up to 1 %
-  // (0: 33 %); no quotient that squares on lattices have.
+  // Up to this value the turn into the plane may have changed the side: clouds have the same areas
+  // up to 1 % with 1/16 to 1/4 (with 0 up to 33 % off). No star of a lattice of squares has it.
   static constexpr double open = 0.13;
   // whether products neither underflow nor overflow
   static bool is_in_range(double x) { return x > 1e-280 && x < 1e300; }
@@ -102,8 +102,9 @@ private:
            angle(difference(a.in_space, b.in_space), difference(c.in_space, b.in_space)) -
            at_end(a) - at_end(c);
   }
-  // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. It
-  // tells less by the square: those that differ by 2^-15 pass, and angles decide.
+  // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. The
+  // test is coarse: the difference grows with the square of the distance from the circle, so that
+  // points up to 2^-15 off pass. Then angles decide.
   static bool is_on_circle_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
     const auto length = [](const Space_vector<double>& v) {
       return std::sqrt(inner_product(v, v));
@@ -113,9 +114,9 @@ private:
                          length(c.in_space) * length(difference(a.in_space, b.in_space));
     return sides - diagonals <= tie * diagonals;
   }
-  // On which side of the circle through three points the origin is, from -1 to 1: positive inside.
-  // The plane leaves that open where it is small: it differs from the surface by about the square
-  // of a neighbour's distance over the radius of curvature.
+  // On which side of the circle through three points the origin is, from -1 to 1: positive
+  // inside. The plane does not decide where the value is small: it differs from the surface by
+  // about the square of a neighbour's distance over the radius of curvature.
   static double side_of_circle(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
     double determinant = 0, size = 0;
     for (const auto& [p, q, r] : {std::array{&a, &b, &c}, {&b, &c, &a}, {&c, &a, &b}}) {
@@ -185,28 +186,35 @@ static void drop_those_in_front(std::vector<Delaunay_star::Neighbour>& star, boo
       before = here;
       is_last_dropped = is_dropped;
     }
+    if (kept == 0) return; // all are alike: none is in front of another
     if (is_first_dropped) star[kept - 1].strength = unknown;
     if (is_last_dropped) star[0].strength = unknown;
     star.resize(kept);
   }
 }
 
-// Where a closed star has a wide angle and its edges turn in space instead: there is a border. It
-// was closed since the plane is tilted. Points on a circle with it are on the border.
+// Opens a closed star at a border: at the widest angle across which the neighbours are not spread
+// in the plane but turn in space. Such a star was closed only because the plane is tilted. Edges
+// that are tied within the angle are left out.
 // \return whether there is one; then the star begins behind it
 static bool open_at_border(std::vector<Delaunay_star::Neighbour>& neighbours) {
   using P = Star_predicates;
   const std::size_t n = neighbours.size();
-  std::size_t first = n, count = 0;
-  for (std::size_t i = 0; i < n && first == n; ++i) {
+  std::size_t first = n, dropped = 0;
+  double least = -std::sqrt(0.75); // the cosine of the widest, which is above 5/6 pi
+  for (std::size_t i = 0; i < n; ++i) {
     if (neighbours[i].is_tied()) continue;
-    for (count = 1; neighbours[(i + count) % n].is_tied();) ++count;
+    std::size_t count = 1;
+    while (neighbours[(i + count) % n].is_tied()) ++count;
     const auto &a = neighbours[i], &b = neighbours[(i + count) % n];
-    if (count < n && P::is_wide(a, b) && !P::is_flat(a, b, 0.5)) first = (i + count) % n;
+    if (count == n || !(P::cosine(a, b) < least) || P::is_flat(a, b, 0.5)) continue;
+    first = (i + count) % n;
+    dropped = count - 1;
+    least = P::cosine(a, b);
   }
   if (first == n) return false;
   std::ranges::rotate(neighbours, neighbours.begin() + static_cast<std::ptrdiff_t>(first));
-  neighbours.resize(n - (count - 1));
+  neighbours.resize(n - dropped);
   return true;
 }
 

@@ -239,12 +239,12 @@ static std::vector<std::uint32_t> distinct_points(const std::vector<std::array<d
   return order;
 }
 
-// Some of the points, in units in which squares neither overflow nor vanish: coordinates times a
-// power of two.
+// Some of the points, in units in which fourth powers neither overflow nor vanish: coordinates
+// times a power of two.
 static std::vector<Local_triangulator::Point>
 points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                       const std::vector<std::uint32_t>& members) {
-  constexpr int most = 300; // up to there they are left as they are
+  constexpr int most = 100; // up to there they are left as they are
   double largest = 0;
   for (const std::uint32_t v : members)
     for (const double x : points[v]) largest = std::max(largest, std::abs(x));

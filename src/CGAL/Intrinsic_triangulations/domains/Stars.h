@@ -53,10 +53,11 @@ inline std::vector<std::array<std::uint32_t, 3>> triangles_of(Stars stars) {
   return triangles;
 }
 
-// Chooses the diagonals of points on a circle. If the stars of all of them have that circle, they
-// end at the one of least number: no matrix tells, since the polygon is covered three times, and
-// its diagonals have no weight. Else a choice by numbers would show. Then an edge stays if other
-// stars have it without a tie, and is left out if none has.
+// Chooses the diagonals of points on a circle. If all of these points have the circle in their
+// stars, the diagonals end at the point with the least number: Laplacians and lumped masses do not
+// depend on that, since the polygon is covered three times and its diagonals have no weight.
+// Otherwise they would. Then an edge stays if another star has it without a tie, and is left out if
+// none has.
 class Ties {
 public:
   explicit Ties(Stars& stars) : stars_(stars) {
@@ -122,6 +123,7 @@ private:
     place[stays.size()] = kept;
     stars_.corners.resize(kept);
     for (auto& [from, to] : stars_.range) from = place[from], to = place[to];
+    stars_.is_tied.clear(); // they are settled
   }
 
   Stars& stars_;

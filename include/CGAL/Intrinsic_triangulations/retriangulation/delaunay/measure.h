@@ -161,11 +161,13 @@ void for_each_input_face(const Triangulation& t, const Function& function) {
       const std::uint32_t h = input->halfedge_of_face(f);
       function(input->source(h), input->target(h), input->target(input->next(h)));
     }
-  } else
+  } else {
+    const auto number = [&](auto g) { return t.index(source(g, t.mesh())); };
     for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
       const auto h = halfedge(f, t.mesh()), n = next(h, t.mesh());
-      function(source(h, t.mesh()).index, target(h, t.mesh()).index, target(n, t.mesh()).index);
+      function(number(h), number(n), number(next(n, t.mesh())));
     }
+  }
 }
 
 } // namespace internal
@@ -173,7 +175,8 @@ void for_each_input_face(const Triangulation& t, const Function& function) {
 /// returns the area of the input from its coordinates, before any mollification, in its units; NaN
 /// where the coordinates are not known; where polygons became planar, that of its faces.
 /// \param points one per row, in the units of the input; none: those that the input has
-/// \pre no edge was flipped, unless the input has points or it is known where edges run
+/// \pre no edge was flipped and no vertex inserted, unless the input has points or it is known
+///   where edges run
 template <IntrinsicTriangulation Triangulation>
 double area_of_points(const Triangulation& t,
                       const std::vector<std::array<double, 3>>& points = {}) {

@@ -68,7 +68,8 @@ struct Odt_result {
 */
 struct Odt_visitor {
   /*!
-  \brief is called after every iteration, and about every 256 moves.
+  \brief is called after every iteration, and about every 256 moves, but not during the refinement
+  that may follow.
   \return whether to go on
   */
   bool progress(const Odt_result&) { return true; }

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Odt_optimizer.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Delaunay_refiner.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_settings.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
@@ -17,7 +18,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -85,6 +85,9 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   auto stored_visitor = internal::object_or<visitor>(np, Odt_visitor());
   auto& observed = internal::unwrapped(stored_visitor);
   const internal::Surface_check<Triangulation> check(t);
+  static_assert(requires(const Odt_result& r) { bool(observed.progress(r)); },
+                "a visitor of odt_optimize() derives from Odt_visitor, or has its function "
+                "progress()");
   internal::Odt_optimizer<Triangulation> optimizer(
       t, np, [&observed](const Odt_result& r) { return bool(observed.progress(r)); });
   const internal::Constrained_parts parts(t, constrained);

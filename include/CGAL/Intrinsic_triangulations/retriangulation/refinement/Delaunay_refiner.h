@@ -295,7 +295,8 @@ struct Refined {
   Constrained_segments segments;
 };
 
-// Not inline, and of one type: the library has it compiled for the usual triangulations.
+// Not inline, and with no type but the triangulation's: the library has it compiled for the usual
+// triangulations.
 template <class Triangulation>
 Refined<typename Triangulation::face_descriptor>
 refine(Triangulation& t, const Refinement_settings& asked, const std::vector<char>& is_kept,

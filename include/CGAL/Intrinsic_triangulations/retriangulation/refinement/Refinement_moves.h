@@ -48,7 +48,7 @@ public:
   enum class Insertion {
     done,     // it is there, with its copies
     not_here, // a copy would come too close to other vertices: nothing has changed
-    refused   // edges have been flipped
+    refused   // by the triangulation, or too close in the end: edges may have been flipped
   };
 
   // records changes and results in `state`
@@ -88,16 +88,15 @@ public:
     return flip([] { return true; });
   }
 
-  // Inserts a vertex and its copies if they keep the least distance, squared, from others.
-  // \param wanted the distance of copies, if known before their insertion
+  // Inserts a vertex and its copies if all keep a least distance, squared, from other vertices.
+  // \param wanted the one, squared, that copies must have before if the vertex is inside a face
   Insertion insert(const Surface_point& p, double least, double wanted) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
-    const bool have_room = std::ranges::all_of(copies_.missing(t_.index(n.vertex)), [&](auto& q) {
-      return has_room(q, is_in_face ? wanted : least);
-    });
-    // a vertex on an edge leaves other edges behind
+    const auto is_free = [&](auto& q) { return has_room(q, is_in_face ? wanted : least); };
+    const bool have_room = std::ranges::all_of(copies_.missing(t_.index(n.vertex)), is_free);
+    // removed from an edge, it would leave other edges than before: it is flipped away below
     if (is_in_face && !have_room && session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
     start_from(n.vertex);
@@ -204,9 +203,9 @@ private:
 
   // such a copy stays: without it the parts of the segment would not be edges
   bool is_on_segment(Vertex v) const {
-    bool is_on_one = false;
-    for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one |= is_segment(h); });
-    return is_on_one;
+    bool is = false;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) { is |= is_segment(h); });
+    return is;
   }
 
   void start_from(Vertex circumcenter) {
@@ -216,7 +215,7 @@ private:
     suspect_star(circumcenter);
   }
 
-  // Inserts the copies of a vertex, all or as many as can be; whether these are all.
+  // as many copies of a vertex as can be; whether these are all
   bool insert_copies(std::vector<std::uint32_t>& all) {
     for (const Surface_point& place : copies_.missing(all.front()))
       if (const std::optional<Vertex> v = insert_copy(place))
@@ -250,7 +249,8 @@ private:
     if (is_on_segment(p)) return split_at(h, p.weights[1], place);
     const auto n = session_.insert_copy(h, p.weights, place);
     if (n.status != Move_status::done) return std::nullopt;
-    return start_from(n.vertex), n.vertex;
+    start_from(n.vertex);
+    return n.vertex;
   }
 
   std::optional<Vertex> split_at(Halfedge h, double parameter,

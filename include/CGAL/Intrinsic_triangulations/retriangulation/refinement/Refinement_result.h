@@ -67,7 +67,8 @@ struct Refinement_counts {
   std::uint64_t circumcenters = 0;
   /// Splits of border edges and constrained edges.
   std::uint64_t segment_splits = 0;
-  /// Inserted vertices that were removed again near edges that were split.
+  /// Inserted vertices that were removed again: near edges that were split, or since a copy was too
+  /// close to another vertex.
   std::uint64_t removals = 0;
   /// Edges flipped to keep the triangulation Delaunay, those of insertions and removals not
   /// counted.

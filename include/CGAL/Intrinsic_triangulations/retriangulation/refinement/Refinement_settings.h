@@ -38,8 +38,8 @@ struct Refinement_settings {
   }
 };
 
-// What refinement asks a visitor, see `Refinement_visitor`; not of the type of the visitor, so that
-// refinement is compiled once for a triangulation.
+// The questions to a visitor, see `Refinement_visitor`, as functions: they hide its type, so that
+// refinement is compiled once for a triangulation. Triangulation and visitor must outlive them.
 template <class Triangulation>
 struct Refinement_questions {
   std::function<bool(const Refinement_counts&)> progress = [](const Refinement_counts&) {
