@@ -75,8 +75,9 @@ def lattices():
     x, y = (x.ravel() for x in np.mgrid[:9, :9])
     gold = (1 + 5**0.5) / 2
     icosahedron = [np.roll((0, a, b), k) for a in (1, -1) for b in (gold, -gold) for k in range(3)]
-    return {**EVEN, "hexagons": hexagons,
-            "sphere with many at its holes": sphere(32, 8),
+    return {**EVEN, "hexagons": hexagons, "cone": on_axis(lambda j: j + 1, lambda j: j, 12, 5),
+            "sphere with many at its holes": sphere(32, 8), "tube of seven": torus(7, 9),
+            "fold": np.column_stack([x, np.maximum(y - 4, 0), np.maximum(4 - y, 0)]),
             "bowl": np.column_stack([x, y, 0.05 * ((x - 4)**2 + (y - 4)**2)]),
             "plate": box(9, 4, 3), "octahedron": np.vstack([np.eye(3), -np.eye(3)]),
             "icosahedron": np.array(icosahedron), "cube of eight": box(2, 2, 2)}

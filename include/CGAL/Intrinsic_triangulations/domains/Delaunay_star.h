@@ -37,10 +37,14 @@ public:
     bool is_tied() const { return std::abs(strength) <= tie; }
   };
 
+  enum class Extent : char {
+    closed, // the last and the first corner are those of a triangle, too: the star goes all around
+    open,   // it has a gap of half a turn
+    bent    // it was opened where the points turn in space
+  };
   // \param neighbours which are sorted and thinned out; those left are the corners of triangles,
   // counterclockwise
-  // \return whether the last and the first are corners of a triangle, too: the star goes all around
-  static bool find(std::vector<Neighbour>& neighbours);
+  static Extent find(std::vector<Neighbour>& neighbours);
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -88,6 +88,12 @@ private:
 Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                           const std::vector<std::array<double, 3>>& points);
 
+// The same for triangles of stars, whose first corner is the center: at an edge to the center, the
+// two of its star are glued to each other, not to those of other stars. So nothing depends on the
+// order of faces, whose copies are alike.
+Double_cover cover_of_stars(const Gluing& faces, const Sides_by_edge& edges,
+                            const std::vector<std::array<double, 3>>& points);
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_TUFTED_COVER_H

@@ -72,16 +72,16 @@ Path_place Face_complex::place(const Surface_point& p) const {
   return {s, {p.weights[1], p.weights[0], p.weights[2]}};
 }
 
-std::vector<Branched_side::Other> Face_complex::other_sides(std::uint32_t first) const {
+// Those that meet a halfedge of the cover, and how they run beside it.
+std::vector<Branched_side::Other> Face_complex::other_sides(std::uint32_t along) const {
   std::vector<Branched_side::Other> sides;
   const auto add = [&](std::uint32_t halfedge, bool is_along) {
     if (input_.is_border(halfedge)) return;
     bool is_back = false;
     const std::uint32_t s = side(halfedge, is_back);
-    if (s != first && std::ranges::find(sides, s, &Branched_side::Other::side) == sides.end())
-      sides.push_back({s, is_along != is_back});
+    sides.push_back({s, is_along != is_back});
   };
-  for (const std::uint32_t h : sheets_.edges_over(halfedges_[first])) {
+  for (const std::uint32_t h : sheets_.edges_over(along)) {
     add(h, true);
     add(h ^ 1U, false);
   }
@@ -92,18 +92,34 @@ Corner_table Face_complex::table() const {
   Corner_table table;
   table.unit = std::ldexp(1.0, -input_.scale_exponent());
   table.first_corner.assign(input_.number_of_rows(), Gluing::none);
+  std::vector<Branched_side> branch(halfedges_.size());
+  for (std::uint32_t f = 0; 3 * f < sides_.size(); ++f) { // copies of a face meet different others
+    const auto sides =
+        sides_of_face(input_, input_.halfedge_of_face(input_.names().faces.here(2 * f)));
+    for (unsigned k = 0; k < 3; ++k) {
+      const Side& s = sides_[3 * f + k];
+      std::vector<Branched_side::Other>& others = branch[s.number].others;
+      for (Branched_side::Other o : other_sides(sides[k])) {
+        o.is_along = o.is_along != s.is_against;
+        if (o.side != s.number &&
+            std::ranges::find(others, o.side, &Branched_side::Other::side) == others.end())
+          others.push_back(o);
+      }
+    }
+  }
   for (std::uint32_t s = 0; s < halfedges_.size(); ++s) {
     const std::uint32_t h = halfedges_[s];
     const std::array<double, 3> l = squared_lengths_of_face(input_, h);
     const auto [cosine, sine] =
         corner_direction(l[0], l[2], l[1], input_.quadruple_area(input_.face(h)));
-    Branched_side branch{s, other_sides(s)};
+    branch[s].side = s;
+    const std::vector<Branched_side::Other>& others = branch[s].others;
     std::uint32_t opposite = Gluing::none;
-    if (branch.others.size() == 1 && !branch.others.front().is_along) {
-      opposite = branch.others.front().side;
-    } else if (!branch.others.empty()) {
+    if (others.size() == 1 && !others.front().is_along) {
+      opposite = others.front().side;
+    } else if (!others.empty()) {
       opposite = static_cast<std::uint32_t>(Face_corner::first_branch + table.branches.size());
-      table.branches.push_back(std::move(branch));
+      table.branches.push_back(std::move(branch[s]));
     }
     table.corners.push_back(
         {std::sqrt(l[0]), cosine, sine, opposite, input_.names().row(input_.source(h))});

@@ -112,7 +112,7 @@ private:
     const double diagonals = length(b.in_space) * length(difference(a.in_space, c.in_space)),
                  sides = length(a.in_space) * length(difference(b.in_space, c.in_space)) +
                          length(c.in_space) * length(difference(a.in_space, b.in_space));
-    return sides - diagonals <= tie * diagonals;
+    return sides - diagonals < tie * diagonals; // not if squares vanish
   }
   // On which side of the circle through three points the origin is, from -1 to 1: positive
   // inside. The plane does not decide where the value is small: it differs from the surface by
@@ -218,14 +218,14 @@ static bool open_at_border(std::vector<Delaunay_star::Neighbour>& neighbours) {
   return true;
 }
 
-bool Delaunay_star::find(std::vector<Neighbour>& neighbours) {
+Delaunay_star::Extent Delaunay_star::find(std::vector<Neighbour>& neighbours) {
   using P = Star_predicates;
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });
   for (Neighbour& a : neighbours) a.direction = P::direction(a.at);
   std::ranges::sort(neighbours, {}, &Neighbour::direction);
   drop_those_behind(neighbours);
   const std::size_t n = neighbours.size();
-  if (n < 2) return false;
+  if (n < 2) return Extent::open;
   std::size_t first = n; // after a gap of half a turn
   for (std::size_t i = 0; i < n; ++i)
     if (P::turn(neighbours[i], neighbours[(i + 1) % n]) != CGAL::POSITIVE) first = (i + 1) % n;
@@ -234,7 +234,8 @@ bool Delaunay_star::find(std::vector<Neighbour>& neighbours) {
   drop_those_in_front(neighbours, is_closed);
   if (neighbours.size() == 2 && P::turn(neighbours[0], neighbours[1]) != CGAL::POSITIVE)
     neighbours.clear(); // on a line
-  return is_closed && !open_at_border(neighbours);
+  if (!is_closed) return Extent::open;
+  return open_at_border(neighbours) ? Extent::bent : Extent::closed;
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/domains/domain_of_stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
@@ -186,7 +187,7 @@ void check_size_of_cover(std::size_t faces) {
 template <class Refuse, class Describe>
 Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_edge& edges,
                        std::vector<std::uint32_t> edge, Domain_kind kind, const Refuse& refuse,
-                       const Describe& describe) {
+                       const Describe& describe, decltype(tufted_cover)& cover_of = tufted_cover) {
   Domain_report report;
   const Shared_edges shared = glue_pairs(faces, edges, [&](std::uint32_t e) {
     if (kind == Domain_kind::manifold || kind == Domain_kind::orientation_cover) refuse(e);
@@ -196,7 +197,7 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
   if (report.nonmanifold_edges == 0)
     return Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
         .make(kind, shared.conflict);
-  Double_cover cover = tufted_cover(faces, edges, input.points);
+  Double_cover cover = cover_of(faces, edges, input.points);
   return Domain_maker(std::move(input), report, std::move(faces), std::move(edge))
       .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
 }
@@ -221,14 +222,12 @@ std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
   return result;
 }
 
-} // namespace internal
-
-Domain make_domain(Triangle_soup soup, Domain_kind kind, Mollification mollification) {
-  internal::check_coordinates(soup.points);
-  internal::check_size_of_cover(soup.triangles.size());
-  Gluing faces =
-      internal::unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
-  const internal::Sides_by_edge edges = internal::sides_by_edge(faces);
+static Domain domain_of_soup(Triangle_soup&& soup, Domain_kind kind, Mollification mollification,
+                             decltype(tufted_cover)& cover_of) {
+  check_coordinates(soup.points);
+  check_size_of_cover(soup.triangles.size());
+  Gluing faces = unglued_triangles(static_cast<std::uint32_t>(soup.points.size()), soup.triangles);
+  const Sides_by_edge edges = sides_by_edge(faces);
   Intrinsic_input input;
   input.points = std::move(soup.points);
   input.mollification = mollification;
@@ -236,10 +235,20 @@ Domain make_domain(Triangle_soup soup, Domain_kind kind, Mollification mollifica
   input.names.polygon_of_triangle = std::move(soup.polygon_of_triangle);
   input.planar_polygons = std::move(soup.planar_polygons);
   const std::vector<std::uint32_t>& names = input.names.polygon_of_triangle;
-  return internal::domain_of_faces(
+  return domain_of_faces(
       std::move(input), std::move(faces), edges, {}, kind,
-      [&](std::uint32_t e) { internal::fail_nonmanifold(faces, edges[e], names); },
-      [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], names); });
+      [&](std::uint32_t e) { fail_nonmanifold(faces, edges[e], names); },
+      [&](std::uint32_t e) { return edge_with_faces(faces, edges[e], names); }, cover_of);
+}
+
+Domain domain_of_stars(Triangle_soup stars, Mollification mollification) {
+  return domain_of_soup(std::move(stars), Domain_kind::tufted_cover, mollification, cover_of_stars);
+}
+
+} // namespace internal
+
+Domain make_domain(Triangle_soup soup, Domain_kind kind, Mollification mollification) {
+  return internal::domain_of_soup(std::move(soup), kind, mollification, internal::tufted_cover);
 }
 
 Domain make_domain(Intrinsic_input input, Domain_kind kind) {

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/Stars.h>
 #include <CGAL/Intrinsic_triangulations/domains/check_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/domains/domain_of_stars.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
@@ -92,15 +93,14 @@ public:
   }
 
   // Appends the corners around a point, by names, in either direction.
-  // \return whether they go all around
-  bool add(std::uint32_t center, Stars& stars) {
+  Delaunay_star::Extent add(std::uint32_t center, Stars& stars) {
     find_neighbours(center);
-    const bool is_closed = Delaunay_star::find(star_);
+    const Delaunay_star::Extent extent = Delaunay_star::find(star_);
     for (const Delaunay_star::Neighbour& a : star_) {
       stars.corners.push_back(a.number);
       stars.is_tied.push_back(a.is_tied() ? 1 : 0);
     }
-    return is_closed;
+    return extent;
   }
 
   // A number that the last point has wherever the axes are and whatever the names, and hardly any
@@ -267,20 +267,34 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
+// A border has many points. Noise opens the stars of single ones: they are closed again if the
+// stars of both ends are closed.
+static void close_lone_stars(const std::vector<Delaunay_star::Extent>& extent, Stars& stars) {
+  using Extent = Delaunay_star::Extent;
+  const auto is_open = [&](std::size_t i) { return extent[stars.corners[i]] != Extent::closed; };
+  for (std::size_t v = 0; v < extent.size(); ++v) {
+    const auto [from, to] = stars.range[v];
+    const bool stays = extent[v] == Extent::bent && from < to && (is_open(from) || is_open(to - 1));
+    stars.is_open[v] = extent[v] == Extent::open || stays ? 1 : 0;
+  }
+}
+
 static Stars find_stars(const std::vector<std::array<double, 3>>& points,
                         const std::vector<std::uint32_t>& members, std::size_t neighbours) {
   const std::vector<Local_triangulator::Point> ordered = points_to_triangulate(points, members);
   Local_triangulator triangulator(ordered, members, neighbours);
   Stars stars{{}, {}, {}, std::vector<char>(points.size(), 0), {}};
+  std::vector<Delaunay_star::Extent> extent(points.size(), Delaunay_star::Extent::closed);
   stars.range.assign(points.size(), {0, 0});
   stars.corners.reserve(6 * points.size() + 6); // the usual number
   for (std::uint32_t i = 0; const std::uint32_t center : members) {
     const std::size_t begin = stars.corners.size();
-    stars.is_open[center] = triangulator.add(i++, stars) ? 0 : 1;
+    extent[center] = triangulator.add(i++, stars);
     stars.range[center] = {begin, stars.corners.size()};
     stars.order.emplace_back(triangulator.signature(), center);
   }
   std::ranges::sort(stars.order);
+  close_lone_stars(extent, stars);
   Ties(stars).resolve();
   return stars;
 }
@@ -314,8 +328,7 @@ Point_cloud make_point_cloud(const std::vector<std::array<double, 3>>& points,
   soup.points = points;
   soup.input_faces = soup.triangles.size();
   Point_cloud cloud;
-  static_cast<Domain&>(cloud) =
-      make_domain(std::move(soup), Domain_kind::tufted_cover, mollification);
+  static_cast<Domain&>(cloud) = internal::domain_of_stars(std::move(soup), mollification);
   cloud.report.sheets = cloud.input.names.sheets *= 3;
   cloud.report.reason =
       "the triangles at every point among its " + std::to_string(report.neighbours) + " neighbours";

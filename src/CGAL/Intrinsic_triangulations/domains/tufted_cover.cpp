@@ -215,30 +215,63 @@ order_around_edge(const std::vector<std::array<double, 3>>& points, std::uint32_
   return order;
 }
 
+// Glues faces around their edges, one edge after the other.
+class Fan_gluer {
+public:
+  Fan_gluer(const Gluing& faces, const std::vector<std::array<double, 3>>& points)
+      : faces_(faces), points_(points), cover_(faces) {}
+
+  void glue(std::span<const Edge_side> fan) {
+    if (fan.size() <= 2 || points_.empty()) return cover_.glue(fan);
+    apices_.clear();
+    for (const Edge_side& s : fan)
+      apices_.push_back(faces_.origin[Gluing::next(Gluing::next(s.halfedge))]);
+    const std::uint32_t h = fan[0].halfedge;
+    if (!take_turns(apices_, order_))
+      order_ =
+          order_around_edge(points_, faces_.origin[h], faces_.origin[Gluing::next(h)], apices_);
+    // the order that repeated faces have is that about the first face's own direction
+    if (!fan[0].is_along) std::ranges::reverse(order_);
+    sorted_.clear();
+    for (const std::uint32_t i : order_) sorted_.push_back(fan[i]);
+    cover_.glue(sorted_);
+  }
+
+  // Faces whose first corner is the center of a star: those of one star are glued to each other.
+  void glue_stars(std::span<const Edge_side> fan) {
+    for (auto& sides : of_star_) sides.clear();
+    for (const Edge_side& s : fan) {
+      const unsigned corner = s.halfedge % 3; // the center is an end of sides 0 and 2
+      const bool is_from_center = (corner == 0) == s.is_along;
+      of_star_[corner == 1 ? 2 : is_from_center ? 0 : 1].push_back(s);
+    }
+    for (const auto& sides : of_star_)
+      if (!sides.empty()) glue(sides);
+  }
+
+  Double_cover take() { return std::move(cover_); }
+
+private:
+  const Gluing& faces_;
+  const std::vector<std::array<double, 3>>& points_;
+  Double_cover cover_;
+  std::vector<Edge_side> sorted_;
+  std::array<std::vector<Edge_side>, 3> of_star_; // of the source, of the target, and others
+  std::vector<std::uint32_t> apices_, order_;
+};
+
 Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                           const std::vector<std::array<double, 3>>& points) {
-  Double_cover cover(faces);
-  std::vector<Edge_side> sorted;
-  std::vector<std::uint32_t> apices, order;
-  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
-    const std::span<const Edge_side> fan = edges[e];
-    if (fan.size() <= 2 || points.empty()) {
-      cover.glue(fan);
-      continue;
-    }
-    apices.clear();
-    for (const Edge_side& s : fan)
-      apices.push_back(faces.origin[Gluing::next(Gluing::next(s.halfedge))]);
-    const std::uint32_t h = fan[0].halfedge;
-    if (!take_turns(apices, order))
-      order = order_around_edge(points, faces.origin[h], faces.origin[Gluing::next(h)], apices);
-    // the order that repeated faces have is that about the first face's own direction
-    if (!fan[0].is_along) std::ranges::reverse(order);
-    sorted.clear();
-    for (const std::uint32_t i : order) sorted.push_back(fan[i]);
-    cover.glue(sorted);
-  }
-  return cover;
+  Fan_gluer gluer(faces, points);
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) gluer.glue(edges[e]);
+  return gluer.take();
+}
+
+Double_cover cover_of_stars(const Gluing& faces, const Sides_by_edge& edges,
+                            const std::vector<std::array<double, 3>>& points) {
+  Fan_gluer gluer(faces, points);
+  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) gluer.glue_stars(edges[e]);
+  return gluer.take();
 }
 
 } // namespace internal
