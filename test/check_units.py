@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that tests of units call what takes or returns lengths, areas or vectors.
+"""Checks that tests of units name what takes or returns lengths, areas or vectors.
 
 The functions and classes are those of `doc/members.md`, without the topics of formulas, of
 connectivity and of files, where a comment or a declaration speaks of such a thing. Each is named in
@@ -25,7 +25,7 @@ OF_CLASSES = re.compile(r"\bunits? of (the (input|mesh)|area|length)\b")
 OTHER_TOPICS = {"ref_formulas", "ref_connectivity", "ref_io"}
 COSTS = re.compile(r"\\(complexity|throws|cgalModels)[^\\]*")
 
-# Names by the reason why no test of units calls them.
+# Names by the reason why no test of units has them.
 LEFT_OUT = {
     "a result of functions that are called":
         "Bezier_curve Certificate_on_faces Farthest_points Geodesic_tree Shortest_path",

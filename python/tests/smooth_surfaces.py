@@ -17,8 +17,8 @@ def _unit(V):
 
 
 class Smooth(NamedTuple):
-    """Triangles that make a simple shape, in any dimension; how it takes up points nearby; and its
-    place in space."""
+    """`start`: triangles of a simple shape, in any dimension; `onto` moves vertices near that shape
+    onto it; `shape` takes it to space."""
 
     start: Callable
     onto: Callable

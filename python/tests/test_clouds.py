@@ -61,7 +61,7 @@ def box(a, b, c):
                            if x in (0, a - 1) or y in (0, b - 1) or z in (0, c - 1)])
 
 
-# Four points are on a circle, which has six neighbours and more in all stars.
+# Each square has its four corners on a circle, and all points have six neighbours at least.
 EVEN = {"grid": np.column_stack([0.1 * x.ravel() for x in np.mgrid[:16, :12]] + [np.zeros(192)]),
         "torus": torus(16, 12), "sphere": sphere(16, 12), "cube": box(6, 6, 6),
         "cylinder": on_axis(lambda j: 1, lambda j: 0.4 * j, 16, 12),

@@ -248,7 +248,6 @@ class Layouts(unittest.TestCase):
                     m = it.Surface(V, F).uniformize(start=start, cones=cones)
                     self.assertEqual((m.status, turned(m.layout, with_area)), ("done", 0))
 
-
     def test_needles_inside_of_disks_turn_no_pieces(self):
         """Angles are right on both sides of the double of a disk, not only on average: copies of
         edges have equal lengths."""

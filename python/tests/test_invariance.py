@@ -220,10 +220,9 @@ class Sides_of_faces(unittest.TestCase):
 
 
 class Conformal_maps(unittest.TestCase):
-    """Conformal metrics are discretizations on the given vertices, but for those of flat surfaces.
-    On smooth surfaces they converge with the second order at fixed vertices, and a vertex in an edge
-    or a face changes them by less than the error. Steps are a fourth of the last one in the limit,
-    and at most a third on these."""
+    """Conformal maps depend on the vertices, except on flat surfaces. On smooth surfaces they converge
+    with the second order at fixed vertices: each step is a fourth of the one before in the limit, and
+    at most a third here. A vertex in an edge or a face changes them by less than the error."""
 
     def test_they_converge_on_smooth_surfaces(self):
         for name in SMOOTH:
