@@ -98,10 +98,9 @@ TEST(Vectors, ValuesStayBetweenThoseGiven) {
 TEST(Vectors, IndicesOfDirectionsHaveTheSumOfTheSurface) {
   const std::vector<Point> points{{1, 0, 0},  {0, 1.1, 0},  {-1.2, 0, 0},
                                   {0, -1, 0}, {0, 0, 1.3}, {0, 0, -1}};
-  Exact t{IT::Intrinsic_input(
-      IT::Gluing_map(IT::gluing_from_triangles(6, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4},
-                                                   {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}})),
-      points)};
+  const std::vector<std::array<std::uint32_t, 3>> octahedron{
+      {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}};
+  Exact t{IT::Intrinsic_input(IT::Gluing_map(IT::gluing_from_triangles(6U, octahedron)), points)};
   IT::flip_to_delaunay(t);
   IT::Vectors<Exact> find(t, points);
   const auto found = find.directions(4);
