@@ -72,14 +72,14 @@ approximate the surface there. Where four points are nearly on a circle in the p
 in space decide, the same ones at each of the four, so that lattices on curved surfaces are covered
 evenly. If those are equal up to rounding (2^-30), the edge stays if other points have it; if all
 points of a circle have it, any diagonals do. Neighbours that are as far as the last one count, too.
-A star is open where it turns by more than 60 degrees across a wide angle, and one next to it is
-open, too. So Laplacians and lumped masses stay the same if points are turned or numbered otherwise,
-but for quadrilaterals that are not planar and whose diagonals a half turn of the whole cloud
-exchanges: there the numbers of points decide. The union of these triangles over all points has
-every neighbourhood about three times. The surface is its tufted cover (see `make_domain()`), in
-which the triangles of a point are glued to each other; it has six sheets, and matrices are divided
-by that many: they approximate those of the surface. With exact traits no weight of the Delaunay
-Laplacian is negative. Rows are points.
+A star is open where it turns by more than 60 degrees across a wide angle, if those at both sides of
+the angle are open, too. So Laplacians and lumped masses stay the same if points are turned or
+numbered otherwise, but for quadrilaterals that are not planar and whose diagonals a half turn of
+the whole cloud exchanges: there the numbers of points decide. The union of these triangles over all
+points has every neighbourhood about three times. The surface is its tufted cover (see
+`make_domain()`), in which the triangles of a point are glued to each other; it has six sheets, and
+matrices are divided by that many: they approximate those of the surface. With exact traits no
+weight of the Delaunay Laplacian is negative. Rows are points.
 
 \param points the points, in any order
 \param neighbours how many are triangulated around each point; two at least

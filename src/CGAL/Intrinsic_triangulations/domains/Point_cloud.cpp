@@ -267,14 +267,14 @@ points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                           "neighbours");
 }
 
-// A border has many points. Noise opens the stars of single ones: they are closed again if the
-// stars of both ends are closed.
+// A border has many points. Noise opens the stars of one or two: they are closed again if that of
+// an end is closed.
 static void close_lone_stars(const std::vector<Delaunay_star::Extent>& extent, Stars& stars) {
   using Extent = Delaunay_star::Extent;
   const auto is_open = [&](std::size_t i) { return extent[stars.corners[i]] != Extent::closed; };
   for (std::size_t v = 0; v < extent.size(); ++v) {
     const auto [from, to] = stars.range[v];
-    const bool stays = extent[v] == Extent::bent && from < to && (is_open(from) || is_open(to - 1));
+    const bool stays = extent[v] == Extent::bent && from < to && is_open(from) && is_open(to - 1);
     stars.is_open[v] = extent[v] == Extent::open || stays ? 1 : 0;
   }
 }
