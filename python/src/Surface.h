@@ -103,6 +103,7 @@ public:
   Surface_lock& operator=(const Surface_lock&) = delete;
   /// gives it back.
   ~Surface_lock() {
+    surface_.watch = nullptr;
     surface_.user.store({});
     surface_.mutex.unlock();
   }

@@ -220,9 +220,10 @@ class Sides_of_faces(unittest.TestCase):
 
 
 class Conformal_maps(unittest.TestCase):
-    """Conformal maps depend on the vertices, except on flat surfaces. On smooth surfaces they converge
-    with the second order at fixed vertices: each step is a fourth of the one before in the limit, and
-    at most a third here. A vertex in an edge or a face changes them by less than the error."""
+    """Conformal maps depend on the vertices, except on flat surfaces. On smooth surfaces they
+    converge with the second order at fixed vertices: each step is a fourth of the one before in the
+    limit, and at most a third here. A vertex in an edge or a face changes them by less than the
+    error."""
 
     def test_they_converge_on_smooth_surfaces(self):
         for name in SMOOTH:

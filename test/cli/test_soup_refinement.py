@@ -36,11 +36,14 @@ class Soups(Cli_test):
     def test_of_repeated_right_triangles_end(self):
         # a copy of a circumcenter on an edge came to lie on the circumcenter
         points = [[0, 1, 0], [0, 2, 0], [1, 1, 2], [2, 2, 1], [2, 2, 2]]
-        faces = [[3, 4, 0], [0, 4, 3], [1, 2, 3], [0, 4, 2], [0, 4, 2], [2, 3, 1], [1, 0, 3], [3, 1, 0],
-                 [2, 1, 4], [4, 1, 2], [0, 3, 4], [4, 1, 3], [4, 3, 0], [3, 2, 0], [3, 0, 2]]
-        for k, (p, f) in enumerate([(points, faces)] + [soup_on_a_grid(seed) for seed in range(40)]):
+        faces = [[3, 4, 0], [0, 4, 3], [1, 2, 3], [0, 4, 2], [0, 4, 2], [2, 3, 1], [1, 0, 3],
+                 [3, 1, 0], [2, 1, 4], [4, 1, 2], [0, 3, 4], [4, 1, 3], [4, 3, 0], [3, 2, 0],
+                 [3, 0, 2]]
+        soups = [(points, faces)] + [soup_on_a_grid(seed) for seed in range(40)]
+        for k, (p, f) in enumerate(soups):
             with self.subTest(k):
-                refine = self.stats("refine", self.write_off("g.off", p, f), "--min-angle", "25")["refine"]
+                mesh = self.write_off("g.off", p, f)
+                refine = self.stats("refine", mesh, "--min-angle", "25")["refine"]
                 self.assertEqual(refine["status"], "done")
                 self.assertEqual(refine["unsatisfied"]["refused"], 0)
 

@@ -4,6 +4,7 @@
 #include "conformal_results.h"
 #include "../statistics.h"
 #include "application.h"
+#include "cut.h"
 
 #include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
@@ -102,12 +103,9 @@ Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>&
                   {layout.closed, IT::positions(layout.closed, points), {}},
                   {},
                   layout.layout.is_hyperbolic};
-  for (const Eigen::Index k : {0, 1}) {
-    std::vector<double> at_corners;
-    for (const std::uint32_t v : s.corner) at_corners.push_back(layout.layout.positions(v, k));
-    result.closed.fields.emplace_back(k == 0 ? "u" : "v", std::move(at_corners),
-                                      IT::Subdivision_field::Place::corners);
-  }
+  const std::vector<IT::Subdivision_field>& fields = result.opened.fields;
+  result.closed.fields = {fields[0], fields[1]}; // u and v
+  take_to_corners(s, result.closed.fields);
   for (const auto& [i, j] : layout.seams)
     result.seams.push_back({{points[i], points[j]}, false, 0});
   return result;

@@ -50,16 +50,6 @@ void carry_over(Constraints& constraints, const IT::Gluing_map& before,
   constraints.mesh = after;
 }
 
-// Numbers at vertices become numbers at corners.
-void take_to_corners(const IT::Common_subdivision& s, std::vector<IT::Subdivision_field>& fields) {
-  for (IT::Subdivision_field& field : fields) {
-    if (!field.is_function()) continue;
-    std::vector<double> at_corners;
-    for (const std::uint32_t v : s.corner) at_corners.push_back(field.values[v]);
-    field = {field.name, std::move(at_corners), IT::Subdivision_field::Place::corners};
-  }
-}
-
 } // namespace
 
 void take_sheet(Mesh_file& file) {
@@ -96,6 +86,15 @@ Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& option
   cut.original_vertex = std::move(opened.original_vertex);
   file.input = std::move(opened.input);
   return cut;
+}
+
+void take_to_corners(const IT::Common_subdivision& s, std::vector<IT::Subdivision_field>& fields) {
+  for (IT::Subdivision_field& field : fields) {
+    if (!field.is_function()) continue;
+    std::vector<double> at_corners;
+    for (const std::uint32_t v : s.corner) at_corners.push_back(field.values[v]);
+    field = {field.name, std::move(at_corners), IT::Subdivision_field::Place::corners};
+  }
 }
 
 void close_seams(Drawn_subdivision& drawn, std::vector<IT::Subdivision_field>& fields,

@@ -10,6 +10,7 @@
 #include "../support/read_mesh.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <cstdint>
 #include <vector>
@@ -31,6 +32,9 @@ Disks stay as they are. A cloud of points is not cut.
 \throws std::runtime_error if edges of a file do not cut the mesh to disks
 */
 Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options);
+
+/// makes of numbers at the vertices of a common subdivision numbers at the corners of its faces.
+void take_to_corners(const IT::Common_subdivision& s, std::vector<IT::Subdivision_field>& fields);
 
 /*!
 \brief glues the faces that are drawn together where they were cut open: there is one vertex for all

@@ -29,8 +29,8 @@
 #include <utility>
 #include <vector>
 
-// A move that an observer refuses leaves everything as it was: connectivity, lengths, and where vertices and
-// edges are on the input.
+// A move that an observer refuses leaves everything as it was: connectivity, lengths, and where
+// vertices and edges are on the input.
 
 namespace {
 
@@ -136,9 +136,9 @@ TEST(Refused_moves, leave_the_places_of_vertices_that_are_not_removed) {
   EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
 }
 
-// Directions of halfedges. A flip that is taken back finds them anew, from those beside them: they differ by what
-// rounding has added up at the vertex since the start, in angles of faces that random moves make thin. After 200
-// moves 4e-13 was seen, after 1000 moves 6e-9.
+// Directions of halfedges. A flip that is taken back finds them anew, from those beside them: they
+// differ by what rounding has added up at the vertex since the start, in angles of faces that
+// random moves make thin. After 200 moves 4e-13 was seen, after 1000 moves 6e-9.
 constexpr double rounding_of_turns = 1e-11;
 
 std::vector<std::pair<double, double>> directions(const auto& t) {

@@ -31,9 +31,9 @@ inline void name_vertices(Intrinsic_input& in, const Input_names& names) {
   in.names.sheets = names.sheets;
 }
 
-// The squared lengths of edges, by number, with exact traits from intervals that show the exact
-// ones as well as doubles can, so that equal lengths stay equal: those on the front of a double and
-// their copies on its back. Solvers sum angles over both, and beside a needle of 1e-9 of the edges
+// The squared lengths of edges, by number. With exact traits each is rounded from an interval of
+// 106 bits, so that lengths that are equal stay equal as doubles: an edge on the front of a double
+// and its copy on the back. Solvers sum angles over both, and beside a needle of 1e-9 of the edges
 // around it, a unit in the last place of a length changes angles by 1e-7. If copies differed by it,
 // neither side would be flat, but only both on average.
 template <MeasuredTriangulation Triangulation>

@@ -89,8 +89,8 @@ Double_cover tufted_cover(const Gluing& faces, const Sides_by_edge& edges,
                           const std::vector<std::array<double, 3>>& points);
 
 // The same for triangles of stars, whose first corner is the center: at an edge to the center, the
-// two of its star are glued to each other, not to those of other stars. So nothing depends on the
-// order of faces, whose copies are alike.
+// two of its star are glued to each other, not to those of other stars. So no edge glues copies of
+// one face, which stars have in common, and their order does not matter.
 Double_cover cover_of_stars(const Gluing& faces, const Sides_by_edge& edges,
                             const std::vector<std::array<double, 3>>& points);
 

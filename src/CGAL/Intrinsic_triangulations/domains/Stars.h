@@ -28,8 +28,8 @@ struct Stars {
   }
 };
 
-// The triangles of all stars, ordered by what depends neither on axes nor on names: where faces of
-// the cover are alike, their order decides how they are glued.
+// The triangles of all stars, ordered by what depends neither on axes nor on names: the order of
+// faces decides how those are glued that make one angle at an edge.
 inline std::vector<std::array<std::uint32_t, 3>> triangles_of(Stars stars) {
   std::vector<std::uint32_t> rank(stars.range.size(), 0);
   for (std::uint32_t i = 0; i < stars.order.size(); ++i) rank[stars.order[i].second] = i;

@@ -41,7 +41,6 @@ class Refinement_moves {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Face = typename Triangulation::face_descriptor;
   using View = Intrinsic_view<Triangulation>;
-
   using State = Refinement_state<Triangulation>;
 
 public:
@@ -93,9 +92,10 @@ public:
   Insertion insert(const Surface_point& p, double least, double wanted) {
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
+    const std::vector<Surface_point> places = copies_.missing(t_.index(n.vertex));
     const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
     const auto is_free = [&](auto& q) { return has_room(q, is_in_face ? wanted : least); };
-    const bool have_room = std::ranges::all_of(copies_.missing(t_.index(n.vertex)), is_free);
+    const bool have_room = std::ranges::all_of(places, is_free);
     // removed from an edge, it would leave other edges than before: it is flipped away below
     if (is_in_face && !have_room && session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
@@ -104,7 +104,7 @@ public:
     const auto keeps = [&](std::uint32_t v) {
       return keeps_distance(t_, t_.numbers().vertex_at(v), least, v == all.front());
     };
-    if (have_room && insert_copies(all) && (!flip() || std::ranges::all_of(all, keeps)))
+    if (have_room && insert_copies(places, all) && (!flip() || std::ranges::all_of(all, keeps)))
       return Insertion::done;
     copies_.take(all.front());
     for (const std::uint32_t v : all) {
@@ -203,9 +203,9 @@ private:
 
   // such a copy stays: without it the parts of the segment would not be edges
   bool is_on_segment(Vertex v) const {
-    bool is = false;
-    for_each_outgoing(v, mesh_, [&](Halfedge h) { is |= is_segment(h); });
-    return is;
+    bool is_on_one = false;
+    for_each_outgoing(v, mesh_, [&](Halfedge h) { is_on_one |= is_segment(h); });
+    return is_on_one;
   }
 
   void start_from(Vertex circumcenter) {
@@ -215,9 +215,9 @@ private:
     suspect_star(circumcenter);
   }
 
-  // as many copies of a vertex as can be; whether these are all
-  bool insert_copies(std::vector<std::uint32_t>& all) {
-    for (const Surface_point& place : copies_.missing(all.front()))
+  // Inserts copies of a vertex at places, all or as many as can be; whether these are all.
+  bool insert_copies(const std::vector<Surface_point>& places, std::vector<std::uint32_t>& all) {
+    for (const Surface_point& place : places)
       if (const std::optional<Vertex> v = insert_copy(place))
         all.push_back(t_.index(*v));
       else
