@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Ideal_surface.h>
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
@@ -85,121 +86,40 @@ Disk_point Disk_point::moved(const Disk_motion& m) const {
   return {(m.a * z + m.b) / below, gap / std::norm(below)};
 }
 
+Disk_motion Disk_pieces::across(const Disk_motion& frame, std::uint32_t c) const {
+  return normalised(frame * turn[c]);
+}
+
 namespace {
 
-class Disk_developer {
-public:
-  explicit Disk_developer(const Disk_pieces& pieces)
-      : p_(pieces), piece_(pieces.piece_of_corner()), piece_round_(pieces.size(), 0),
-        vertex_round_(pieces.number_of_vertices, 0) {
-    result_.position.resize(pieces.number_of_vertices);
-    result_.frame.resize(pieces.size());
-    for (std::size_t c = 0; c < p_.place.size(); ++c)
-      corner_.push_back({p_.place[c], 1 - std::norm(p_.place[c])});
-  }
+// The sum of vectors to the corners of the last component in the hyperboloid model, scaled to a
+// point of the plane: it has the least sum of hyperbolic cosines of distances to them.
+Disk_point centre(const Disk_pieces& pieces, const Developer<Disk_pieces>& developer) {
+  std::complex<double> space = 0;
+  double time = 0;
+  developer.for_each_corner([&](std::uint32_t, std::uint32_t c) {
+    const Disk_point& p = developer.result.position[pieces.vertex[c]];
+    space += 2. * p.z / p.gap;
+    time += (1 + std::norm(p.z)) / p.gap;
+  });
+  const double length = std::abs(space), least = 1e-7 * time; // where all digits are lost
+  const double root = std::max(std::sqrt(std::max(0., (time - length) * (time + length))), least);
+  const std::complex<double> z = space / (time + root);
+  return {z, 2 * root / (time + root)};
+}
 
-  Developed_disk run() {
-    constexpr int rounds = 4; // the first ones may be wrong far from where they start
-    for (std::uint32_t i = 0; i < p_.size(); ++i) {
-      if (piece_round_[i] != 0) continue;
-      std::uint32_t root = i;
-      Disk_motion start;
-      for (int n = 0; n < rounds; ++n) {
-        spread_from(root, start);
-        const Disk_motion centring = to_centre(centre());
-        root = nearest_piece(centring);
-        start = normalised(centring * result_.frame[root]);
-      }
-      spread_from(root, start);
-    }
-    measure();
-    return std::move(result_);
-  }
-
-private:
-  // Lays out the component of a piece.
-  void spread_from(std::uint32_t root, const Disk_motion& start) {
-    ++round_;
-    order_.assign(1, root);
-    result_.frame[root] = start;
-    piece_round_[root] = round_;
-    for (std::size_t n = 0; n < order_.size(); ++n) {
-      const std::uint32_t i = order_[n];
-      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c) {
-        if (const std::uint32_t v = p_.vertex[c]; vertex_round_[v] != round_) {
-          vertex_round_[v] = round_;
-          result_.position[v] = corner_[c].moved(result_.frame[i]);
-        }
-        if (p_.glue[c] == Gluing::none) continue;
-        const std::uint32_t j = piece_[p_.glue[c]];
-        if (piece_round_[j] == round_) continue;
-        piece_round_[j] = round_;
-        result_.frame[j] = normalised(result_.frame[i] * p_.turn[c]);
-        order_.push_back(j);
-      }
-    }
-  }
-
-  template <class Function>
-  void for_each_corner(const Function& f) const {
-    for (const std::uint32_t i : order_)
-      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c) f(i, c);
-  }
-
-  // The sum of vectors to the corners in the hyperboloid model, scaled to a point of the plane: it
-  // has the least sum of hyperbolic cosines of distances to them.
-  Disk_point centre() const {
-    std::complex<double> space = 0;
-    double time = 0;
-    for_each_corner([&](std::uint32_t, std::uint32_t c) {
-      const Disk_point& p = result_.position[p_.vertex[c]];
-      space += 2. * p.z / p.gap;
-      time += (1 + std::norm(p.z)) / p.gap;
-    });
-    const double length = std::abs(space), least = 1e-7 * time; // where all digits are lost
-    const double root = std::max(std::sqrt(std::max(0., (time - length) * (time + length))), least);
-    const std::complex<double> z = space / (time + root);
-    return {z, 2 * root / (time + root)};
-  }
-
-  // The piece with the corner that a motion takes nearest to the centre.
-  std::uint32_t nearest_piece(const Disk_motion& m) const {
-    std::uint32_t best = order_.front();
-    double largest = 0;
-    for_each_corner([&](std::uint32_t i, std::uint32_t c) {
-      const double gap = result_.position[p_.vertex[c]].moved(m).gap;
-      if (gap <= largest) return;
-      largest = gap;
-      best = i;
-    });
-    return best;
-  }
-
-  void measure() {
-    for (std::uint32_t i = 0; i < p_.size(); ++i) {
-      double longest = 0, error = 0;
-      for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1]; ++c) {
-        const std::uint32_t n = p_.next(i, c);
-        const double length = corner_[c].distance(corner_[n]);
-        const double found =
-            result_.position[p_.vertex[c]].distance(result_.position[p_.vertex[n]]);
-        longest = std::max(longest, length);
-        error = std::max(error, std::abs(found - length));
-      }
-      if (longest > 0) result_.largest_error = std::max(result_.largest_error, error / longest);
-    }
-    for (const Disk_point& p : result_.position)
-      result_.radius = std::max(result_.radius, p.distance(Disk_point()));
-  }
-
-  const Disk_pieces& p_;
-  std::vector<std::uint32_t> piece_;            // of each corner
-  std::vector<Disk_point> corner_;              // in the frame of its piece
-  std::vector<int> piece_round_, vertex_round_; // in which each was placed last
-  int round_ = 0;
-  std::vector<std::uint32_t> order_; // pieces of the component
-  Developed_disk result_;
-};
+// The piece with the corner that a motion takes nearest to the centre.
+std::uint32_t nearest_piece(const Disk_pieces& pieces, const Developer<Disk_pieces>& developer,
+                            std::uint32_t best, const Disk_motion& m) {
+  double largest = 0;
+  developer.for_each_corner([&](std::uint32_t i, std::uint32_t c) {
+    const double gap = developer.result.position[pieces.vertex[c]].moved(m).gap;
+    if (gap <= largest) return;
+    largest = gap;
+    best = i;
+  });
+  return best;
+}
 
 // Finds motions of seams, and checks their relations.
 class Side_pairer {
@@ -285,12 +205,25 @@ private:
 
 } // namespace
 
-Developed_disk develop(const Disk_pieces& pieces) { return Disk_developer(pieces).run(); }
-
-Eigen::MatrixX2d rows_of_points(const std::vector<Disk_point>& points) {
-  Eigen::MatrixX2d result(static_cast<Eigen::Index>(points.size()), 2);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) << points[i].z.real(), points[i].z.imag();
+Developed_disk develop(const Disk_pieces& pieces) {
+  constexpr int rounds = 4; // the first ones may be wrong far from where they start
+  Developer<Disk_pieces> developer(pieces);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (developer.is_placed(i)) continue;
+    std::uint32_t root = i;
+    Disk_motion start;
+    for (int n = 0; n < rounds; ++n) {
+      developer.spread_from(root, start);
+      const Disk_motion centring = to_centre(centre(pieces, developer));
+      root = nearest_piece(pieces, developer, root, centring);
+      start = normalised(centring * developer.result.frame[root]);
+    }
+    developer.spread_from(root, start);
+  }
+  developer.result.largest_error = developer.largest_error(developer.result.position);
+  Developed_disk result{std::move(developer.result)};
+  for (const Disk_point& p : result.position)
+    result.radius = std::max(result.radius, p.distance(Disk_point()));
   return result;
 }
 

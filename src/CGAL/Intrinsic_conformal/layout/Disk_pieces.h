@@ -4,12 +4,12 @@
 #ifndef CGAL_INTRINSIC_CONFORMAL_LAYOUT_DISK_PIECES_H
 #define CGAL_INTRINSIC_CONFORMAL_LAYOUT_DISK_PIECES_H
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 
-#include <Eigen/Core>
-
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <vector>
@@ -38,30 +38,43 @@ struct Disk_point {
   std::complex<double> z = 0;
   double gap = 1;
 
+  static Disk_point at(std::complex<double> z) { return {z, 1 - std::norm(z)}; }
+  operator std::complex<double>() const { return z; }
   double distance(const Disk_point& p) const;
   Disk_point moved(const Disk_motion& m) const;
 };
 
 // Convex polygons of the hyperbolic plane, each known in a frame of its own.
 struct Disk_pieces : Glued_pieces {
-  std::vector<std::complex<double>> place; // of each corner
+  using Point = Disk_point;
+  using Frame = Disk_motion; // from the frame of a piece to the disk
+
+  std::vector<Disk_point> place; // of each corner
   // of each side that is glued or cut: from the frame across to that of the piece
   std::vector<Disk_motion> turn;
+
+  double length(std::uint32_t i, std::uint32_t c) const {
+    return place[c].distance(place[next(i, c)]);
+  }
+  static int size_class(double) { return 0; }
+  Frame across(const Frame& frame, std::uint32_t c) const;
+  Point start(const Frame& frame, std::uint32_t c) const { return place[c].moved(frame); }
+  Point end(const Frame& frame, std::uint32_t i, std::uint32_t c, const Point&) const {
+    return place[next(i, c)].moved(frame);
+  }
+  double error(const Frame&, std::uint32_t i, std::uint32_t c, const Point& from,
+               const Point& to) const {
+    return std::abs(from.distance(to) - length(i, c));
+  }
 };
 
 // Pieces laid out next to each other, each component about its centre.
-struct Developed_disk {
-  std::vector<Disk_point> position; // of each vertex
-  std::vector<Disk_motion> frame;   // of each piece
-  double largest_error = 0;         // of a side, relative to the longest one of its piece
-  double radius = 0;                // largest distance from the centre
+struct Developed_disk : Developed<Disk_pieces> {
+  double radius = 0; // largest distance from the centre
 };
 
-// Lays pieces out that form disks, breadth first from those at their centres.
+// Lays pieces out that form disks, from those at their centres.
 Developed_disk develop(const Disk_pieces& pieces);
-
-// Points as rows.
-Eigen::MatrixX2d rows_of_points(const std::vector<Disk_point>& points);
 
 // Moves the sides of seams to their partners.
 // \param is_cone for each vertex of the pieces

@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -110,6 +116,24 @@ std::vector<char> copies_of(const Opened_surface& s, std::span<const std::uint32
 void expect_oriented(const Gluing& g) {
   for (std::uint32_t h = 0; h < g.glue.size(); ++h)
     if (Gluing::is_reversed(g.glue[h])) fail_orientation(g, h, {});
+}
+
+void expect_closed(const Gluing& g, std::size_t handles, const std::string& name) {
+  const auto fail = [&](const std::string& why) {
+    throw Invalid_input(Element_kind::none, 0,
+                        "only a connected closed surface of genus " + std::to_string(handles) +
+                            " is a " + name + ", but " + why);
+  };
+  if (std::ranges::find(g.glue, Gluing::none) != g.glue.end())
+    fail("the surface has a border; fill it, or lay it out in the plane");
+  expect_oriented(g);
+  const Gluing_map map = Gluing_map::from_valid(g);
+  const std::uint32_t components = connected_components(map).count;
+  if (components != 1)
+    fail("there are " + std::to_string(components) + " components; take them one by one");
+  const std::size_t found = genus(map).value_or(0);
+  if (found != handles)
+    fail("the genus is " + std::to_string(found) + "; lay it out with cones in the plane");
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

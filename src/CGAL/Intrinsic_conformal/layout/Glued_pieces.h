@@ -7,8 +7,10 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -53,6 +55,10 @@ std::vector<char> copies_of(const Opened_surface& s, std::span<const std::uint32
 
 // \throws Invalid_input naming two faces that are not oriented alike
 void expect_oriented(const Gluing& g);
+
+// \throws Invalid_input if a surface is not closed, connected, oriented and of a genus, as one of
+//   this name is
+void expect_closed(const Gluing& g, std::size_t handles, const std::string& name);
 
 // The side on the border that starts at each vertex, or `Gluing::none`.
 std::vector<std::uint32_t> border_from(const Glued_pieces& pieces);

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
+#include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/flat_torus.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <Eigen/Core>
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,22 +23,6 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 namespace {
-
-void check_torus(const Gluing& g) {
-  const auto fail = [](const std::string& why) {
-    throw Invalid_input(Element_kind::none, 0,
-                        "only a connected closed surface of genus 1 is a torus, but " + why);
-  };
-  if (std::find(g.glue.begin(), g.glue.end(), Gluing::none) != g.glue.end())
-    fail("the surface has a border; lay it out in the plane");
-  const Gluing_map map = Gluing_map::from_valid(g);
-  const std::uint32_t components = connected_components(map).count;
-  if (components != 1)
-    fail("there are " + std::to_string(components) + " components; take them one by one");
-  const std::size_t handles = genus(map).value_or(0);
-  if (handles != 1)
-    fail("the genus is " + std::to_string(handles) + "; lay it out with cones in the plane");
-}
 
 void check_flatness(const Flat_layout& layout) {
   double largest = layout.largest_side_error;
@@ -86,7 +68,7 @@ Eigen::MatrixX2d coordinates_in(const std::array<std::complex<double>, 2>& basis
   const double area = cross(basis[0], basis[1]);
   Eigen::MatrixX2d result(layout.positions.rows(), 2);
   for (Eigen::Index v = 0; v < result.rows(); ++v) {
-    const std::complex<double> z(layout.positions(v, 0), layout.positions(v, 1));
+    const std::complex<double> z = point_of_row(layout.positions, v);
     result.row(v) << cross(z, basis[1]) / area, cross(basis[0], z) / area;
   }
   for (std::size_t v = 0; v < layout.surface.original_vertex.size(); ++v) {
@@ -112,7 +94,7 @@ void turn_layout(Flat_layout& layout, std::complex<double> by) {
 } // namespace
 
 Flat_torus lay_out_torus(const Surface_to_cut& s, std::size_t roots, bool is_flat) {
-  check_torus(s.gluing);
+  expect_closed(s.gluing, 1, "torus");
   Flat_torus result;
   result.layout = lay_out_in_plane(s, {}, roots);
   if (!is_flat) check_flatness(result.layout);

@@ -45,7 +45,7 @@ Disk_pieces triangles_in_disk(const Surface_to_cut& s, const Opened_surface& ope
   const std::vector<Disk_motion> frames = frames_of_sides(s);
   pieces.turn.resize(frames.size());
   for (std::size_t h = 0; h < frames.size(); ++h) {
-    pieces.place.push_back(frames[h](0));
+    pieces.place.push_back(Disk_point::at(frames[h](0)));
     if (const std::uint32_t entry = s.gluing.glue[h]; entry != Gluing::none)
       pieces.turn[h] = motion_across(frames[h], s.length[h], frames[Gluing::partner(entry)]);
   }
@@ -74,7 +74,7 @@ Disk_layout lay_out_in_disk(const Surface_to_cut& s, std::span<const std::uint32
   result.surface = cut_open(s.gluing, cut_to_round_disk(s, cones, centers));
   const internal::Disk_pieces pieces = internal::triangles_in_disk(s, result.surface);
   const internal::Developed_disk developed = internal::develop(pieces);
-  result.positions = internal::rows_of_points(developed.position);
+  result.positions = developed.rows();
   result.largest_side_error = developed.largest_error;
   result.radius = developed.radius;
   const std::vector<char> is_cone = internal::copies_of(result.surface, cones);

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Plane_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
@@ -75,41 +76,27 @@ Plane_pieces triangles_as_pieces(const Gluing& g, std::vector<std::complex<doubl
   return p;
 }
 
-// The motions of the seams of a layout.
-class Seam_mover {
-public:
-  Seam_mover(const Flat_layout& layout, const Developed_pieces& developed,
-             const std::vector<std::complex<double>>& sides)
-      : layout_(layout), developed_(developed), sides_(sides) {}
+// where a side starts
+std::complex<double> place(const Flat_layout& layout, std::uint32_t h) {
+  return point_of_row(layout.positions, layout.surface.gluing.origin[h]);
+}
 
-  Layout_seam operator()(Border_seam found) const {
-    Layout_seam seam{std::move(found.sides), std::move(found.partners)};
-    std::complex<double> turn = 0, shift = 0;
-    for (std::size_t i = 0; i < seam.sides.size(); ++i)
-      turn -= side(seam.partners[i]) * std::conj(side(seam.sides[i]));
-    turn /= std::abs(turn);
-    for (std::size_t i = 0; i < seam.sides.size(); ++i)
-      shift += place(Gluing::next(seam.partners[i])) - turn * place(seam.sides[i]);
-    shift /= static_cast<double>(seam.sides.size());
-    seam.rotation = std::arg(turn);
-    seam.translation = {shift.real(), shift.imag()};
-    return seam;
-  }
-
-private:
-  // where a side starts
-  std::complex<double> place(std::uint32_t h) const {
-    const auto row = static_cast<Eigen::Index>(layout_.surface.gluing.origin[h]);
-    return {layout_.positions(row, 0), layout_.positions(row, 1)};
-  }
-  std::complex<double> side(std::uint32_t h) const {
-    return developed_.rotation[h / 3] * sides_[h];
-  }
-
-  const Flat_layout& layout_;
-  const Developed_pieces& developed_;
-  const std::vector<std::complex<double>>& sides_;
-};
+// A seam of a layout, with its motion.
+Layout_seam with_motion(Border_seam found, const Flat_layout& layout, const Plane_pieces& pieces,
+                        const Developed<Plane_pieces>& developed) {
+  const auto side = [&](std::uint32_t h) { return developed.frame[h / 3] * pieces.side[h]; };
+  Layout_seam seam{std::move(found.sides), std::move(found.partners)};
+  std::complex<double> turn = 0, shift = 0;
+  for (std::size_t i = 0; i < seam.sides.size(); ++i)
+    turn -= side(seam.partners[i]) * std::conj(side(seam.sides[i]));
+  turn /= std::abs(turn);
+  for (std::size_t i = 0; i < seam.sides.size(); ++i)
+    shift += place(layout, Gluing::next(seam.partners[i])) - turn * place(layout, seam.sides[i]);
+  shift /= static_cast<double>(seam.sides.size());
+  seam.rotation = std::arg(turn);
+  seam.translation = {shift.real(), shift.imag()};
+  return seam;
+}
 
 } // namespace
 
@@ -160,29 +147,20 @@ std::vector<std::complex<double>> sides_of_triangles(const Surface_to_cut& s) {
   return result;
 }
 
-Eigen::MatrixX2d rows_of_points(const std::vector<std::complex<double>>& points) {
-  Eigen::MatrixX2d result(static_cast<Eigen::Index>(points.size()), 2);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    result.row(static_cast<Eigen::Index>(i)) << points[i].real(), points[i].imag();
-  return result;
-}
-
 static double seam_error(const Flat_layout& layout) {
   if (layout.positions.rows() == 0) return 0;
   const double extent =
       (layout.positions.colwise().maxCoeff() - layout.positions.colwise().minCoeff()).norm();
-  const auto place = [&](std::uint32_t h) {
-    const auto row = static_cast<Eigen::Index>(layout.surface.gluing.origin[h]);
-    return std::complex<double>(layout.positions(row, 0), layout.positions(row, 1));
-  };
   double largest = 0;
   for (const Layout_seam& seam : layout.seams) {
     const std::complex<double> turn = std::polar(1., seam.rotation),
                                shift(seam.translation[0], seam.translation[1]);
     for (std::size_t i = 0; i < seam.sides.size(); ++i) {
       const std::uint32_t h = seam.sides[i], p = seam.partners[i];
-      for (const auto& [from, to] : {std::array{h, Gluing::next(p)}, {Gluing::next(h), p}})
-        largest = std::max(largest, std::abs(turn * place(from) + shift - place(to)));
+      for (const auto& [from, to] : {std::array{h, Gluing::next(p)}, {Gluing::next(h), p}}) {
+        const std::complex<double> moved = turn * place(layout, from) + shift;
+        largest = std::max(largest, std::abs(moved - place(layout, to)));
+      }
     }
   }
   return extent > 0 ? largest / extent : largest;
@@ -195,15 +173,14 @@ Flat_layout lay_out_in_plane(const Surface_to_cut& s, std::span<const std::uint3
   internal::expect_oriented(s.gluing);
   Flat_layout result;
   result.surface = cut_open(s.gluing, cut_to_disk(s, cones, roots));
-  const std::vector<std::complex<double>> sides = internal::sides_of_triangles(s);
-  const internal::Plane_pieces pieces = internal::triangles_as_pieces(result.surface.gluing, sides);
-  const internal::Developed_pieces developed = internal::develop(pieces);
-  result.positions = internal::rows_of_points(developed.position);
+  const internal::Plane_pieces pieces =
+      internal::triangles_as_pieces(result.surface.gluing, internal::sides_of_triangles(s));
+  const auto developed = internal::develop(pieces);
+  result.positions = developed.rows();
   result.largest_side_error = developed.largest_error;
-  const internal::Seam_mover moved(result, developed, sides);
   for (internal::Border_seam& seam :
        internal::seams_of(result.surface, pieces, internal::copies_of(result.surface, cones)))
-    result.seams.push_back(moved(std::move(seam)));
+    result.seams.push_back(internal::with_motion(std::move(seam), result, pieces, developed));
   result.largest_seam_error = internal::seam_error(result);
   return result;
 }

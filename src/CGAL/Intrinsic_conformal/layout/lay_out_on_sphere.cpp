@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/Sphere_centring.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_on_sphere.h>
@@ -32,24 +33,15 @@ namespace {
 
 void check_sphere(const Surface_to_cut& s, std::uint32_t pole, std::span<const double> weights) {
   const Gluing& g = s.gluing;
-  const auto fail = [](const std::string& why) {
-    throw Invalid_input(Element_kind::none, 0,
-                        "only a connected closed surface of genus 0 is a sphere, but " + why);
-  };
-  if (std::find(g.glue.begin(), g.glue.end(), Gluing::none) != g.glue.end())
-    fail("the surface has a border; fill it, or lay it out in the plane");
-  const Gluing_map map = Gluing_map::from_valid(g);
-  const std::uint32_t components = connected_components(map).count;
-  if (components != 1)
-    fail("there are " + std::to_string(components) + " components; take them one by one");
-  if (!map.is_oriented() || genus(map).value_or(1) != 0)
-    fail("the surface has handles or is not oriented; lay it out with cones in the plane");
+  expect_closed(g, 0, "sphere");
   if (pole >= g.number_of_vertices)
     throw Invalid_input::about(Element_kind::vertex, pole,
                                ", which is to be at infinity, does not exist");
   if (!weights.empty() && weights.size() != g.number_of_vertices)
-    fail(std::to_string(weights.size()) + " weights are given; give one for each of its " +
-         std::to_string(g.number_of_vertices) + " vertices");
+    throw Invalid_input(Element_kind::none, 0,
+                        std::to_string(weights.size()) +
+                            " weights are given; give one for each of the " +
+                            std::to_string(g.number_of_vertices) + " vertices of the sphere");
   for (std::size_t v = 0; v < weights.size(); ++v)
     if (!(weights[v] >= 0 && std::isfinite(weights[v])))
       throw Invalid_input::about(Element_kind::vertex, v,

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_conformal/layout/lay_out_scaled.h>
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/Piece_places.h>
 #include <CGAL/Intrinsic_conformal/layout/turn_back.h>
@@ -11,9 +12,6 @@
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/enum.h>
 
 #include <Eigen/LU>
 
@@ -41,10 +39,11 @@ public:
   Scaled_layout run(const Flat_torus* torus) {
     find_front();
     const std::vector<char> is_cut = edges_to_cut();
-    layout_ = lay_out_subdivision(arrays(is_cut));
+    const Flat_subdivision in = arrays(is_cut);
+    layout_ = lay_out_subdivision(in);
     Scaled_layout result;
     result.distortion = measure_distortion(pieces(), layout_.positions);
-    if (torus != nullptr) change_basis(*torus);
+    if (torus != nullptr) change_basis(*torus, Piece_places(in));
     result.certificate = certify_map(layout_);
     if (in_.is_hyperbolic) result.flipped_geodesic_triangles = flipped_geodesic_triangles(layout_);
     result.without_area = bad_triangles_without_area();
@@ -70,12 +69,8 @@ private:
   }
 
   bool is_bad(const std::array<std::uint32_t, 3>& triangle) const {
-    using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-    std::array<std::complex<double>, 3> z;
-    for (std::size_t k = 0; k < 3; ++k) z[k] = point(layout_.positions, triangle[k]);
-    if (in_.is_hyperbolic) return orientation_in_disk(z[0], z[1], z[2]) <= 0;
-    const auto at = [&z](std::size_t k) { return Point_2(z[k].real(), z[k].imag()); };
-    return CGAL::orientation(at(0), at(1), at(2)) != CGAL::LEFT_TURN;
+    return in_.is_hyperbolic ? is_turned_in_disk(layout_.positions, triangle)
+                             : is_turned(layout_.positions, triangle);
   }
 
   std::size_t number_of_sides() const { return opened_.gluing.origin.size(); }
@@ -141,10 +136,7 @@ private:
     const Flat_subdivision in = arrays(no_cut);
     const Piece_places places(in);
     const Common_subdivision& s = places.pieces();
-    const auto place = [&places](std::uint32_t c) {
-      const std::complex<double> z = places.at(c).z;
-      return Disk_point{z, 1 - std::norm(z)};
-    };
+    const auto place = [&places](std::uint32_t c) { return Disk_point::at(places.at(c).z); };
     std::vector<double> length(mesh_.side.size() / 2, 0);
     for (std::size_t f = 0; f < s.number_of_faces(); ++f)
       for (std::uint32_t c = s.face_begin[f]; c < s.face_begin[f + 1]; ++c)
@@ -210,37 +202,24 @@ private:
     return (1 - p) * z[k] + p * z[(k + 1) % 3];
   }
 
-  // The side of the flat triangulation that the side of a corner lies on, or none.
-  std::uint32_t flat_side(std::uint32_t c) const {
-    const std::uint32_t h = layout_.subdivision.intrinsic_halfedge[c];
-    if (layout_.subdivision.side[c].intrinsic_edge == Gluing::none) return Gluing::none;
-    if (!in_.mesh) return in_.flat.side[h];
-    const std::uint32_t own = in_.mesh->overlay.corner[h];
-    return in_.subdivision.side[own].intrinsic_edge == Gluing::none
-               ? Gluing::none
-               : in_.flat.side[in_.subdivision.intrinsic_halfedge[own]];
-  }
-
   static std::complex<double> vector_on_torus(std::uint32_t side, const Flat_layout& torus) {
     const std::vector<std::uint32_t>& origin = torus.surface.gluing.origin;
-    return point(torus.positions, origin[Gluing::next(side)]) -
-           point(torus.positions, origin[side]);
-  }
-
-  static std::complex<double> point(const Eigen::MatrixX2d& z, std::uint32_t v) {
-    return {z(v, 0), z(v, 1)};
+    return point_of_row(torus.positions, origin[Gluing::next(side)]) -
+           point_of_row(torus.positions, origin[side]);
   }
 
   // Turns the layout as that of the torus, and takes coordinates along the translations.
-  void change_basis(const Flat_torus& torus) {
+  void change_basis(const Flat_torus& torus, const Piece_places& places) {
     const Common_subdivision& s = layout_.subdivision;
     std::complex<double> turn = 0;
-    for (std::size_t f = 0; f < s.number_of_faces(); ++f)
+    for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+      std::uint32_t before = places.pieces().face_begin[layout_.original_face[f]]; // the cut
       for (std::uint32_t c = s.face_begin[f] + 1; c < s.face_begin[f + 1]; ++c)
-        if (const std::uint32_t side = flat_side(c - 1); side != Gluing::none)
-          turn += std::conj(point(layout_.positions, s.corner[c]) -
-                            point(layout_.positions, s.corner[c - 1])) *
+        if (const std::uint32_t side = places.side(before++); side != Gluing::none)
+          turn += std::conj(point_of_row(layout_.positions, s.corner[c]) -
+                            point_of_row(layout_.positions, s.corner[c - 1])) *
                   vector_on_torus(side, torus.layout);
+    }
     turn /= std::abs(turn);
     const auto [a, b] = torus.translations;
     Eigen::Matrix2d basis, rotation;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/Piece_places.h>
 #include <CGAL/Intrinsic_conformal/layout/Plane_pieces.h>
@@ -37,9 +38,9 @@ namespace internal {
 namespace {
 
 // Cuts a subdivision open and lays it out.
-class Subdivision_developer {
+class Subdivision_opener {
 public:
-  explicit Subdivision_developer(const Flat_subdivision& in)
+  explicit Subdivision_opener(const Flat_subdivision& in)
       : in_(in), places_(expect_sizes(in)), s_(places_.pieces()), gluer_(s_) {}
 
   Subdivision_layout run() {
@@ -174,8 +175,8 @@ private:
         if (p.glue[c] != none && side(c) != none)
           p.turn[c] = places_.turn(side(c), side(p.glue[c]));
       }
-    const Developed_pieces developed = develop(p);
-    layout_.positions = rows_of_points(developed.position);
+    const Developed<Plane_pieces> developed = develop(p);
+    layout_.positions = developed.rows();
     pack_components(layout_.positions, components());
     layout_.largest_side_error = developed.largest_error;
   }
@@ -185,13 +186,13 @@ private:
     p.turn.resize(p.vertex.size());
     std::vector<std::uint32_t> partner = partners(uncut_);
     for (std::uint32_t c = 0; c < p.vertex.size(); ++c) {
-      p.place.push_back(place(c));
+      p.place.push_back(Disk_point::at(place(c)));
       if (partner[c] == none) continue;
       if (side(c) != none) p.turn[c] = places_.motion(side(c), side(partner[c]));
       if (p.glue[c] != none) partner[c] = none; // no seam
     }
     const Developed_disk developed = develop(p);
-    layout_.positions = rows_of_points(developed.position);
+    layout_.positions = developed.rows();
     layout_.largest_side_error = developed.largest_error;
     layout_.radius = developed.radius;
     std::vector<char> is_cone(p.number_of_vertices, 0);
@@ -253,7 +254,7 @@ Eigen::VectorXd log_scale(const Subdivision_layout& layout) {
 } // namespace internal
 
 Subdivision_layout lay_out_subdivision(const Flat_subdivision& s) {
-  Subdivision_layout layout = internal::Subdivision_developer(s).run();
+  Subdivision_layout layout = internal::Subdivision_opener(s).run();
   if (!layout.is_hyperbolic)
     internal::turn_back(internal::triangles_of_pieces(layout.subdivision), layout.positions);
   return layout;
@@ -277,13 +278,9 @@ Map_certificate certify_map(const Subdivision_layout& layout) {
 }
 
 std::size_t flipped_geodesic_triangles(const Subdivision_layout& layout) {
-  const auto place = [&layout](std::uint32_t v) {
-    const auto row = static_cast<Eigen::Index>(v);
-    return std::complex<double>(layout.positions(row, 0), layout.positions(row, 1));
-  };
   std::size_t flipped = 0;
-  for (const auto& [a, b, c] : internal::triangles_of_pieces(layout.subdivision))
-    if (orientation_in_disk(place(a), place(b), place(c)) <= 0) ++flipped;
+  for (const std::array<std::uint32_t, 3>& t : internal::triangles_of_pieces(layout.subdivision))
+    if (internal::is_turned_in_disk(layout.positions, t)) ++flipped;
   return flipped;
 }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_conformal/layout/Developer.h>
+#include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_conformal/layout/turn_back.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -48,16 +50,8 @@ private:
   static constexpr int most_sweeps = 40;               // 5 are enough where the search succeeds
 
   using Complex = std::complex<double>;
-  static Complex place(const Eigen::MatrixX2d& z, std::uint32_t v) { return {z(v, 0), z(v, 1)}; }
-  Complex place(std::uint32_t v) const { return place(z_, v); }
-
-  // Exactly.
-  bool is_turned(std::uint32_t t) const {
-    using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-    const auto point = [this](std::uint32_t v) { return Point(z_(v, 0), z_(v, 1)); };
-    const auto& [a, b, c] = triangles_[t];
-    return CGAL::orientation(point(a), point(b), point(c)) != CGAL::LEFT_TURN;
-  }
+  Complex place(std::uint32_t v) const { return point_of_row(z_, v); }
+  bool is_turned(std::uint32_t t) const { return internal::is_turned(z_, triangles_[t]); }
 
   // The triangles at each vertex.
   void find_stars() {
@@ -119,7 +113,7 @@ private:
 
   // Moves a vertex to the best of some places around it.
   void move(std::uint32_t v) {
-    const Complex from = place(v), given = place(given_, v);
+    const Complex from = place(v), given = point_of_row(given_, v);
     std::vector<double> units;
     for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) {
       double& unit = units.emplace_back(0);
@@ -159,6 +153,18 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdi
     for (std::size_t k = 2; k < s.face(f).size(); ++k)
       triangles.push_back({s.face(f)[0], s.face(f)[k - 1], s.face(f)[k]});
   return triangles;
+}
+
+bool is_turned(const Eigen::MatrixX2d& z, const std::array<std::uint32_t, 3>& triangle) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  const auto point = [&z](std::uint32_t v) { return Point(z(v, 0), z(v, 1)); };
+  const auto& [a, b, c] = triangle;
+  return CGAL::orientation(point(a), point(b), point(c)) != CGAL::LEFT_TURN;
+}
+
+bool is_turned_in_disk(const Eigen::MatrixX2d& z, const std::array<std::uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  return orientation_in_disk(point_of_row(z, a), point_of_row(z, b), point_of_row(z, c)) <= 0;
 }
 
 void turn_back(const std::vector<std::array<std::uint32_t, 3>>& triangles,

@@ -17,6 +17,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Polygons divided from their first corners.
 std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdivision& s);
 
+// Whether a triangle is not counterclockwise, exactly; the latter with geodesics of Poincaré's disk
+// as sides.
+bool is_turned(const Eigen::MatrixX2d& positions, const std::array<std::uint32_t, 3>& triangle);
+bool is_turned_in_disk(const Eigen::MatrixX2d& positions,
+                       const std::array<std::uint32_t, 3>& triangle);
+
 // Turns triangles back that have turned over or lost their area because they are as small as the
 // distance of doubles there: moves their vertices by amounts of that size. The number of such
 // triangles, counted exactly, does not rise; it is zero afterwards where a local search succeeds
