@@ -77,7 +77,7 @@ TEST(LayOutInDisk, hasTheGroupOfBolzasSurface) {
     Ideal t(gallery::input(hyperbolic::bolza()));
     ideal::flip_at_random(t, flips, 2);
     t = solved(std::move(t));
-    const IT::Flat_surface s = IT::hyperbolic_surface(t);
+    const IT::Surface_to_cut s = IT::hyperbolic_surface(t);
     const IT::Disk_layout layout = IT::lay_out_in_disk(s);
     expect_layout(s, layout);
     double least = 100;
@@ -91,7 +91,7 @@ TEST(LayOutInDisk, hasTheGroupOfBolzasSurface) {
 
 TEST(LayOutInDisk, laysKleinsQuarticOut) {
   const Ideal t = solved(Ideal(gallery::input(hyperbolic::klein_quartic())));
-  const IT::Flat_surface s = IT::hyperbolic_surface(t);
+  const IT::Surface_to_cut s = IT::hyperbolic_surface(t);
   for (const std::size_t centers : {1U, 8U}) {
     const IT::Disk_layout layout = IT::lay_out_in_disk(s, {}, centers);
     expect_layout(s, layout);

@@ -60,7 +60,7 @@ Mapped mapped(IT::Intrinsic_input in, Start start, const Angles& angles_of,
   Euclidean t(IT::make_domain(std::move(in), IT::Domain_kind::closed).input);
   if (start == Start::delaunay) IT::flip_to_delaunay(t);
   Ideal ideal(start == Start::mesh ? IT::ideal_start(t.input()) : IT::ideal_start(t));
-  IT::Flat_surface flat = IT::flat_surface(ideal);
+  IT::Surface_to_cut flat = IT::flat_surface(ideal);
   const IT::Prescribed_angles angles = angles_of(ideal);
   const auto np = IT::parameters::tolerance(1e-13).number_of_iterations(30);
   const IT::Conformal_metric m = is_hyperbolic ? IT::hyperbolic_metric(ideal, angles, np)

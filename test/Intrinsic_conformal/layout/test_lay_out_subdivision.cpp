@@ -71,10 +71,10 @@ Laid_out lay_out(const flat::Surface& s, std::mt19937& random, int flips,
   Triangulation t(r.in);
   flip_at_random(t, random, flips);
   if (flips == 0) IT::flip_to_delaunay(t);
-  const auto [flat, side] = surface_to_cut(t);
+  const IT::Surface_to_cut flat = surface_to_cut(t);
   IT::Common_subdivision subdivision = IT::common_subdivision(t);
   if (change) change(subdivision);
-  IT::Flat_subdivision arrays{subdivision, flat, side, r.is_cut, is_wanted, {}, {}};
+  IT::Flat_subdivision arrays{subdivision, flat, r.is_cut, is_wanted, {}, {}};
   for (const double l : r.in.squared_lengths) arrays.input_lengths.push_back(std::sqrt(l));
   r.layout = IT::lay_out_subdivision(arrays);
   return r;
@@ -197,9 +197,9 @@ Flattened flatten(std::mt19937& random) {
   r.subdivision = IT::common_subdivision(t);
   r.crossings = IT::ideal_crossing_parameters(t, t.correspondence(),
                                               IT::edge_crossings(t, t.correspondence()));
-  const IT::Flat_surface flat = IT::flat_surface(t);
+  const IT::Surface_to_cut flat = IT::flat_surface(t);
   const std::vector<char> is_cut = IT::cut_to_disk(in);
-  IT::Flat_subdivision arrays{r.subdivision, flat, flat.side, is_cut, {}, r.factors, {}};
+  IT::Flat_subdivision arrays{r.subdivision, flat, is_cut, {}, r.factors, {}};
   for (const double l : in.squared_lengths) arrays.input_lengths.push_back(std::sqrt(l));
   r.layout = IT::lay_out_subdivision(arrays);
   return r;
@@ -278,12 +278,12 @@ TEST(LayOutSubdivision, interpolatesProjectivelyInTheDisk) {
         gallery::input(seed % 2 == 0 ? hyperbolic::bolza() : hyperbolic::klein_quartic());
     for (double& x : in.squared_lengths) x *= std::exp(logarithm(random));
     Ideal_triangulation<IT::Integer_coordinates> t(std::move(in));
-    const IT::Flat_surface start = IT::flat_surface(t);
+    const IT::Surface_to_cut start = IT::flat_surface(t);
     const IT::Conformal_metric m = IT::hyperbolic_metric(
         t, IT::flat_angles(t), IT::parameters::number_of_iterations(12).tolerance(1e-14));
     EXPECT_LE(m.residual, 1e-12);
     const IT::Common_subdivision subdivision = IT::common_subdivision(t);
-    const IT::Flat_surface s = IT::hyperbolic_surface(t);
+    const IT::Surface_to_cut s = IT::hyperbolic_surface(t);
     const std::vector<char> cut_sides = IT::cut_to_round_disk(start);
     std::vector<char> is_cut(start.side.size() / 2);
     std::vector<double> lengths(is_cut.size());
@@ -292,7 +292,7 @@ TEST(LayOutSubdivision, interpolatesProjectivelyInTheDisk) {
       lengths[h / 2] = start.length[start.side[h]];
     }
     const IT::Subdivision_layout layout = IT::lay_out_subdivision(
-        {subdivision, s, s.side, is_cut, {}, m.scale_factors, lengths, true, {}});
+        {subdivision, s, is_cut, {}, m.scale_factors, lengths, true, {}});
     EXPECT_LE(layout.largest_side_error, 1e-7);
     EXPECT_LE(layout.pairings.largest_seam_error, 1e-8);
     EXPECT_LE(layout.pairings.largest_relation_error, 1e-8);

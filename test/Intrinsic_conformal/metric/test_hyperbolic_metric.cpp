@@ -133,7 +133,7 @@ TEST(Hyperbolic_metric, ScaledSurfacesComeBack) {
       for (double& squared : in.squared_lengths) squared = size * size * d(random);
       Ideal t(std::move(in));
       IT::flip_to_delaunay(t);
-      const IT::Flat_surface s = IT::hyperbolic_surface(t);
+      const IT::Surface_to_cut s = IT::hyperbolic_surface(t);
       std::vector<double> sums(t.number_of_vertices(), 0), u;
       const std::vector<double> angles = corner_angles(s);
       for (std::size_t h = 0; h < angles.size(); ++h) sums[s.gluing.origin[h]] += angles[h];
@@ -205,7 +205,7 @@ TEST(Hyperbolic_metric, AreasAreThoseOfGaussAndBonnet) {
   expect_solved(m, 10);
   EXPECT_GT(m.flips, 0U);
   EXPECT_TRUE(IT::is_delaunay(t));
-  const IT::Flat_surface s = IT::hyperbolic_surface(t);
+  const IT::Surface_to_cut s = IT::hyperbolic_surface(t);
   const std::vector<double> angles = corner_angles(s);
   double area = 0;
   for (std::size_t h = 0; h < angles.size(); h += 3) {

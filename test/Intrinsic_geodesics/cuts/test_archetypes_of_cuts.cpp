@@ -41,7 +41,7 @@ TEST(Archetypes_of_cuts, Numbered_triangulation_is_enough_for_cuts_to_disks) {
   const auto cut = IT::cut_to_disk(t, through);
   const auto expected = IT::cut_to_disk(all, through);
   EXPECT_EQ(marks_of(t, cut), marks_of(all, expected));
-  const IT::Opened_triangulation opened = IT::cut_open(t, cut);
+  const IT::Opened_surface opened = IT::cut_open(t, cut);
   EXPECT_EQ(opened.gluing.origin, IT::cut_open(all, expected).gluing.origin);
   EXPECT_EQ(opened.gluing.glue, IT::cut_open(all, expected).gluing.glue);
   EXPECT_EQ(IT::homology_generators(t), IT::homology_generators(all));

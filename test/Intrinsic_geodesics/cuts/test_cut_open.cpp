@@ -161,7 +161,7 @@ TEST(Cut_open, names_the_sides_of_a_triangulation_by_its_halfedges) {
   IT::Marked_edges marked(t);
   std::mt19937 random(3);
   for (const auto e : edges(t.mesh())) put(marked, e, std::bernoulli_distribution(0.3)(random));
-  const IT::Opened_triangulation s = IT::cut_open(t, marked);
+  const IT::Opened_surface s = IT::cut_open(t, marked);
   ASSERT_EQ(s.gluing.number_of_faces(), num_faces(t.mesh()));
   for (const auto h : halfedges(t.mesh())) {
     const std::uint32_t side = s.side[t.numbers().halfedge(h)];

@@ -388,7 +388,7 @@ TEST(Cut_to_disk, All_meshes_of_CGAL_become_disks) {
     } catch (const std::exception&) {
       continue; // no surface
     }
-    const IT::Surface_to_cut s = surface_to_cut(Double_triangulation(std::move(in))).first;
+    const IT::Surface_to_cut s = surface_to_cut(Double_triangulation(std::move(in)));
     expect_disks(s, IT::cut_to_disk(s, {}, 2), {});
     const std::vector<std::uint32_t> through = random_vertices(s.gluing, 5, 1);
     expect_disks(s, IT::cut_to_disk(s, through, 2), through);

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
 #include <CGAL/Intrinsic_conformal/metric/hyperbolic_metric.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
@@ -33,7 +34,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a mesh on which the triangles of a `Scaled_surface` lie.
 */
 struct Scaled_mesh {
-  Flat_surface triangles;       ///< of the mesh, with their lengths
+  Surface_to_cut triangles;       ///< of the mesh, with their lengths
   Overlaid_subdivision overlay; ///< of the mesh, the start and the ideal Delaunay triangulation
 };
 
@@ -42,8 +43,8 @@ struct Scaled_mesh {
 `conformal_metric()` and `hyperbolic_metric()`.
 */
 struct Scaled_surface {
-  Flat_surface start; ///< the triangles of the start, with their lengths
-  Flat_surface flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
+  Surface_to_cut start; ///< the triangles of the start, with their lengths
+  Surface_to_cut flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
   Common_subdivision subdivision;    ///< of both; faces of the start by their numbers
   std::vector<std::uint32_t> row;    ///< of each vertex
   std::vector<double> factors;       ///< of each row
@@ -70,7 +71,7 @@ struct Scaled_surface {
 \complexity that of `common_subdivision()`
 */
 template <IndexedTriangulation Triangulation>
-Scaled_surface scaled_surface(const Triangulation& t, Flat_surface start,
+Scaled_surface scaled_surface(const Triangulation& t, Surface_to_cut start,
                               std::vector<double> scale_factors, const Prescribed_angles& angles,
                               const Input_names& names, bool is_hyperbolic = false) {
   Scaled_surface s{std::move(start),

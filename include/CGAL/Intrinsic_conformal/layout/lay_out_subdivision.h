@@ -52,10 +52,8 @@ struct Flat_subdivision {
   /// Places of crossings on the mesh are those in its metric; places on the triangulation are those
   /// in the flat metric: in a conformal metric, with its scaled vectors.
   const Common_subdivision& subdivision;
-  /// The flat triangulation, with its lengths; or hyperbolic triangles with theirs.
+  /// The flat triangulation, with its lengths and `side`; or hyperbolic triangles with theirs.
   const Surface_to_cut& flat;
-  /// The side in `flat` of each halfedge of the triangulation, as in `Opened_triangulation::side`.
-  const std::vector<std::uint32_t>& side;
   /// Nonzero for each edge of the input, by its number there, that is cut.
   const std::vector<char>& is_cut;
   /// Nonzero for each face of the input, as `Common_subdivision::input_face` names it, that is laid

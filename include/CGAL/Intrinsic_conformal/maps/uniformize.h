@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
 #include <CGAL/Intrinsic_conformal/metric/hyperbolic_metric.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -182,8 +183,8 @@ struct Uniformize_visitor {
 
 // \param start the ideal triangulation before
 template <class Triangulation, class Ideal>
-void lay_out(Uniformization& result, const Triangulation& t, const Ideal& ideal, Flat_surface start,
-             const Uniformize_options& options) {
+void lay_out(Uniformization& result, const Triangulation& t, const Ideal& ideal,
+             Surface_to_cut start, const Uniformize_options& options) {
   const bool is_hyperbolic = result.target == Uniform_target::disk;
   std::optional<Flat_torus> torus;
   if (result.target == Uniform_target::torus) {
@@ -221,7 +222,7 @@ Uniformization uniformize_closed(const Triangulation& t, Uniformize_options opti
     take_sphere(result, std::move(sphere), std::move(u));
     return result;
   }
-  Flat_surface start = flat_surface(ideal);
+  Surface_to_cut start = flat_surface(ideal);
   result.angles = angles_for(ideal, options);
   Uniformize_visitor visitor{options};
   const auto np = parameters::visitor(std::ref(visitor));

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_CONFORMAL_METRIC_FLAT_SURFACE_H
 #define CGAL_INTRINSIC_CONFORMAL_METRIC_FLAT_SURFACE_H
 
-#include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -24,16 +23,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/*!
-\brief is a surface of triangles with lengths, for layouts, with its sides named by the
-triangulation that it was made of.
-*/
-struct Flat_surface : Surface_to_cut {
-  /// The side that each halfedge of the triangulation is, by its number; `Gluing::none` on the
-  /// border.
-  std::vector<std::uint32_t> side;
-};
 
 namespace internal {
 
@@ -76,22 +65,19 @@ template <IndexedTriangulation Triangulation>
   requires requires(const Triangulation& t) {
     { t.lambda(typename Triangulation::edge_descriptor()) } -> std::same_as<double>;
   }
-Flat_surface flat_surface(const Triangulation& t) {
-  Flat_surface s;
-  s.gluing = internal::numbered_gluing(t.mesh(), t.numbers(), s.side);
-  s.length.resize(s.gluing.origin.size());
+Surface_to_cut flat_surface(const Triangulation& t) {
+  std::vector<double> length(t.numbers().edge_capacity(t.mesh()), 0);
+  for (const auto e : edges(t.mesh())) length[t.index(e)] = t.lambda(e);
+  Surface_to_cut s = internal::surface_to_cut(t.mesh(), t.numbers(),
+                                              [&](std::uint32_t e) { return length[e]; });
   std::vector<Double_double> lambda; // of each side, in scaled units
-  if constexpr (internal::Has_precise_lambdas<Triangulation>) lambda.resize(s.length.size());
-  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
-    const double length = t.lambda(e);
-    Double_double precise;
-    if constexpr (internal::Has_precise_lambdas<Triangulation>)
-      precise = internal::precise_lambda(t, t.index(e));
-    for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
-      if (s.side[h] != Gluing::none) {
-        s.length[s.side[h]] = length;
-        if (!lambda.empty()) lambda[s.side[h]] = precise;
-      }
+  if constexpr (internal::Has_precise_lambdas<Triangulation>) {
+    lambda.resize(s.length.size());
+    for (const auto e : edges(t.mesh())) {
+      const Double_double precise = internal::precise_lambda(t, t.index(e));
+      for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
+        if (s.side[h] != Gluing::none) lambda[s.side[h]] = precise;
+    }
   }
   s.vector = internal::vectors_of_triangles(lambda, t.metric().scale_exponent());
   return s;
@@ -103,16 +89,11 @@ Flat_surface flat_surface(const Triangulation& t) {
 \return the surface, in the units of the user; faces, vertices and halfedges keep their numbers
 \complexity linear
 */
-inline Flat_surface flat_surface(const Input& surface) {
-  Flat_surface s;
-  s.gluing =
-      internal::numbered_gluing(surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), s.side);
-  s.length.resize(s.gluing.origin.size());
-  for (std::uint32_t h = 0; h < s.side.size(); ++h)
-    if (s.side[h] != Gluing::none)
-      s.length[s.side[h]] =
-          std::ldexp(std::sqrt(surface.squared_length(h / 2)), -surface.scale_exponent());
-  return s;
+inline Surface_to_cut flat_surface(const Input& surface) {
+  return internal::surface_to_cut(
+      surface.mesh(), Mesh_adaptor<Gluing_map>(surface.mesh()), [&surface](std::uint32_t e) {
+        return std::ldexp(std::sqrt(surface.squared_length(e)), -surface.scale_exponent());
+      });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

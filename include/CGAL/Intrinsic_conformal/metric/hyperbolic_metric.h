@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
+#include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <cmath>
@@ -72,8 +73,8 @@ template <IndexedTriangulation Triangulation, NamedParameters Parameters = param
 */
 template <IndexedTriangulation Triangulation>
   requires internal::Has_horocycles<Triangulation>
-      Flat_surface hyperbolic_surface(const Triangulation& t) {
-    Flat_surface s = flat_surface(t);
+      Surface_to_cut hyperbolic_surface(const Triangulation& t) {
+    Surface_to_cut s = flat_surface(t);
     for (double& length : s.length) length = 2 * std::asinh(length / 2);
     s.vector.clear(); // in Euclid's plane
     return s;

@@ -31,6 +31,10 @@ struct Opened_surface {
   /// The two sides of each cut edge: a side, and the entry that it had in `Gluing::glue`, which is
   /// marked if the gluing is along the direction of both.
   std::vector<std::array<std::uint32_t, 2>> seams;
+  /// The side that each halfedge of the triangulation that was cut open is, by its number;
+  /// `Gluing::none` on the border. The vertex at the source of halfedge h is
+  /// `gluing.origin[side[h]]`. Empty if arrays were cut open.
+  std::vector<std::uint32_t> side{};
 };
 
 /*!
@@ -48,15 +52,6 @@ surface need not be orientable.
 \complexity linear
 */
 Opened_surface cut_open(const Gluing& g, const std::vector<char>& is_cut);
-
-/*!
-\brief is an intrinsic triangulation that was cut open along edges.
-*/
-struct Opened_triangulation : Opened_surface {
-  /// The side of a face that each halfedge of the triangulation is, by its number; `Gluing::none`
-  /// on the border. The vertex at the source of halfedge h is `gluing.origin[side[h]]`.
-  std::vector<std::uint32_t> side;
-};
 
 namespace internal {
 
@@ -97,15 +92,16 @@ template <NumberedTriangulation Triangulation, class EdgeIsMarked>
   requires requires(const EdgeIsMarked& map, typename Triangulation::edge_descriptor e) {
     { get(map, e) } -> std::convertible_to<bool>;
   }
-Opened_triangulation cut_open(const Triangulation& t, const EdgeIsMarked& is_marked) {
-  Opened_triangulation result;
-  const Gluing g = internal::numbered_gluing(t.mesh(), t.numbers(), result.side);
+Opened_surface cut_open(const Triangulation& t, const EdgeIsMarked& is_marked) {
+  std::vector<std::uint32_t> side;
+  const Gluing g = internal::numbered_gluing(t.mesh(), t.numbers(), side);
   std::vector<char> is_cut(g.origin.size(), 0);
   for (const auto e : edges(t.mesh()))
     if (static_cast<bool>(get(is_marked, e)))
       for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
-        if (result.side[h] != Gluing::none) is_cut[result.side[h]] = 1;
-  static_cast<Opened_surface&>(result) = cut_open(g, is_cut);
+        if (side[h] != Gluing::none) is_cut[side[h]] = 1;
+  Opened_surface result = cut_open(g, is_cut);
+  result.side = std::move(side);
   return result;
 }
 

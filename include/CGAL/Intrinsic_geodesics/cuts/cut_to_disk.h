@@ -32,7 +32,8 @@ system of loops through the root.
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief holds the surface for `cut_to_disk()`, as arrays by the sides of faces.
+\brief holds a surface of triangles with lengths, as arrays by the sides of faces, for
+`cut_to_disk()` and for layouts.
 */
 struct Surface_to_cut {
   /// The surface, orientable or not, of any number of components.
@@ -44,6 +45,14 @@ struct Surface_to_cut {
   /// Each side as a vector in a frame of its triangle, for layouts: needles lose their shape if it
   /// is computed from rounded lengths, as that would be. Empty: it is.
   std::vector<std::array<double, 2>> vector{};
+  /// The side that each halfedge of the triangulation that it was made of is, by its number;
+  /// `Gluing::none` on the border. Empty: it was not made of one.
+  std::vector<std::uint32_t> side{};
+
+  /// returns a side of an edge of that triangulation.
+  std::uint32_t side_of_edge(std::uint32_t edge) const {
+    return side[2 * edge] == Gluing::none ? side[2 * edge + 1] : side[2 * edge];
+  }
 };
 
 /*!
@@ -92,32 +101,32 @@ std::vector<std::vector<std::uint32_t>> homology_generators(const Surface_to_cut
 
 namespace internal {
 
-// A triangulation, with its lengths in scaled units, by sides of faces. Sets `side` to the side
-// that each halfedge is.
-template <class Triangulation>
-Surface_to_cut surface_to_cut(const Triangulation& t, std::vector<std::uint32_t>& side) {
+// A mesh by sides of faces, with the length of each edge by its number.
+template <class Mesh, class Numbers, class Length>
+Surface_to_cut surface_to_cut(const Mesh& mesh, const Numbers& number, const Length& length) {
   Surface_to_cut s;
-  s.gluing = numbered_gluing(t.mesh(), t.numbers(), side);
+  s.gluing = numbered_gluing(mesh, number, s.side);
   s.length.resize(s.gluing.origin.size());
-  for (std::uint32_t h = 0; h < side.size(); ++h)
-    if (side[h] != Gluing::none)
-      s.length[side[h]] = std::sqrt(t.metric().approximate_squared_length(h / 2));
+  for (std::uint32_t h = 0; h < s.side.size(); ++h)
+    if (s.side[h] != Gluing::none) s.length[s.side[h]] = length(h / 2);
   return s;
 }
 
-// A side of an edge.
-inline std::uint32_t side_of_edge(const std::vector<std::uint32_t>& side, std::uint32_t edge) {
-  return side[2 * edge] == Gluing::none ? side[2 * edge + 1] : side[2 * edge];
+// A triangulation, with its lengths in scaled units.
+template <class Triangulation>
+Surface_to_cut surface_to_cut(const Triangulation& t) {
+  return surface_to_cut(t.mesh(), t.numbers(), [&t](std::uint32_t e) {
+    return std::sqrt(t.metric().approximate_squared_length(e));
+  });
 }
 
-// A cut of sides as marks of edges.
+// A cut of its sides as marks of edges.
 template <class Triangulation>
-Marked_edges<Triangulation> marks_of_cut(const Triangulation& t,
-                                         const std::vector<std::uint32_t>& side,
+Marked_edges<Triangulation> marks_of_cut(const Triangulation& t, const Surface_to_cut& s,
                                          const std::vector<char>& is_cut) {
   Marked_edges<Triangulation> result(t);
   for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
-    if (is_cut[side_of_edge(side, t.index(e))] != 0) put(result, e, true);
+    if (is_cut[s.side_of_edge(t.index(e))] != 0) put(result, e, true);
   return result;
 }
 
@@ -148,16 +157,16 @@ typename Triangulation::vertex_descriptor >
   using Edge = typename Triangulation::edge_descriptor;
   internal::expect_names<internal::tags::edge_is_constrained_map, internal::tags::maximum_rounds>(
       np);
-  std::vector<std::uint32_t> side, vertices;
-  Surface_to_cut s = internal::surface_to_cut(t, side);
+  std::vector<std::uint32_t> vertices;
+  Surface_to_cut s = internal::surface_to_cut(t);
   for (const typename Triangulation::vertex_descriptor v : through)
     vertices.push_back(t.numbers().vertex(v));
   const auto kept = internal::constrained_map<Edge>(np);
   s.is_kept.assign(s.length.size(), 0);
   for (const Edge e : edges(t.mesh()))
-    if (get(kept, e)) s.is_kept[internal::side_of_edge(side, t.index(e))] = 1;
+    if (get(kept, e)) s.is_kept[s.side_of_edge(t.index(e))] = 1;
   return internal::marks_of_cut(
-      t, side,
+      t, s,
       cut_to_disk(s, vertices,
                   internal::value_or<internal::tags::maximum_rounds>(np, std::size_t{8})));
 }
@@ -184,11 +193,10 @@ template <NumberedTriangulation Triangulation, NamedParameters NP = parameters::
 std::vector<std::vector<typename Triangulation::halfedge_descriptor>>
 homology_generators(const Triangulation& t, const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::maximum_rounds>(np);
-  std::vector<std::uint32_t> side;
-  const Surface_to_cut s = internal::surface_to_cut(t, side);
+  const Surface_to_cut s = internal::surface_to_cut(t);
   std::vector<std::uint32_t> halfedge(s.length.size());
-  for (std::uint32_t h = 0; h < side.size(); ++h)
-    if (side[h] != Gluing::none) halfedge[side[h]] = h;
+  for (std::uint32_t h = 0; h < s.side.size(); ++h)
+    if (s.side[h] != Gluing::none) halfedge[s.side[h]] = h;
   std::vector<std::vector<typename Triangulation::halfedge_descriptor>> result;
   for (const std::vector<std::uint32_t>& loop : homology_generators(
            s, internal::value_or<internal::tags::maximum_rounds>(np, std::size_t{8}))) {

@@ -83,16 +83,15 @@ template <class Triangulation>
 Marked_edges<Triangulation> cut_along_curves(const Curve_network<Triangulation>& network,
                                              std::vector<std::uint32_t> through) {
   const Triangulation& t = network.triangulation();
-  std::vector<std::uint32_t> side;
-  Surface_to_cut s = surface_to_cut(t, side);
+  Surface_to_cut s = surface_to_cut(t);
   double all = 0;
   for (const auto e : edges(t.mesh()))
-    if (network.carries_curve(e)) all += s.length[side_of_edge(side, t.index(e))];
+    if (network.carries_curve(e)) all += s.length[s.side_of_edge(t.index(e))];
   for (const auto e : edges(t.mesh()))
     for (const std::uint32_t h : {2 * t.index(e), 2 * t.index(e) + 1})
-      if (side[h] != Gluing::none && !network.carries_curve(e)) s.length[side[h]] += all;
+      if (s.side[h] != Gluing::none && !network.carries_curve(e)) s.length[s.side[h]] += all;
   add_roots(network, through);
-  return marks_of_cut(t, side, cut_to_disk(s, through, 0));
+  return marks_of_cut(t, s, cut_to_disk(s, through, 0));
 }
 
 } // namespace internal

@@ -47,7 +47,9 @@ private:
   std::uint32_t own(std::uint32_t c) const {
     return in_.overlay == nullptr ? c : in_.overlay->corner[pieces_.intrinsic_halfedge[c]];
   }
-  std::uint32_t flat_side(std::uint32_t own) const { return in_.side[s_.intrinsic_halfedge[own]]; }
+  std::uint32_t flat_side(std::uint32_t own) const {
+    return in_.flat.side[s_.intrinsic_halfedge[own]];
+  }
   Weighted at_own(std::uint32_t own) const;
   Complex place(std::uint32_t h, double along) const;
   double weight(std::uint32_t own) const;

@@ -75,7 +75,7 @@ private:
 
   std::size_t number_of_sides() const { return opened_.gluing.origin.size(); }
   bool is_front(std::uint32_t side) const {
-    return in_.names.sheets == 1 || in_.names.faces.user(side / 3) % 2 == 0;
+    return !in_.names.is_cover() || in_.names.faces.user(side / 3) % 2 == 0;
   }
   // A free vertex inside has some angle.
   bool is_cone(std::uint32_t row) const {
@@ -84,7 +84,7 @@ private:
 
   // The subdivision of what is laid out.
   Flat_subdivision arrays(const std::vector<char>& is_cut) const {
-    Flat_subdivision result{in_.subdivision, in_.flat, in_.flat.side, is_cut, is_wanted_};
+    Flat_subdivision result{in_.subdivision, in_.flat, is_cut, is_wanted_};
     for (const std::uint32_t row : in_.row)
       result.factors.push_back(row == Gluing::none ? 1 : in_.factors[row]);
     result.input_lengths.resize(in_.start.side.size() / 2);
@@ -100,14 +100,14 @@ private:
 
   // Parts the front of a double from its back.
   void find_front() {
-    if (in_.names.sheets == 1) return;
+    if (!in_.names.is_cover()) return;
     is_wanted_.resize(number_of_sides() / 3);
     for (std::uint32_t h = 0; h < number_of_sides(); ++h) {
       is_wanted_[h / 3] = is_front(h) ? 1 : 0;
       const std::uint32_t entry = mesh_.gluing.glue[h];
       const std::uint32_t other = entry == Gluing::none ? Gluing::none : Gluing::partner(entry);
       if (other == Gluing::none || is_front(h) == is_front(other)) continue;
-      if (in_.names.sheets > 2 ||
+      if (in_.names.is_cloud() ||
           in_.names.faces.user(h / 3) / 2 != in_.names.faces.user(other / 3) / 2)
         throw Invalid_input(Element_kind::none, 0,
                             "the faces are not oriented alike, so that the surface has no front "
@@ -283,7 +283,7 @@ private:
   }
 
   const Scaled_surface& in_;
-  const Flat_surface& mesh_;
+  const Surface_to_cut& mesh_;
   Surface_to_cut opened_; // the mesh, of a double without the gluing of front and back
   std::vector<char> is_wanted_;
   Subdivision_layout layout_;
