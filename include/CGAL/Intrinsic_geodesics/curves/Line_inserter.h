@@ -6,18 +6,20 @@
 
 #include <CGAL/Intrinsic_geodesics/curves/Growing_paths.h>
 #include <CGAL/Intrinsic_geodesics/curves/Line_progress.h>
-#include <CGAL/Intrinsic_geodesics/curves/Split_crossed_edges.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -26,19 +28,18 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // flipped away or split; an edge joins the new vertex to the vertex before. There the line goes on
 // at its angle with the edge, over the changed triangulation: it may cross edges again, and earlier
 // lines. Edges of these are always split.
-// \tparam Crossed decides which edges may be flipped, by `may_flip(e)`, and whether others may be
-//   split; it turns a line that crosses edges into a path of edges, by `edges_along(crossed)`:
-//   halfedges in order, each from its end on the right of the line to that on the left
-template <class Triangulation, class Crossed = Split_crossed_edges<Triangulation>>
+// \tparam Log `Flip_log`: edges are flipped, except those of earlier lines; else all are split
+// \tparam splits whether edges may be split
+template <class Triangulation, class Log = void, bool splits = true>
 class Line_inserter {
   using View = Accurate_view<Triangulation>;
   using Walk = Geodesic_walk<View>;
   using Split = typename Growing_paths<Triangulation>::Split;
-  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
+  static constexpr bool flips = !std::is_void_v<Log>;
 
 public:
-  explicit Line_inserter(Triangulation& t, Crossed crossed = {})
-      : t_(t), view_(t), crossed_edges_(std::move(crossed)) {}
+  // \param log remembers flips, if nothing is split
+  explicit Line_inserter(Triangulation& t, Log* log = nullptr) : t_(t), view_(t), log_(log) {}
 
   // The paths so far.
   const Growing_paths<Triangulation>& paths() const { return paths_; }
@@ -120,7 +121,7 @@ private:
       walk.cross(e);
     }
   }
-  bool may_flip(std::uint32_t e) const { return crossed_edges_.may_flip(e) && !paths_.has_edge(e); }
+  bool may_flip(std::uint32_t e) const { return flips && !paths_.has_edge(e); }
   static bool is_at_vertex(const Walk& walk, const typename Walk::Exit& e) {
     const double length = walk.face().length[e.side];
     return length * std::min(e.source_weight, e.target_weight) <= tolerance(length);
@@ -140,7 +141,7 @@ private:
       return goes_on ? Move_status::done : Move_status::border;
     }
     if (view_.is_border(h ^ 1U)) return Move_status::border;
-    if (!Crossed::may_split) return Move_status::not_traceable;
+    if (!splits) return Move_status::not_traceable;
     walk.cross(e); // into the frame of the other halfedge, whose direction is the opposite one
     const double angle = std::atan2(walk.direction()[1], walk.direction()[0]) - std::numbers::pi;
     const Split s = paths_.split(t_, h, e.target_weight);
@@ -154,17 +155,27 @@ private:
   }
 
   void append(std::uint32_t h) { paths_.append(h); }
-  // A line that ends at the vertex opposite of the last edge that it crosses.
+  // A line that ends at the vertex opposite of the last edge that it crosses. One that passes
+  // through a face twice becomes the chain of edges on its left.
   void append_line() {
-    Halfedges crossed;
-    for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
-    for (const auto h : crossed_edges_.edges_along(crossed)) append_edge(t_.numbers().halfedge(h));
+    if constexpr (flips) {
+      std::vector<typename Triangulation::halfedge_descriptor> crossed;
+      for (const std::uint32_t h : crossed_) crossed.push_back(t_.numbers().halfedge_at(h));
+      typename Triangulation::Session session(t_);
+      Segment_flipper<Triangulation> flip(t_, session, log_);
+      Shortening_result counts;
+      const std::uint64_t most = pass_faces_once(t_, std::array{crossed})
+                                     ? std::numeric_limits<std::uint64_t>::max()
+                                     : 0;
+      for (const auto h : flip(crossed, most, counts, [](auto) {}))
+        append_edge(t_.numbers().halfedge(h));
+    }
   }
   // An edge, or the way through vertices that rounding moved off it: so lines that touch share all
   // these vertices. Ends at vertex `target` if that is one of them. Returns whether it does.
   bool append_edge(std::uint32_t h, std::uint32_t target = Gluing::none) {
     for (const std::uint32_t g : {h, h ^ 1U}) {
-      if (!crossed_edges_.may_flip(h / 2) || view_.is_border(g) || !is_at_apex(g)) continue;
+      if (!flips || view_.is_border(g) || !is_at_apex(g)) continue;
       return append_edge(g == h ? last(g) ^ 1U : view_.next(g), target) ||
              append_edge(g == h ? view_.next(g) ^ 1U : last(g), target);
     }
@@ -249,7 +260,7 @@ private:
 
   Triangulation& t_;
   View view_;
-  Crossed crossed_edges_;
+  Log* log_;
   Growing_paths<Triangulation> paths_;
   std::vector<std::uint32_t> crossed_; // by the line since the last vertex
   bool is_at_target_ = false;

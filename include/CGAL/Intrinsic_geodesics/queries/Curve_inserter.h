@@ -20,40 +20,12 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// Edges that a line crosses are flipped away: all, or those that are not constrained.
-template <class Triangulation, bool splits>
-class Flip_crossed_edges {
-  using Halfedges = std::vector<typename Triangulation::halfedge_descriptor>;
-
-public:
-  static constexpr bool may_split = splits;
-
-  Flip_crossed_edges(Triangulation& t, Flip_log<Triangulation>* log) : t_(&t), log_(log) {}
-
-  bool may_flip(std::uint32_t) const { return true; }
-  // A line that passes through a face twice becomes the chain of edges on its left.
-  Halfedges edges_along(const Halfedges& crossed) const {
-    typename Triangulation::Session session(*t_);
-    Wedge_flipper<Triangulation> flip(*t_, session, log_);
-    Shortening_result counts;
-    const bool may_flip_all = pass_faces_once(*t_, std::array{crossed});
-    return Segment_flipper<Triangulation>(*t_, session, flip)(
-        crossed, may_flip_all ? std::numeric_limits<std::uint64_t>::max() : 0, counts, [](auto) {});
-  }
-
-private:
-  Triangulation* t_;
-  Flip_log<Triangulation>* log_;
-};
 
 // Lays out a straight line over the input. Lengths are in the units of the input.
 class Laid_out_line {
@@ -93,7 +65,7 @@ class Curve_inserter {
 public:
   // \param log remembers flips, if nothing is split
   explicit Curve_inserter(Triangulation& t, Flip_log<Triangulation>* log = nullptr)
-      : t_(t), lines_(t, Flip_crossed_edges<Triangulation, splits>(t, log)) {}
+      : t_(t), lines_(t, log) {}
 
   // The halfedges of a path of one or several geodesics; paths are numbered from 0.
   std::vector<Halfedge> path(std::size_t i = 0) const { return lines_.paths().halfedges(t_, i); }
@@ -148,7 +120,7 @@ private:
 
   Triangulation& t_;
   std::vector<Strip_side> strip_;
-  Line_inserter<Triangulation, Flip_crossed_edges<Triangulation, splits>> lines_;
+  Line_inserter<Triangulation, Flip_log<Triangulation>, splits> lines_;
 };
 
 // Adds a curve to a network. Fixes the vertices where it crosses another or itself, so that it may.

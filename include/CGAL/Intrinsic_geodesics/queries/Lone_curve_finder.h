@@ -112,8 +112,7 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
   const auto pieces = straight_pieces(t, path.points);
   if (pass_faces_once(t, pieces, &Straight_piece<Triangulation>::crossed)) {
     typename Triangulation::Session session(t);
-    Wedge_flipper<Triangulation> flip(t, session, log);
-    Segment_flipper<Triangulation> flip_to_segment(t, session, flip);
+    Segment_flipper<Triangulation> flip_to_segment(t, session, log);
     const std::uint64_t last = result.flips + maximum_flips(t, np);
     for (const Straight_piece<Triangulation>& piece : pieces) {
       if (!piece.along && piece.crossed.empty()) continue;

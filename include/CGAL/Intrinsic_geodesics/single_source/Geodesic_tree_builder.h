@@ -104,7 +104,7 @@ class Geodesic_tree_builder {
 public:
   Geodesic_tree_builder(const Triangulation& t, Session& session)
       : t_(t), view_(t), session_(session), flip_wedge_(t, session, nullptr),
-        flip_to_segment_(t, session, flip_wedge_), branches_(t.numbers().vertex_capacity(t.mesh())),
+        flip_to_segment_(t, session), branches_(t.numbers().vertex_capacity(t.mesh())),
         references_(branches_.size()) {}
 
   // `go_on(result)` is called now and then

@@ -43,7 +43,7 @@ public:
   Input_edge_restorer(const Triangulation& t, Session& session, const Coordinates& coordinates,
                       const std::vector<char>& is_kept = {})
       : t_(t), session_(session), coordinates_(coordinates), is_kept_(is_kept),
-        flip_wedge_(t, session, nullptr), flip_to_segment_(t, session, flip_wedge_) {}
+        flip_to_segment_(t, session) {}
 
   std::uint64_t flips() const { return result_.flips; }
 
@@ -108,7 +108,6 @@ private:
   Session& session_;
   const Coordinates& coordinates_;
   std::vector<char> is_kept_;
-  Wedge_flipper<Triangulation> flip_wedge_;
   Segment_flipper<Triangulation> flip_to_segment_;
   Shortening_result result_;
 };

@@ -177,8 +177,9 @@ public:
   /// Edges that a segment crosses, in order: each from its right end to its left one.
   using Crossed = std::vector<Halfedge>;
 
-  Segment_flipper(const Triangulation& t, Session& session, Wedge_flipper<Triangulation>& flip)
-      : t_(t), session_(session), flip_wedge_(flip) {}
+  // without a log, flips cannot be taken back
+  Segment_flipper(const Triangulation& t, Session& session, Flip_log<Triangulation>* log = nullptr)
+      : t_(t), session_(session), flip_wedge_(t, session, log) {}
 
   /*!
   Flips edges.
@@ -273,7 +274,7 @@ private:
 
   const Triangulation& t_;
   Session& session_;
-  Wedge_flipper<Triangulation>& flip_wedge_;
+  Wedge_flipper<Triangulation> flip_wedge_;
   Crossed crossed_;
 };
 
