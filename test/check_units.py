@@ -43,8 +43,7 @@ LEFT_OUT = {
     "a map that the user gives, in any units": "certified_map pack_components",
     "takes what the user gives to other elements, in its units":
         "corner_coordinates definition_of directions_along_path even_levels fields_of_layout "
-        "first_copies_of_rows for_each_subdivision_triangle known_copies_of_rows "
-        "nearest_copies_of_rows smallest_eigenpairs values_at_corners values_at_vertices",
+        "for_each_subdivision_triangle smallest_eigenpairs values_at_corners values_at_vertices",
     "a hyperbolic plane and a sphere have a unit of their own":
         "hyperbolic_metric hyperbolic_surface lay_out_in_disk lay_out_on_sphere",
     "a step of `uniformize()`": "place_cones_within scaled_surface",

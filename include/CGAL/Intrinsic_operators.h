@@ -48,7 +48,6 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/vectors/Vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
 #include <CGAL/Intrinsic_operators/vectors/centres.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>

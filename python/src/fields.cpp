@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_operators/compiled.h>
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -114,8 +113,8 @@ py::array_t<double> vectors_in_space(Surface& s, const Field& field, double angl
 template <class T, class Vector>
 Field field_of_rows(const T& t, const Vector& at) {
   Field field;
-  field.of_row = IT::first_copies_of_rows(t);
-  if (t.input().names().sheets > 2) // a cloud of points has a vector for each of them
+  field.of_row = IT::Vertex_copies(t).first_of_rows();
+  if (t.input().names().is_cloud()) // a cloud of points has a vector for each of them
     std::iota(field.of_row.begin(), field.of_row.end(), 0U);
   field.vectors.assign(std::max(field.of_row.size(), IT::Vertex_copies(t).size()), 0);
   for (std::size_t r = 0; r < field.of_row.size(); ++r) {

@@ -52,7 +52,7 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
                          Triangulation::Correspondence::name, loaded.facts, t.report());
   if (!loaded.domain.reason.empty())
     json["domain"] = domain_json(loaded.domain, loaded.cloud, t.input().number_of_rows());
-  else if (t.input().names().sheets > 1)
+  else if (t.input().names().is_cover())
     json["domain"] = {{"kind", "stored"},
                       {"reason", "the file has a cover"},
                       {"sheets", t.input().names().sheets},

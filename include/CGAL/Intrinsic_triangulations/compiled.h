@@ -88,8 +88,7 @@ sources of the library, see `src/instances/`.
   prefix class Unfolded_face<double>;                                                              \
   prefix class Unfolded_face<Interval_nt<false>>;                                                  \
   prefix class Unfolded_face<Ball<Double_double>>;                                                 \
-  prefix class Unfolded_face<Ball<Mpfr_number>>;                                                   \
-  prefix class internal::First_copies<Integer_coordinates>
+  prefix class Unfolded_face<Ball<Mpfr_number>>
 // instantiates the usual functions on the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(prefix)                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);       \

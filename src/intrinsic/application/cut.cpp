@@ -53,7 +53,7 @@ void carry_over(Constraints& constraints, const IT::Gluing_map& before,
 } // namespace
 
 void take_sheet(Mesh_file& file) {
-  if (file.cloud || file.input.names.sheets == 1) return;
+  if (file.cloud || !file.input.names.is_cover()) return;
   file.input = IT::sheet_of_cover(file.input);
   file.domain.sheets = 1;
 }

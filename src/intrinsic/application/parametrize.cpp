@@ -80,7 +80,7 @@ Computed map_of_points(const Triangulation& t, const Options& options, const Poi
 void run_parametrize(const Options& options) {
   if (options.application.map == "conformal") return run_conformal_map(options);
   run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
-    if (t.input().names().sheets > 2) return map_of_points(t, options, points);
+    if (t.input().names().is_cloud()) return map_of_points(t, options, points);
     Computed computed = mapped(t, options);
     computed.json["method"] = options.application.map;
     Eigen::MatrixX2d uv(t.number_of_vertices(), 2);

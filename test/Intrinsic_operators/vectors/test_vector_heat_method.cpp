@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -284,8 +283,8 @@ TEST(Vector_heat_method, knows_nothing_of_components_without_a_source_and_isolat
 // Of the copies of each row, the first one and the one with the shortest vector are chosen.
 void expect_copies_of_rows(const Exact& t, const std::vector<Complex>& log) {
   const IT::Vertex_copies copies(t);
-  const std::vector<std::uint32_t> first = IT::first_copies_of_rows(t),
-                                   nearest = IT::nearest_copies_of_rows(t, log);
+  const std::vector<std::uint32_t> first = copies.first_of_rows(),
+                                   nearest = copies.nearest_of_rows(log);
   ASSERT_EQ(first.size(), t.number_of_vertices());
   ASSERT_EQ(nearest.size(), t.number_of_vertices());
   for (const auto v : vertices(t.mesh())) {

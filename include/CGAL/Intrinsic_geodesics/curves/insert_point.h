@@ -113,7 +113,7 @@ std::vector<Vertex_at_point<Triangulation>> insert_point_on_sheets(Triangulation
                                                                    const Surface_point& p) {
   std::vector<Vertex_at_point<Triangulation>> result{insert_point(t, p)};
   const Vertex_at_point<Triangulation> first = result.front();
-  if (t.input().names().sheets == 1 || first.status != Move_status::done ||
+  if (!t.input().names().is_cover() || first.status != Move_status::done ||
       !t.is_inserted(first.vertex))
     return result;
   Surface_point place = p;

@@ -105,7 +105,7 @@ private:
 
   // Shortest paths on the faces under a cover, which are no edges.
   void find_on_faces(const Wanted& wanted) {
-    if (t_.input().names().sheets == 1 || !begin(Curve_stage::paths_on_faces)) return;
+    if (!t_.input().names().is_cover() || !begin(Curve_stage::paths_on_faces)) return;
     Paths_on_faces<Triangulation> find(t_);
     const Visitor visitor{this};
     for (std::size_t i = 0; i < wanted.size() && !is_cancelled_; ++i)

@@ -31,7 +31,7 @@ std::vector<typename Triangulation::vertex_descriptor>
 insert_places(Triangulation& t, const std::vector<Place>& places, bool is_loop = false) {
   std::vector<std::vector<typename Triangulation::vertex_descriptor>> copies;
   for (const Place& p : places) copies.push_back(insert_place(t, p));
-  if (t.input().names().sheets > 1)
+  if (t.input().names().is_cover())
     return internal::Copies_of_curve<Triangulation>(t, copies, is_loop).chosen();
   std::vector<typename Triangulation::vertex_descriptor> result;
   for (const auto& v : copies) result.push_back(v.front());

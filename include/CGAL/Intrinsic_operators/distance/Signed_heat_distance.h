@@ -145,7 +145,7 @@ public:
 
 private:
   static const Triangulation& with_sides(const Triangulation& t) {
-    if (t.input().names().sheets > 1)
+    if (t.input().names().is_cover())
       throw Invalid_input(Element_kind::none, 0,
                           "signed distances need a left and a right side; this surface is a cover, "
                           "which joins both");

@@ -60,9 +60,9 @@ inline constexpr double cancelled = 0x1p-40;
 // Refuses the surface of a point cloud: the sheets at a point share no tangent plane.
 template <class Triangulation>
 void expect_tangent_planes(const Triangulation& t) {
-  const std::uint32_t sheets = t.input().names().sheets;
-  if (sheets > 2)
-    throw std::invalid_argument("the surface of a cloud of points has " + std::to_string(sheets) +
+  if (t.input().names().is_cloud())
+    throw std::invalid_argument("the surface of a cloud of points has " +
+                                std::to_string(t.input().names().sheets) +
                                 " sheets at each point and no single tangent plane; use "
                                 "Point_cloud_vectors for vectors");
 }

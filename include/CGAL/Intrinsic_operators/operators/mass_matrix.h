@@ -91,7 +91,7 @@ accurate.
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Triangulation& t) {
-  if (t.input().names().sheets > 2) return voronoi_mass_matrix(t); // a point cloud
+  if (t.input().names().is_cloud()) return voronoi_mass_matrix(t);
   return symmetric_matrix({}, internal::areas_at_vertices(t) / 3);
 }
 

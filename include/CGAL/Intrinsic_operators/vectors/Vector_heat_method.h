@@ -8,13 +8,13 @@
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <Eigen/Core>
 
@@ -81,8 +81,8 @@ public:
       : frames_(t), heat_(internal::connection_graph(t, frames_.angles()),
                           internal::value_or<internal::tags::time_factor>(np, 1.)) {
     internal::expect_names<internal::tags::time_factor>(np);
-    if (t.input().names().sheets == 1) return;
-    first_ = internal::first_copies(t);
+    if (!t.input().names().is_cover()) return;
+    first_ = Vertex_copies(t).first_of_copies();
     joined_.emplace(heat_.graph().joined(first_),
                     internal::value_or<internal::tags::time_factor>(np, 1.));
   }

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_options.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors_on_sheets.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_operators/vectors/field_singularities.h>
 #include <CGAL/Intrinsic_operators/vectors/logarithmic_map.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <Eigen/Core>
 
@@ -65,7 +65,7 @@ public:
   Vectors& operator=(const Vectors&) = delete;
 
   /// tells whether the surface is that of a cloud of points, each of which has one tangent plane.
-  bool is_cloud() const { return t_.input().names().sheets > 2; }
+  bool is_cloud() const { return t_.input().names().is_cloud(); }
 
   /*!
   \brief transports vectors to all vertices, each from the nearest of the places.
@@ -85,7 +85,7 @@ public:
     found.vectors =
         find.sheets.averaged(given.are_at_vertices() ? method->transport(find.at_vertices(given))
                                                      : method->transport(find.in_faces(given)));
-    found.of_row = known_copies_of_rows(t_, found.vectors);
+    found.of_row = Vertex_copies(t_).known_of_rows(found.vectors);
     return found;
   }
 
@@ -114,7 +114,7 @@ public:
     for (std::size_t i = 0; i < places.size(); ++i)
       for (const Surface_point& p : find.points(places[i])) sources.push_back({p, values.at(i)});
     const Eigen::VectorXd extended = method->extend_scalars(sources);
-    const std::vector<std::uint32_t> first = first_copies_of_rows(t_); // all have one value
+    const auto first = Vertex_copies(t_).first_of_rows(); // all copies have one value
     for (std::size_t r = 0; r < first.size(); ++r)
       if (first[r] != Gluing::none) result[r] = extended[first[r]];
     return result;
@@ -142,7 +142,7 @@ public:
           parameters::maximum_distance(options.maximum_distance).visitor(std::ref(visitor)));
     });
     if (!visitor.goes_on) return cancelled();
-    found.of_row = nearest_copies_of_rows(t_, found.vectors);
+    found.of_row = Vertex_copies(t_).nearest_of_rows(found.vectors);
     return found;
   }
 
@@ -177,7 +177,7 @@ public:
     if (f.status == Status::cancelled) return {cancelled()};
     const Field_singularities<Triangulation> singular = singularities(t_, f);
     Found_directions found{
-        {find.sheets.averaged(f.directions(), degree, kept), first_copies_of_rows(t_)},
+        {find.sheets.averaged(f.directions(), degree, kept), Vertex_copies(t_).first_of_rows()},
         singular.index,
         centres(singular.index),
         singular.sum()};

@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_frames.h>
-#include <CGAL/Intrinsic_operators/vectors/copies_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
@@ -91,8 +90,8 @@ public:
   Tangent_field averaged(Tangent_field field, int degree = 1,
                          const std::vector<std::pair<Vertex, std::complex<double>>>& fixed = {}) {
     if (!sheets_.is_cover()) return field;
-    const std::vector<std::uint32_t> first = internal::first_copies(t_);
     const Vertex_copies<Triangulation> copies(t_);
+    const std::vector<std::uint32_t> first = copies.first_of_copies();
     const auto power = [degree](const std::complex<double>& z) {
       const std::complex<double> u = internal::unit_vector(z);
       return u == 0. ? u : std::polar(1., degree * std::arg(u));

@@ -45,6 +45,7 @@ public:
   // \complexity linear
   explicit Sheets(const Input& input) : input_(input), is_cover_(has_two_sides()) {}
 
+  const Input& input() const { return input_; }
   // whether there are two sides
   bool is_cover() const { return is_cover_; }
 
@@ -96,43 +97,6 @@ private:
   bool is_cover_;
 };
 
-/*!
-Finds the inserted vertices over one point of the user's faces; the caller adds them one by one.
-\tparam Coordinates store where vertices are
-*/
-template <class Coordinates>
-class First_copies {
-public:
-  // \complexity linear
-  explicit First_copies(const Input& input) : input_(input), sheets_(input) {}
-
-  // whether the coordinates are about the same input as before
-  bool is_about(const Coordinates& coordinates) const { return &input_ == &coordinates.input(); }
-
-  /*!
-  \param i number of an inserted vertex, from the first; higher than those before
-  \return the first vertex at the same point
-  \complexity logarithmic
-  */
-  std::uint32_t operator()(std::uint32_t i, const Coordinates& coordinates) {
-    if (!sheets_.is_cover()) return i;
-    const auto name = [&](std::uint32_t n) {
-      return sheets_.name(coordinates.location(input_.number_of_vertices() + n));
-    };
-    const auto here = name(i);
-    const auto [place, is_new] = by_place_.insert({here, i});
-    if (!is_new && name(place->second) != here)
-      place->second = i; // removes one that was moved
-                         // away
-    return place->second;
-  }
-
-private:
-  const Input& input_;
-  Sheets sheets_;
-  std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place_;
-};
-
 // Counts the inserted vertices without the gaps that removals leave in their numbers: rows of
 // matrices, in the order of the numbers. On a cover, the copies of a vertex have one row, that of
 // the first of them. Counting is lazy: the next query counts new vertices, and those after a
@@ -146,7 +110,7 @@ public:
   void start(const Triangulation& t) {
     first_ = t.input().number_of_vertices();
     first_row_ = t.input().number_of_rows();
-    is_cover_ = Triangulation::has_correspondence && t.input().names().sheets > 1;
+    is_cover_ = Triangulation::has_correspondence && t.input().names().is_cover();
     for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh()))
       if (t.is_inserted(v)) set(t.index(v), true);
   }
@@ -181,15 +145,18 @@ public:
   }
 
 private:
-  // Not copied: it refers to an input, and the copy may have another one.
-  struct Cache {
-    std::unique_ptr<First_copies<Coordinates>> copies;
+  // The first inserted vertex at each point of the user's faces. Not copied: it refers to an input,
+  // and the copy may have another one.
+  struct First_copies {
+    std::unique_ptr<const Sheets> sheets;
+    std::map<std::pair<std::uint32_t, std::array<double, 3>>, std::uint32_t> by_place;
 
-    Cache() = default;
-    Cache(const Cache&) {}
-    Cache(Cache&&) = default;
-    Cache& operator=(Cache other) {
-      copies = std::move(other.copies);
+    First_copies() = default;
+    First_copies(const First_copies&) {}
+    First_copies(First_copies&&) = default;
+    First_copies& operator=(First_copies other) {
+      sheets = std::move(other.sheets);
+      by_place = std::move(other.by_place);
       return *this;
     }
   };
@@ -213,7 +180,7 @@ private:
     if (is_cover_) i = 0;
     counted_rows_ = row_[i] - first_row_;
     row_.resize(i);
-    cache_.copies.reset();
+    copies_ = First_copies();
   }
 
   // gives rows to those that have none
@@ -221,19 +188,33 @@ private:
   void count(const Triangulation& t) const {
     if (row_.size() == is_there_.size()) return;
     const Coordinates* const coordinates = is_cover_ ? t.places() : nullptr;
-    if (coordinates != nullptr && !(cache_.copies && cache_.copies->is_about(*coordinates))) {
+    if (coordinates != nullptr &&
+        !(copies_.sheets && &copies_.sheets->input() == &coordinates->input())) {
       row_.clear();
       counted_rows_ = 0;
-      cache_.copies = std::make_unique<First_copies<Coordinates>>(coordinates->input());
+      copies_ = First_copies();
+      copies_.sheets = std::make_unique<const Sheets>(coordinates->input());
     }
     while (row_.size() < is_there_.size()) {
       const auto i = static_cast<std::uint32_t>(row_.size());
       const bool is_there = is_there_[i] != 0;
       const std::uint32_t first =
-          is_there && coordinates != nullptr ? (*cache_.copies)(i, *coordinates) : i;
+          is_there && coordinates != nullptr ? first_copy(i, *coordinates) : i;
       row_.push_back(first == i ? first_row_ + counted_rows_ : row_[first]);
       if (first == i && is_there) ++counted_rows_;
     }
+  }
+
+  // The first vertex at the point of inserted vertex `i`, which is higher than those before.
+  std::uint32_t first_copy(std::uint32_t i, const Coordinates& coordinates) const {
+    if (!copies_.sheets->is_cover()) return i;
+    const auto name = [&](std::uint32_t n) {
+      return copies_.sheets->name(coordinates.location(first_ + n));
+    };
+    const auto here = name(i);
+    const auto [place, is_new] = copies_.by_place.insert({here, i});
+    if (!is_new && name(place->second) != here) place->second = i; // that one was moved away
+    return place->second;
   }
 
   std::uint32_t first_ = 0, first_row_ = 0, count_ = 0;
@@ -242,7 +223,7 @@ private:
   // of the first so many vertices, and the number of them
   mutable std::vector<std::uint32_t> row_;
   mutable std::uint32_t counted_rows_ = 0;
-  mutable Cache cache_;
+  mutable First_copies copies_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

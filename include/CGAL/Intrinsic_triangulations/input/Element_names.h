@@ -77,6 +77,11 @@ struct Input_names {
   /// How many sheets of the surface lie over each face of the user: 2 if it is a double cover.
   std::uint32_t sheets = 1;
 
+  /// tells whether the surface is a cover.
+  bool is_cover() const { return sheets > 1; }
+  /// tells whether it is that of a cloud of points, whose triangles are in several stars.
+  bool is_cloud() const { return sheets > 2; }
+
   /// returns the user's vertex that an input vertex is, or is a copy of: its row in matrices.
   std::uint32_t row(std::uint32_t vertex) const {
     const std::uint32_t v = vertices.user(vertex);

@@ -4,10 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_VERTEX_COPIES_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -37,6 +40,7 @@ std::vector<typename Triangulation::vertex_descriptor> copies_of_row(const Trian
         t.numbers().vertex_at(names.vertices.here(static_cast<std::uint32_t>(copy - begin))));
   return result;
 }
+
 // The copies of a vertex; only itself if it was inserted.
 template <class Triangulation>
 std::vector<typename Triangulation::vertex_descriptor>
@@ -81,7 +85,46 @@ public:
   /// returns how many there are.
   std::size_t size() const { return size_ + inserted_.size(); }
 
+  /// returns the first copy of the vertex of each row; `Gluing::none` for isolated vertices.
+  std::vector<std::uint32_t> first_of_rows() const {
+    return of_rows([](std::uint32_t i, std::uint32_t best) { return i < best; });
+  }
+  /// returns the first copy of the vertex of each row with a vector that is known, or the first
+  /// one. \param field a vector per copy
+  std::vector<std::uint32_t> known_of_rows(const std::vector<std::complex<double>>& field) const {
+    const auto is_known = [&field](std::uint32_t i) { return std::isfinite(std::abs(field[i])); };
+    return of_rows([&](std::uint32_t i, std::uint32_t best) {
+      return is_known(i) == is_known(best) ? i < best : is_known(i);
+    });
+  }
+  /// returns the copy of the vertex of each row that has the shortest vector, such as the nearest
+  /// one in a logarithmic map. \param field a vector per copy; unknown ones count as infinite
+  std::vector<std::uint32_t> nearest_of_rows(const std::vector<std::complex<double>>& field) const {
+    return of_rows([&field](std::uint32_t i, std::uint32_t best) {
+      return !std::isfinite(std::abs(field[best])) || std::abs(field[i]) < std::abs(field[best]);
+    });
+  }
+  /// returns the first copy of the vertex of each copy.
+  std::vector<std::uint32_t> first_of_copies() const {
+    const std::vector<std::uint32_t> of_row = first_of_rows();
+    std::vector<std::uint32_t> result(size());
+    for (const Vertex v : vertices(t_.mesh())) result[(*this)(v)] = of_row[t_.input_vertex(v)];
+    return result;
+  }
+
 private:
+  // \param is_better of a copy and the best one before
+  template <class Is_better>
+  std::vector<std::uint32_t> of_rows(const Is_better& is_better) const {
+    std::vector<std::uint32_t> result(t_.number_of_vertices(), Gluing::none);
+    for (const Vertex v : vertices(t_.mesh())) {
+      std::uint32_t& best = result[t_.input_vertex(v)];
+      const std::uint32_t i = (*this)(v);
+      if (best == Gluing::none || is_better(i, best)) best = i;
+    }
+    return result;
+  }
+
   const Triangulation& t_;
   std::uint32_t size_;
   std::vector<std::uint32_t> inserted_;

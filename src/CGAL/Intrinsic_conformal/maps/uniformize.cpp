@@ -153,7 +153,7 @@ std::vector<char> faces_without_area(const Input& surface) {
 
 std::string why_no_front(const Input& surface) {
   Gluing front;
-  if (surface.names().sheets <= 2 && find_front(surface, front)) return {};
+  if (!surface.names().is_cloud() && find_front(surface, front)) return {};
   return "the faces are not oriented alike, so that the surface has no front that can be laid out; "
          "orient them, or take the scale factors alone";
 }
@@ -168,7 +168,7 @@ Gluing front_of(const Input& surface) {
 }
 
 void expect_disks(const Input& surface) {
-  if (surface.names().sheets > 2)
+  if (surface.names().is_cloud())
     throw Invalid_input(Element_kind::none, 0,
                         "for a cloud of points only the method spectral works");
   const Gluing_map front = Gluing_map::from_valid(front_of(surface));

@@ -332,14 +332,14 @@ Cut_surface cut_subdivision(const Common_subdivision& s, const Input& input,
 } // namespace internal
 
 void expect_one_sheet(const Input& surface) {
-  const std::uint32_t sheets = surface.names().sheets;
-  if (sheets == 1) return;
+  if (!surface.names().is_cover()) return;
   throw Invalid_input(
       Element_kind::none, 0,
-      sheets > 2 ? "a cloud of points has no faces that could be cut; start from a mesh"
-                 : "the surface is a cover of the faces, as they are no oriented manifold, and "
-                   "cannot be cut along curves; start from a mesh where each edge has one or two "
-                   "faces, and all faces are oriented alike");
+      surface.names().is_cloud()
+          ? "a cloud of points has no faces that could be cut; start from a mesh"
+          : "the surface is a cover of the faces, as they are no oriented manifold, and "
+            "cannot be cut along curves; start from a mesh where each edge has one or two "
+            "faces, and all faces are oriented alike");
 }
 
 std::vector<std::array<double, 3>> positions(const Cut_surface& s,

@@ -31,7 +31,7 @@ namespace internal {
 namespace {
 
 void expect_no_cover(const Intrinsic_input& in) {
-  if (!in.names.row_of_vertex.empty() || in.names.sheets > 1)
+  if (!in.names.row_of_vertex.empty() || in.names.is_cover())
     throw Invalid_input(
         Element_kind::none, 0,
         "the surface is a cover, which is not cut open; cut the triangles below it, "
@@ -124,8 +124,8 @@ Planar_polygons polygons_of_copies(const Intrinsic_input& in, const Opened_input
 Intrinsic_input sheet_of_cover(const Intrinsic_input& cover) {
   using internal::Double_cover;
   const Input_names& names = cover.names;
-  if (names.sheets == 1) return cover;
-  if (names.sheets > 2)
+  if (!names.is_cover()) return cover;
+  if (names.is_cloud())
     throw Invalid_input(Element_kind::none, 0,
                         "there are no triangles below a surface of " +
                             std::to_string(names.sheets) +

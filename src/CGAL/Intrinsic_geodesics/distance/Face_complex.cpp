@@ -30,7 +30,7 @@ Face_complex::Face_complex(const Input& input) : input_(input), sheets_(input) {
   for (std::uint32_t f = 0; f < input.number_of_faces(); f += 2) {
     const auto sides = sides_of_face(input, input.halfedge_of_face(input.names().faces.here(f)));
     auto first = static_cast<std::uint32_t>(halfedges_.size());
-    if (input.names().sheets > 2) {
+    if (input.names().is_cloud()) {
       std::array<std::uint32_t, 3> rows{row(sides[0]), row(sides[1]), row(sides[2])};
       std::ranges::sort(rows);
       first = found.insert({rows, first}).first->second;

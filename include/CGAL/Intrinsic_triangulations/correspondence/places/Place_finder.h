@@ -85,7 +85,7 @@ public:
   std::vector<Surface_point> on_input(const Place& place) {
     const Input& input = t_.input();
     std::vector<Surface_point> result{internal::with_one_name(input, point_on_input(input, place))};
-    if (input.names().sheets == 1) return result;
+    if (!input.names().is_cover()) return result;
     if (!sheets_) sheets_.emplace(input);
     if (!sheets_->is_cover()) return result;
     for (const Surface_point& other : sheets_->others(result.front()))

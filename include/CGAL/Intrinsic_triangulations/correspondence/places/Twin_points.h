@@ -29,7 +29,7 @@ public:
   template <NumberedTriangulation Triangulation>
   explicit Twin_points(const Triangulation& t) {
     const auto& points = t.input().metric().points();
-    if (t.input().names().sheets <= 2 || points.empty()) return;
+    if (!t.input().names().is_cloud() || points.empty()) return;
     const auto has_faces = [&t](auto v) {
       return halfedge(v, t.mesh()) !=
              boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();

@@ -169,7 +169,7 @@ private:
   void finish_cell(std::uint32_t input_face) {
     s_.face_begin.push_back(static_cast<std::uint32_t>(s_.corner.size()));
     s_.input_face.push_back(user_face(input_face));
-    if (t_.input().names().sheets > 1) // the names of front and back are consecutive
+    if (t_.input().names().is_cover()) // the names of front and back are consecutive
       s_.sheet.push_back(static_cast<std::uint8_t>(s_.input_face.back() % 2));
     s_.intrinsic_face.push_back(face_);
   }

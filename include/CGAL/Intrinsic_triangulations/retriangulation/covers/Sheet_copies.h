@@ -56,7 +56,7 @@ class Sheet_copies<Triangulation> {
 
 public:
   explicit Sheet_copies(const Triangulation& t) : t_(t) {
-    if (t.input().names().sheets < 2 || t.places() == nullptr) return;
+    if (!t.input().names().is_cover() || t.places() == nullptr) return;
     const Sheets sheets(t.input());
     if (!sheets.is_cover()) return;
     sheets_.emplace(sheets);

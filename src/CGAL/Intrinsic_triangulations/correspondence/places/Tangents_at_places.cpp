@@ -77,7 +77,7 @@ struct Nearest_face {
   Surface_point point{};
 
   bool is_front(std::uint32_t h) const {
-    return input.names().sheets == 1 || input.names().faces.user(input.face(h)) % 2 == 0;
+    return !input.names().is_cover() || input.names().faces.user(input.face(h)) % 2 == 0;
   }
 
   void take(const Surface_point& p, const In_corner& c) {
