@@ -21,7 +21,10 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/editing/interpolate_harmonically.h>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/elements/quadratic.h>
+#include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
 #include <CGAL/Intrinsic_operators/improvement/improve.h>
+#include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
+#include <CGAL/Intrinsic_operators/improvement/reports.h>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>

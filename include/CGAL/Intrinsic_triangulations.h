@@ -17,10 +17,13 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/count_elements.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -38,6 +41,7 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
@@ -51,6 +55,7 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+#include <CGAL/Intrinsic_triangulations/support/Report.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_H

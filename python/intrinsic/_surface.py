@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import threading
 from typing import TYPE_CHECKING
@@ -221,12 +220,12 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     @property
     def report(self) -> dict[str, Any]:
         """What the input is and what was done to it, a dict as in statistics."""
-        return json.loads(_core.report(self._core))
+        return _core.report(self._core)
 
     @property
     def statistics(self) -> dict[str, Any]:
         """What was found and done, a dict with the keys of `intrinsic --stats`."""
-        return json.loads(_core.statistics(self._core))
+        return _core.statistics(self._core)
 
     @property
     def certificate(self) -> Literal["exact", "interval", "none"]:

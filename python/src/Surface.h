@@ -4,12 +4,14 @@
 #ifndef INTRINSIC_PYTHON_SURFACE_H
 #define INTRINSIC_PYTHON_SURFACE_H
 
-#include "../../src/intrinsic/load.h"
 #include "Watch.h"
 #include "arrays.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <atomic>
 #include <map>
@@ -41,17 +43,22 @@ Predicates of exact triangulations sharpen what is stored, so that reading needs
 */
 struct Surface {
   /// takes a triangulation and what is known of its input.
-  template <class Triangulation>
-  explicit Surface(program::Loaded<Triangulation> l)
-      : loaded(std::make_unique<program::Loaded<Triangulation>>(std::move(l))) {}
+  template <IT::NumberedTriangulation Triangulation>
+  Surface(IT::Built_surface<Triangulation> built, std::string its_name)
+      : triangulation(std::make_unique<Triangulation>(std::move(built.triangulation))),
+        facts(std::move(built.facts)), points(std::move(built.points)),
+        is_in_space(!points.empty()), name(std::move(its_name)) {}
 
-  /// The triangulation, as the program `intrinsic` has it.
-  std::variant<std::unique_ptr<program::Loaded<Exact>>, std::unique_ptr<program::Loaded<Double>>>
-      loaded;
+  /// It does not change but for improvements.
+  std::variant<std::unique_ptr<Exact>, std::unique_ptr<Double>> triangulation;
+  /// What is known of the input.
+  IT::Surface_facts facts;
   /// A point per vertex of the user's, in its units; empty for an abstract metric.
   std::vector<Point> points;
+  /// Whether the points define the metric; else they are for pictures only, if there are any.
+  bool is_in_space;
   /// What messages and statistics call the surface: its file, if it has one.
-  std::string name = "the surface";
+  std::string name;
   /// Whether edges were flipped until they are Delaunay, but for those that are kept.
   bool is_flipped = false;
 
@@ -88,6 +95,16 @@ struct Surface {
     return *static_cast<Value*>(value.get());
   }
 };
+
+/// calls a function, and puts the name of what is wrong before its errors.
+template <class Function>
+auto naming(const std::string& name, const Function& function) {
+  try {
+    return function();
+  } catch (const IT::Invalid_input& e) {
+    throw IT::Invalid_input(e.kind(), e.index(), name + ": " + e.what());
+  }
+}
 
 /// Holds the lock of a surface without that of the interpreter.
 class Surface_lock {
@@ -154,16 +171,7 @@ template <class Function>
 auto with_triangulation(Surface& s, Watch& watch, const Function& function) {
   return without_interpreter(watch, [&] {
     const Surface_lock lock(s, watch);
-    return std::visit([&](auto& loaded) { return function(loaded->triangulation); }, s.loaded);
-  });
-}
-
-/// does the same with all that is known of the triangulation, `program::Loaded`.
-template <class Function>
-auto with_loaded(Surface& s, Watch& watch, const Function& function) {
-  return without_interpreter(watch, [&] {
-    const Surface_lock lock(s, watch);
-    return std::visit([&](auto& loaded) { return function(*loaded); }, s.loaded);
+    return std::visit([&](auto& t) { return function(*t); }, s.triangulation);
   });
 }
 

@@ -4,14 +4,11 @@
 #ifndef INTRINSIC_PYTHON_WATCH_H
 #define INTRINSIC_PYTHON_WATCH_H
 
-#include "../../src/intrinsic/support/progress.h"
-
 #include <pybind11/pybind11.h>
 
 #include <chrono>
 #include <concepts>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -27,7 +24,7 @@ Python handle signals, so that Ctrl-C ends the work, and calls the user's functi
 Visitors of the library call it and end the work if it returns false. After that, `rethrow()` throws
 what Python raised: `with_triangulation()` does so.
 */
-class Watch final : public program::Progress {
+class Watch {
 public:
   /// \param progress called with the name of a stage and how far that is, a whole number; or `None`
   explicit Watch(pybind11::object progress = pybind11::none()) : progress_(std::move(progress)) {}
@@ -61,13 +58,8 @@ public:
     if (!(*this)(stage)) throw std::runtime_error("the work has been ended");
   }
 
-  /// asks as visitors do, with the number at which a text starts.
-  bool show(const char* stage, const std::string& detail = {}) override {
-    return (*this)(stage, std::strtoull(detail.c_str(), nullptr, 10));
-  }
-
   /// keeps a message until the work ends.
-  void warn(const std::string& message) override { warnings_.push_back(message); }
+  void warn(const std::string& message) { warnings_.push_back(message); }
 
   /// throws what ended the work, if anything did, and gives warnings. It is called with the
   /// interpreter's lock.

@@ -81,16 +81,6 @@ py::tuple direction_field(Surface& s, int degree, const std::optional<double>& s
 
 // ---- Signed distances --------------------------------------------------------------------------
 
-// Calls a function; errors begin with the name of what is wrong.
-template <class Function>
-auto naming(const std::string& name, const Function& function) {
-  try {
-    return function();
-  } catch (const IT::Invalid_input& e) {
-    throw IT::Invalid_input(e.kind(), e.index(), name + ": " + e.what());
-  }
-}
-
 // Curves that the user gives: ways through faces, places to go straight between, or lists of
 // vertices to follow edges between.
 using Signed_curves =

@@ -3,29 +3,75 @@
 
 #include "Surface.h"
 
-#include "../../src/intrinsic/improve.h"
-#include "../../src/intrinsic/view.h"
-
+#include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
+#include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
+#include <CGAL/Intrinsic_operators/improvement/reports.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
+#include <CGAL/Intrinsic_triangulations/support/Report.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace python {
 
 namespace {
 
-using program::Json;
-using program::Options;
 using Surface_ptr = std::shared_ptr<Surface>;
+
+// ---- Reports as dictionaries -------------------------------------------------------------------
+
+// Numbers that are not finite are `None`, as in JSON.
+py::object object_of(const IT::Report& report) {
+  return std::visit(
+      []<class Value>(const Value& x) -> py::object {
+        if constexpr (std::is_same_v<Value, std::monostate>) {
+          return py::none();
+        } else if constexpr (std::is_same_v<Value, IT::Report::Figures>) {
+          py::dict dict;
+          for (const IT::Report::Figure& f : x) dict[f.name.c_str()] = object_of(f.value);
+          return dict;
+        } else if constexpr (std::is_same_v<Value, IT::Report::List>) {
+          py::list list;
+          for (const IT::Report& r : x) list.append(object_of(r));
+          return list;
+        } else if constexpr (std::is_same_v<Value, std::string>) { // which need not be UTF-8
+          return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+              x.data(), static_cast<py::ssize_t>(x.size()), "backslashreplace"));
+        } else if constexpr (std::is_same_v<Value, double>) {
+          return std::isfinite(x) ? py::object(py::float_(x)) : py::object(py::none());
+        } else {
+          return py::cast(x);
+        }
+      },
+      report.value());
+}
+
+template <class T>
+IT::Report report_of(const Surface& s, const T& t) {
+  IT::Report report = {{"version", INTRINSIC_TRIANGULATIONS_VERSION}};
+  const IT::Report known = IT::surface_report(s.name, t, s.facts);
+  for (const IT::Report::Figure& f : known.get<IT::Report::Figures>()) report[f.name] = f.value;
+  return report;
+}
+
+// ---- Improving ---------------------------------------------------------------------------------
 
 // Edges of the user's mesh that are kept: pairs of vertices, and those with a sharp angle.
 struct Kept {
@@ -41,56 +87,76 @@ Kept kept(Surface& s, const std::optional<Integers>& ends, std::optional<double>
   return k;
 }
 
-program::Constraints constraints_of(const IT::Input& input, const Kept& keep) {
-  program::Constraints c;
-  c.is_stored = true;
-  c.is_asked_for = !keep.ends.empty() || keep.sharp_angle;
-  if (!c.is_asked_for) return c;
-  const program::Surface_with_edges s{input.mesh(), input.metric().points(), input.names()};
-  c.is_constrained.assign(input.number_of_edges(), 0);
-  if (keep.sharp_angle && s.points.empty())
+// Marks of edges of the input; none if no edges are to be kept.
+std::vector<char> marks_of(const IT::Input& input, const Kept& keep) {
+  if (keep.ends.empty() && !keep.sharp_angle) return {};
+  IT::Input_edges edges(input);
+  std::vector<char> marks = edges.no_marks();
+  if (keep.sharp_angle && input.metric().points().empty())
     refuse("the surface has lengths and no points, so that no edge is sharp; give keep the edges");
-  if (keep.sharp_angle) program::mark_sharp_edges(s, *keep.sharp_angle, c.is_constrained);
-  if (!keep.ends.empty()) {
-    const program::Edge_finder edges(s);
-    for (std::size_t i = 0; i < keep.ends.size(); i += 2)
-      if (!edges.mark(keep.ends[i], keep.ends[i + 1], c.is_constrained))
-        refuse("keep[" + std::to_string(i / 2) + "]: no edge joins vertices " +
-               std::to_string(keep.ends[i]) + " and " + std::to_string(keep.ends[i + 1]) +
-               "; give a path of edges");
-  }
-  c.count =
-      static_cast<std::size_t>(std::count(c.is_constrained.begin(), c.is_constrained.end(), 1));
-  return c;
+  if (keep.sharp_angle) edges.mark_sharp(*keep.sharp_angle, marks);
+  for (std::size_t i = 0; i < keep.ends.size(); i += 2)
+    if (!edges.mark(keep.ends[i], keep.ends[i + 1], marks))
+      refuse("keep[" + std::to_string(i / 2) + "]: no edge joins vertices " +
+             std::to_string(keep.ends[i]) + " and " + std::to_string(keep.ends[i + 1]) +
+             "; give a path of edges");
+  return marks;
 }
 
 // Improves a triangulation and measures it, as all commands of the program do: measuring checks
 // rounding, and sharpens what is stored, so that values that are computed later are those of the
 // program to the last bit.
-template <class Triangulation>
-const Json& improve(Surface& s, program::Loaded<Triangulation>& loaded, const Options& options,
-                    Watch& watch) {
-  return s.cached<Json>("statistics", [&] {
-    return new Json(program::improve_and_measure(loaded, options, watch, {}));
+template <class T>
+IT::Report improved_report(const Surface& s, T& t, IT::Improve_options options,
+                           const std::vector<char>& marks, Watch& watch) {
+  options.progress = [&watch](IT::Improve_step step, std::uint64_t count) {
+    static constexpr std::array stages{"flipping to Delaunay", "refining", "moving vertices",
+                                       "refining adaptively"};
+    return watch(stages[static_cast<std::size_t>(step)], count);
+  };
+  IT::Report report = report_of(s, t);
+  const IT::Marked_edges<T, std::uint32_t> constrained = IT::labelled_input_edges(t, marks);
+  const std::vector<Point> none;
+  const std::vector<Point>& points = s.is_in_space ? s.points : none;
+  IT::Improved_surface improved =
+      naming(s.name, [&] { return IT::improve_soundly(t, points, options, constrained); });
+  if (const std::string what = improved.shortcoming(); !what.empty())
+    watch.warn(s.name + ": " + what);
+  watch("verifying");
+  IT::measure_improved(t, points, constrained, false, improved);
+  std::optional<std::size_t> count;
+  if (!marks.empty())
+    count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), char{1}));
+  IT::report_improvement(report, improved, options, count);
+  return report;
+}
+
+template <class T>
+const IT::Report& improve(Surface& s, T& t, const IT::Improve_options& options,
+                          const std::vector<char>& marks, Watch& watch) {
+  return s.cached<IT::Report>("statistics", [&] {
+    try {
+      return new IT::Report(improved_report(s, t, options, marks, watch));
+    } catch (const IT::Rounding_error& e) {
+      throw std::runtime_error(s.name + ": " + e.what());
+    }
   });
 }
 
 // The lock is held.
-template <class Triangulation>
-const Json& statistics(Surface& s, program::Loaded<Triangulation>& loaded, Watch& watch) {
-  Options options;
-  options.input = s.name;
-  options.no_flip = true;
-  return improve(s, loaded, options, watch); // has been done if edges were flipped
+template <class T>
+const IT::Report& statistics(Surface& s, T& t, Watch& watch) {
+  IT::Improve_options options;
+  options.flips = false;
+  return improve(s, t, options, {}, watch); // has been done if edges were flipped
 }
 
 // \param is_improved whether the copy will be, so that other statistics hold
 Surface_ptr copy(Surface& s, bool is_improved) {
   Watch watch;
-  return with_loaded(s, watch, [&](auto& loaded) {
-    auto result = std::make_shared<Surface>(loaded);
-    result->points = s.points;
-    result->name = s.name;
+  return with_triangulation(s, watch, [&]<class T>(const T& t) {
+    auto result = std::make_shared<Surface>(IT::Built_surface<T>{t, s.points, s.facts}, s.name);
+    result->is_in_space = s.is_in_space;
     result->is_flipped = s.is_flipped;
     if (const auto known = s.cache.find("statistics"); known != s.cache.end() && !is_improved)
       result->cache.insert(*known);
@@ -98,16 +164,15 @@ Surface_ptr copy(Surface& s, bool is_improved) {
   });
 }
 
-Surface_ptr improved_copy(Surface& s, Options options, const Kept& keep, std::vector<double> sizes,
+Surface_ptr improved_copy(Surface& s, const IT::Improve_options& options, const Kept& keep,
                           const py::object& progress) {
   Watch watch(progress);
   const Surface_ptr result = copy(s, true);
-  options.input = s.name;
-  with_loaded(*result, watch, [&](auto& loaded) {
-    loaded.constraints = constraints_of(loaded.triangulation.input(), keep);
-    if (loaded.constraints.count > 0) program::restore_constrained_edges(loaded, options);
-    loaded.sizes = std::move(sizes);
-    improve(*result, loaded, options, watch);
+  with_triangulation(*result, watch, [&](auto& t) {
+    const std::vector<char> marks = marks_of(t.input(), keep);
+    if (const std::string missing = IT::restore_kept_edges(t, marks); !missing.empty())
+      throw std::runtime_error(s.name + ": " + missing);
+    improve(*result, t, options, marks, watch);
   });
   result->is_flipped = true;
   return result;
@@ -115,7 +180,7 @@ Surface_ptr improved_copy(Surface& s, Options options, const Kept& keep, std::ve
 
 Surface_ptr delaunay(Surface& s, const std::optional<Integers>& keep,
                      std::optional<double> sharp_angle, const py::object& progress) {
-  return improved_copy(s, {}, kept(s, keep, sharp_angle), {}, progress);
+  return improved_copy(s, {}, kept(s, keep, sharp_angle), progress);
 }
 
 IT::Refinement_order order_of(const std::string& name) {
@@ -130,9 +195,8 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
                    bool conforming, const std::optional<Integers>& keep,
                    std::optional<double> sharp_angle, double odt_length,
                    const py::object& progress) {
-  Options options;
-  options.refines = true;
-  IT::Refine_criteria& criteria = options.refinement;
+  IT::Improve_options options;
+  IT::Refine_criteria& criteria = options.refine.emplace();
   criteria.minimum_angle = min_angle;
   if (max_edge_length) criteria.maximum_edge_length = *max_edge_length;
   if (max_circumradius) criteria.maximum_circumradius = *max_circumradius;
@@ -140,53 +204,50 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
   criteria.order = order_of(order);
   criteria.is_conforming = conforming;
   criteria.odt_length = odt_length;
-  std::vector<double> values;
-  if (sizes) values.assign(sizes->data(), sizes->data() + sizes->size());
-  return improved_copy(s, options, kept(s, keep, sharp_angle), std::move(values), progress);
+  if (sizes) criteria.lengths.assign(sizes->data(), sizes->data() + sizes->size());
+  return improved_copy(s, options, kept(s, keep, sharp_angle), progress);
 }
 
 Surface_ptr adapt(Surface& s, std::uint32_t source, double heat_time, double tolerance,
                   std::size_t max_vertices, double min_angle, const std::optional<Integers>& keep,
                   std::optional<double> sharp_angle, const py::object& progress) {
-  Options options;
-  options.is_adaptive = true;
-  options.adaptive = {source, heat_time, tolerance, max_vertices, min_angle};
-  options.refinement.minimum_angle = min_angle;
-  return improved_copy(s, options, kept(s, keep, sharp_angle), {}, progress);
+  IT::Improve_options options;
+  options.adapt = {source, heat_time, tolerance, max_vertices, min_angle};
+  return improved_copy(s, options, kept(s, keep, sharp_angle), progress);
 }
 
 // ---- Measuring ---------------------------------------------------------------------------------
 
-std::string statistics_text(Surface& s) {
+py::object statistics_of(Surface& s) {
   Watch watch;
-  return with_loaded(s, watch, [&](auto& loaded) { return statistics(s, loaded, watch).dump(); });
+  return object_of(
+      with_triangulation(s, watch, [&](auto& t) { return statistics(s, t, watch); }));
 }
 
-std::string report_text(Surface& s) {
-  Watch watch;
-  return with_loaded(s, watch, [&](auto& loaded) {
-    Options options;
-    options.input = s.name;
-    return program::loaded_json(loaded, options).dump();
-  });
+py::object report_of_input(Surface& s) {
+  return object_of(with_triangulation(s, [&](auto& t) { return report_of(s, t); }));
 }
 
 // A page that shows the triangulation.
 std::string page(Surface& s, double megabytes) {
   Watch watch;
-  return with_loaded(s, watch, [&](auto& loaded) {
+  return with_triangulation(s, watch, [&](auto& t) {
     if (s.points.empty())
       refuse("the surface has lengths and no points, so that nothing can be drawn");
-    const auto& input = loaded.triangulation.input();
-    IT::Common_subdivision d = IT::common_subdivision(loaded.triangulation);
-    IT::label_with_polygons(d, input.names().polygon_of_triangle);
-    Options options;
-    options.input = s.name;
-    options.view = "the page";
-    options.view_limit = megabytes;
+    IT::Common_subdivision d = IT::common_subdivision(t);
+    IT::label_with_polygons(d, t.input().names().polygon_of_triangle);
+    const IT::Element_counts& n = s.facts.counts;
+    const std::string title = std::filesystem::path(s.name).filename().string(),
+                      text = std::to_string(n.vertices) + " vertices, " + std::to_string(n.faces) +
+                             " faces; " + IT::describe_delaunay(statistics(s, t, watch));
+    IT::Html_view view;
+    view.title = title;
+    view.description = text;
+    view.marks_name = {};
+    view.maximum_size = static_cast<std::size_t>(1e6 * megabytes);
     std::ostringstream out;
-    const IT::Html_view_report report = program::write_page(
-        out, d, IT::positions(d, s.points, input), options, statistics(s, loaded, watch), {});
+    const IT::Html_view_report report =
+        IT::write_html_view(out, d, IT::positions(d, s.points, t.input()), view);
     if (!report.is_complete())
       watch.warn(report.description() + "; megabytes allows a larger page");
     return out.str();
@@ -200,8 +261,8 @@ void bind_improve(py::module_& m) {
   m.def("delaunay", &delaunay);
   m.def("refine", &refine);
   m.def("adapt", &adapt);
-  m.def("statistics", &statistics_text);
-  m.def("report", &report_text);
+  m.def("statistics", &statistics_of);
+  m.def("report", &report_of_input);
   m.def("page", &page);
 }
 

@@ -40,9 +40,7 @@ inline std::uint32_t number_of(std::int64_t i, IT::Element_kind kind, const char
 
 /// returns the input of the triangulation of a surface, which never changes.
 inline const IT::Input& input_of(const Surface& s) {
-  return std::visit(
-      [](const auto& loaded) -> const IT::Input& { return loaded->triangulation.input(); },
-      s.loaded);
+  return std::visit([](const auto& t) -> const IT::Input& { return t->input(); }, s.triangulation);
 }
 
 /// reads points of a surface, normalized.

@@ -39,7 +39,7 @@ std::size_t number_of_input_vertices(Surface& s) {
 
 // Polygons of the user's mesh.
 std::size_t number_of_input_faces(Surface& s) {
-  return with_triangulation(s, [](auto& t) { return program::number_of_polygons(t.input()); });
+  return with_triangulation(s, [](auto& t) { return IT::number_of_polygons(t.input()); });
 }
 
 // Three values for each face, from its sides.

@@ -3,22 +3,27 @@
 
 #include "Surface.h"
 
+#include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <ranges>
 #include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,33 +31,14 @@ namespace python {
 
 namespace {
 
-using program::Options;
 using Surface_ptr = std::shared_ptr<Surface>;
 
-// Options with the names that the program has; `_surface.py` checks the words.
-Options options_of(const std::string& name, const std::string& domain,
-                   const std::string& mollification, const std::string& polygons) {
-  Options options;
-  options.input = name;
-  options.domain = domain;
-  options.mollification = mollification;
-  options.polygons = polygons;
-  return options;
-}
-
-template <class Triangulation>
-Surface_ptr surface_of(program::Loaded<Triangulation> loaded, const Options& options) {
-  std::vector<Point> points = program::input_points(loaded);
-  if (!loaded.has_points()) points.clear();
-  auto s = std::make_shared<Surface>(std::move(loaded));
-  s->points = std::move(points);
-  s->name = options.input;
-  return s;
-}
-
-Surface_ptr surface_of(program::Mesh_file file, const Options& options, bool exact) {
-  return exact ? surface_of(program::build<Exact>(std::move(file), options), options)
-               : surface_of(program::build<Double>(std::move(file), options), options);
+// \param name what messages call it
+Surface_ptr surface_of(IT::Read_surface surface, const std::string& name, bool exact) {
+  return naming(name, [&] {
+    return exact ? std::make_shared<Surface>(IT::build_surface<Exact>(std::move(surface)), name)
+                 : std::make_shared<Surface>(IT::build_surface<Double>(std::move(surface)), name);
+  });
 }
 
 // The corners of each face.
@@ -70,27 +56,25 @@ auto faces_of(const Integers& corners, const Integers& begins) {
 Surface_ptr build(const Doubles& points, const Integers& corners, const Integers& begins,
                   const std::string& domain, bool exact, const std::string& mollification,
                   const std::string& polygons) {
-  const Options options = options_of("the surface", domain, mollification, polygons);
+  const IT::Surface_options options = IT::surface_options(domain, mollification, polygons);
   const std::vector<Point> p = points_of(points);
   const auto faces = faces_of(corners, begins);
   Watch watch;
   return without_interpreter(watch, [&] {
-    const program::Surface_choice choice = program::surface_of(options);
-    return surface_of(program::mesh_of(IT::triangle_soup(p, faces, choice.polygons), choice),
-                      options, exact);
+    return surface_of(IT::make_surface(IT::triangle_soup(p, faces, options.polygons), options),
+                      "the surface", exact);
   });
 }
 
 Surface_ptr points(const Doubles& points, std::size_t neighbors, bool exact,
                    const std::string& mollification) {
-  Options options = options_of("the points", "points", mollification, "fan");
+  IT::Surface_options options = IT::surface_options("points", mollification);
   options.neighbors = neighbors;
   IT::Triangle_soup soup;
   soup.points = points_of(points);
   Watch watch;
   return without_interpreter(watch, [&] {
-    return surface_of(program::mesh_of(std::move(soup), program::surface_of(options)), options,
-                      exact);
+    return surface_of(IT::make_surface(std::move(soup), options), "the points", exact);
   });
 }
 
@@ -145,19 +129,20 @@ IT::Gluing gluing_of(std::uint32_t vertices, const Triangles& faces, const Integ
 // The surface of triangles that are glued as `glue` says, or where sides have the same ends.
 IT::Domain domain_of_lengths(std::uint32_t vertices, const Triangles& faces,
                              const std::vector<Point>& lengths, const std::optional<Integers>& glue,
-                             const program::Surface_choice& choice) {
-  if (!glue) return IT::make_domain(vertices, faces, lengths, choice.kind, choice.mollification);
+                             const IT::Surface_options& options) {
+  if (!glue) return IT::make_domain(vertices, faces, lengths, options.kind, options.mollification);
   IT::Gluing_map mesh(gluing_of(vertices, faces, *glue));
   std::vector<double> squares = squared_lengths(mesh, lengths);
   return IT::make_domain(
-      IT::Intrinsic_input(std::move(mesh), std::move(squares), choice.mollification), choice.kind);
+      IT::Intrinsic_input(std::move(mesh), std::move(squares), options.mollification),
+      options.kind);
 }
 
 Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,
                            const std::optional<Integers>& glue,
                            const std::optional<Doubles>& points, const std::string& domain,
                            bool exact, const std::string& mollification) {
-  const Options options = options_of("the surface", domain, mollification, "fan");
+  const IT::Surface_options options = IT::surface_options(domain, mollification);
   Triangles faces(static_cast<std::size_t>(corners.shape(0)));
   for (std::size_t c = 0; c < 3 * faces.size(); ++c)
     faces[c / 3][c % 3] = static_cast<std::uint32_t>(corners.data()[c]);
@@ -165,13 +150,11 @@ Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, cons
   std::vector<Point> shown = points ? points_of(*points) : std::vector<Point>();
   Watch watch;
   return without_interpreter(watch, [&] {
-    const program::Surface_choice choice = program::surface_of(options);
-    program::Mesh_file file;
-    file.polygons = faces.size();
-    IT::Domain made = domain_of_lengths(vertices, faces, sides, glue, choice);
-    file.input = std::move(made.input);
-    file.domain = std::move(made.report);
-    Surface_ptr s = surface_of(std::move(file), options, exact);
+    IT::Domain made = domain_of_lengths(vertices, faces, sides, glue, options);
+    IT::Read_surface surface{std::move(made.input)};
+    surface.facts.polygons = faces.size();
+    surface.facts.domain = std::move(made.report);
+    Surface_ptr s = surface_of(std::move(surface), "the surface", exact);
     s->points = std::move(shown); // of pictures only
     return s;
   });
@@ -183,17 +166,20 @@ Surface_ptr read(const std::string& path, const std::string& domain,
                  const std::optional<std::string>& arithmetic,
                  const std::optional<std::string>& mollification, const std::string& polygons,
                  std::optional<std::size_t> neighbors, const py::object& progress) {
-  Options options = options_of(path, domain, mollification.value_or("automatic"), polygons);
-  options.arithmetic = arithmetic.value_or("exact");
-  options.is_arithmetic_given = arithmetic.has_value();
-  options.is_mollification_given = mollification.has_value();
+  constexpr std::array<std::string_view, 1> stored{"idt"};
+  IT::Surface_options options =
+      IT::surface_options(domain, mollification.value_or("automatic"), polygons);
   options.neighbors = neighbors;
   Watch watch(progress);
   return without_interpreter(watch, [&] {
-    Surface_ptr s;
-    program::with_loaded<IT::Integer_coordinates>(
-        options, watch, [&](auto& loaded) { s = surface_of(std::move(loaded), options); });
-    return s;
+    watch("reading");
+    if (IT::has_extension(path, stored))
+      return IT::stored_arithmetic(path, arithmetic, mollification.has_value(), options) == "exact"
+                 ? std::make_shared<Surface>(IT::read_stored_surface<Exact>(path), path)
+                 : std::make_shared<Surface>(IT::read_stored_surface<Double>(path), path);
+    IT::Read_surface surface = IT::read_surface(path, options);
+    watch("building");
+    return surface_of(std::move(surface), path, arithmetic.value_or("exact") == "exact");
   });
 }
 
@@ -232,10 +218,8 @@ Surface_ptr restore(const std::string& contents, bool exact, const std::string& 
   Watch watch;
   Surface_ptr s = without_interpreter(watch, [&] {
     std::istringstream in(contents);
-    Options options;
-    options.input = name;
-    const auto restored = [&](auto triangulation) {
-      return surface_of(program::stored(std::move(triangulation)), options);
+    const auto restored = [&](auto t) {
+      return std::make_shared<Surface>(IT::built_surface(std::move(t)), name);
     };
     return exact ? restored(IT::read_intrinsic_triangulation<Exact>(in, name))
                  : restored(IT::read_intrinsic_triangulation<Double>(in, name));
@@ -249,15 +233,12 @@ Surface_ptr restore(const std::string& contents, bool exact, const std::string& 
 
 std::shared_ptr<Surface> surface_of_triangles(IT::Intrinsic_input input, const std::string& name,
                                               bool is_exact) {
-  Options options;
-  options.input = name;
-  program::Mesh_file file;
-  const std::vector<std::uint32_t>& polygons = input.names.polygon_of_triangle;
-  file.polygons =
-      polygons.empty() ? input.mesh.number_of_faces() : std::size_t{polygons.back()} + 1;
-  file.domain.sheets = input.names.sheets;
-  file.input = std::move(input);
-  return surface_of(std::move(file), options, is_exact);
+  IT::Read_surface surface{std::move(input)};
+  const std::vector<std::uint32_t>& polygons = surface.input.names.polygon_of_triangle;
+  surface.facts.polygons = polygons.empty() ? surface.input.mesh.number_of_faces()
+                                            : std::size_t{polygons.back()} + 1;
+  surface.facts.domain.sheets = surface.input.names.sheets;
+  return surface_of(std::move(surface), name, is_exact);
 }
 
 void bind_surface(py::module_& m) {
@@ -265,7 +246,8 @@ void bind_surface(py::module_& m) {
       .def_readonly("is_flipped", &Surface::is_flipped)
       .def_readonly("name", &Surface::name)
       .def("expect_free", &Surface::expect_free)
-      .def_property_readonly("is_exact", [](const Surface& s) { return s.loaded.index() == 0; })
+      .def_property_readonly("is_exact",
+                             [](const Surface& s) { return s.triangulation.index() == 0; })
       .def_property_readonly("points", [](const Surface& s) -> py::object {
         if (s.points.empty()) return py::none();
         return array_of(std::vector<Point>(s.points));

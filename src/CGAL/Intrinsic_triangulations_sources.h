@@ -12,7 +12,9 @@ exactly one of their sources includes this file.
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_GOCAD.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan_OBJ.cpp>
@@ -30,6 +32,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.cpp>
+#include <CGAL/Intrinsic_triangulations/connectivity/count_elements.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.cpp>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.cpp>
@@ -74,6 +77,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.cpp>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.cpp>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.cpp>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.cpp>

@@ -5,18 +5,24 @@
 #define INTRINSIC_CONSTRAINTS_H
 
 #include "options.h"
-#include "support/read_mesh.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+/// Coordinates of a vertex.
+using Point = std::array<double, 3>;
 
 /// Edges of the input that are never flipped.
 struct Constraints {
@@ -27,32 +33,9 @@ struct Constraints {
   bool is_asked_for = false; ///< whether edges were to be kept, even if there are none
 };
 
-/// The surface that edges are of: a mesh file, or the input of a triangulation.
-struct Surface_with_edges {
-  const IT::Gluing_map& mesh;       ///< its connectivity
-  const std::vector<Point>& points; ///< a point per vertex, or none
-  const IT::Input_names& names;     ///< what the user calls its elements
-};
-
-/// marks the edges that are folded by more than an angle in degrees, but for diagonals of polygons.
-void mark_sharp_edges(const Surface_with_edges& s, double angle, std::vector<char>& is_marked);
-
-/// Finds edges by their ends.
-class Edge_finder {
-public:
-  /// sorts the edges but for diagonals of polygons.
-  explicit Edge_finder(const Surface_with_edges& s);
-  /// marks the edges between two of the user's vertices. \return whether there are any
-  bool mark(std::uint32_t i, std::uint32_t j, std::vector<char>& is_marked) const;
-
-private:
-  using Ends = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<std::pair<Ends, std::uint32_t>> edges_;
-};
-
 /// finds the edges of a mesh that `--sharp-angle` and `--constrain` are about.
 /// \throws std::runtime_error naming the line of the file that is wrong
-Constraints constraints_of(const Mesh_file& file, const Options& options);
+Constraints constraints_of(const IT::Intrinsic_input& input, const Options& options);
 
 /// finds those of the input of a stored triangulation.
 Constraints constraints_of(const IT::Input& input, const Options& options);

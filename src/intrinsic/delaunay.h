@@ -68,7 +68,7 @@ struct Drawn_subdivision {
 /// throws std::runtime_error if nothing can be drawn, as the input has no points.
 template <class Triangulation>
 void expect_points(const Loaded<Triangulation>& loaded, const Options& options) {
-  if (!loaded.has_points())
+  if (loaded.points.empty())
     throw std::runtime_error(
         options.input + ": the stored triangulation has lengths and no points, so that nothing "
                         "can be drawn; write values to a file .txt, or start from the mesh");

@@ -11,12 +11,15 @@
 #include "support/naming_file.h"
 #include "support/progress.h"
 
-#include <CGAL/Intrinsic_operators/improvement/improve.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
+#include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
+#include <CGAL/Intrinsic_operators/improvement/reports.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/Report.h>
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,90 +29,64 @@ namespace program {
 /// It returns whether there were any.
 using Insertion = std::function<bool()>;
 
-/// What was done to a triangulation, before it is measured.
-struct Improved {
-  IT::Improvement done;
-  double input_area; ///< see `IT::area_of_points()`
-};
-
 /// returns what options ask for.
 IT::Improve_options asked_improvement(const Options& options, const std::vector<double>& sizes,
                                       Progress& progress);
 
-/// checks what was done, and warns of what is not.
-/// \throws std::runtime_error if rounding has spoilt the triangulation
-void check_improvement(const IT::Improvement& done, const Options& options, Progress& progress);
-
-/// checks that flips have kept the area.
-/// \throws std::runtime_error if rounding has changed it
-void expect_area_kept(double before, double after, const Options& options);
 /// checks that the common subdivision covers the input once.
 /// \throws std::runtime_error if rounding has spoilt it
 void expect_covered(double input_area, double area, const Options& options);
 
-/// flips to Delaunay, refines and inserts vertices, as options say.
-/// \param insert called after refinement, which may remove vertices that were inserted before
-/// \throws std::runtime_error if rounding has spoilt the triangulation
-template <class Triangulation>
-Improved improve(Loaded<Triangulation>& loaded, Edge_labels<Triangulation>& constrained,
-                 const Options& options, Progress& progress, const Insertion& insert = {}) {
-  Triangulation& t = loaded.triangulation;
-  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
-    progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
-                  options.metric + " violates the triangle inequality");
-  Improved result{{}, IT::area_of_points(t, loaded.points)};
-  result.done = naming_file(options.input, [&] {
-    return IT::improve(t, asked_improvement(options, loaded.sizes, progress), constrained);
-  });
-  check_improvement(result.done, options, progress);
-  if (!insert || !insert()) return result;
-  const auto kept = constrained_edges(t, loaded.constraints); // with the parts of edges that split
-  for (const auto e : edges(t.mesh())) put(constrained, e, get(kept, e));
-  if (!options.no_flip)
-    IT::flip_to_delaunay(t, edges(t.mesh()), IT::parameters::edge_is_constrained_map(constrained));
-  result.done.statistics = t.metric().statistics();
-  return result;
-}
-
-/// measures a triangulation, and adds that and what was done to the statistics.
-/// \throws std::runtime_error if rounding has changed the area
-template <class Triangulation>
-void measure(Loaded<Triangulation>& loaded, const Edge_labels<Triangulation>& constrained,
-             const Improved& improved, const Options& options, Json& json, Progress& progress) {
-  constexpr bool is_exact = Triangulation::Metric::is_exact;
-  Triangulation& t = loaded.triangulation;
-  add_improvement(json, improved.done, options);
-  progress.show("verifying");
-  Stopwatch watch;
-  // coordinates of inserted vertices are not known to the metric
-  const std::vector<Point> none;
-  const bool has_points =
-      loaded.has_points() && num_vertices(t.mesh()) == t.input().number_of_vertices();
-  const IT::Measurements measured =
-      IT::measure(t, constrained, has_points ? input_points(loaded) : none);
-  const double area = improved.input_area;
-  // lengths that were changed have another area than the points
-  const bool is_area_known = std::isfinite(area) && area > 0 && options.metric.empty() &&
-                             t.report().mollification.kind != IT::Mollification::lengths;
-  if (!is_exact)
-    expect_area_kept(is_area_known ? area : improved.done.area_before, measured.area, options);
-  add_measurements(json, measured, improved.done, loaded.constraints, area, is_exact);
-  json["seconds"]["verify"] = watch.lap();
+/// calls a function, and puts the name of the input before what rounding has spoilt.
+template <class Function>
+auto naming_spoilt(const Options& options, const Function& function) {
+  try {
+    return naming_file(options.input, function);
+  } catch (const IT::Rounding_error& e) {
+    throw std::runtime_error(options.input + ": " + e.what());
+  }
 }
 
 /*!
-\brief improves as options say, and measures; the common part of all commands.
-\param insert see `improve()`
+\brief flips to Delaunay, refines and inserts vertices as options say, and measures; the common part
+of all commands.
+\param insert called after refinement, which may remove vertices that were inserted before
 \param constrain called with the statistics before; returns labels of the edges that are kept
 \return the statistics so far
+\throws std::runtime_error if rounding has spoilt the triangulation
 */
 template <class Triangulation, class Constrain>
 Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options, Progress& progress,
                          const Insertion& insert, const Constrain& constrain) {
+  Triangulation& t = loaded.triangulation;
   Json json = loaded_json(loaded, options);
   Edge_labels<Triangulation> constrained = constrain(json);
-  const Improved improved = improve(loaded, constrained, options, progress, insert);
-  measure(loaded, constrained, improved, options, json, progress);
+  if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
+    progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
+                  options.metric + " violates the triangle inequality");
+  const IT::Improve_options asked = asked_improvement(options, loaded.sizes, progress);
+  IT::Improved_surface improved = naming_spoilt(
+      options, [&] { return IT::improve_soundly(t, loaded.points, asked, constrained); });
+  if (const std::string what = improved.shortcoming(); !what.empty())
+    progress.warn(options.input + ": " + what);
+  if (insert && insert()) {
+    // with the parts of edges that split
+    const auto kept = constrained_edges(t, loaded.constraints);
+    for (const auto e : edges(t.mesh())) put(constrained, e, get(kept, e));
+    if (asked.flips)
+      IT::flip_to_delaunay(t, edges(t.mesh()),
+                           IT::parameters::edge_is_constrained_map(constrained));
+    improved.done.statistics = t.metric().statistics();
+  }
+  progress.show("verifying");
+  naming_spoilt(options, [&] {
+    IT::measure_improved(t, loaded.points, constrained, !options.metric.empty(), improved);
+  });
+  const Constraints& c = loaded.constraints;
+  IT::Report report;
+  IT::report_improvement(report, improved, asked,
+                         c.is_asked_for ? std::optional(c.count) : std::nullopt);
+  json.update(json_of(report), true);
   return json;
 }
 

@@ -10,17 +10,16 @@
 #include "support/Cut.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
-#include "support/read_mesh.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/count_elements.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -31,47 +30,20 @@
 
 namespace program {
 
-/// Seconds that the parts of the work took.
-struct Seconds {
-  double read = 0, build = 0, topology = 0;
-};
-
 /// An intrinsic triangulation and what is known of its input.
-template <class Triangulation>
-struct Loaded {
-  Triangulation triangulation;
-  Input_facts facts;
-  Seconds seconds;
-  /// One point per vertex of the mesh file, in its order and units; empty where the metric keeps
-  /// them or there are none.
-  std::vector<Point> points;
-  Constraints constraints;                       ///< edges of the input that are kept
-  Metric_report metric{};                        ///< what changed lengths needed
-  IT::Domain_report domain{};                    ///< which surface was made of a file
-  IT::Polygon_report polygons{};                 ///< what was made of its polygons
-  std::optional<IT::Point_cloud_report> cloud{}; ///< if it was made of points
-  Cut cut{};                                     ///< if it was cut open
-  std::vector<double> sizes{};                   ///< wanted lengths at vertices, or none
-
-  /// tells whether it is known where vertices are in space.
-  bool has_points() const {
-    return !points.empty() || !triangulation.input().metric().points().empty();
-  }
+template <IT::NumberedTriangulation Triangulation>
+struct Loaded : IT::Built_surface<Triangulation> {
+  Constraints constraints{};   ///< edges of the input that are kept
+  Metric_report metric{};      ///< what changed lengths needed
+  Cut cut{};                   ///< if it was cut open
+  std::vector<double> sizes{}; ///< wanted lengths at vertices, or none
 };
 
 /// returns one point per vertex of the mesh file, in its order and units; zeros if there are none.
 template <class Triangulation>
 std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
-  if (!loaded.points.empty()) return loaded.points;
-  const Triangulation& t = loaded.triangulation;
-  const std::vector<Point>& scaled = t.input().metric().points();
-  std::vector<Point> points(t.input().number_of_rows());
-  for (std::uint32_t v = 0; v < scaled.size(); ++v) {
-    Point& p = points[t.input_vertex({v})];
-    p = scaled[v];
-    for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
-  }
-  return points;
+  return loaded.points.empty() ? std::vector<Point>(loaded.triangulation.input().number_of_rows())
+                               : loaded.points;
 }
 
 /// reads the wanted lengths of edges, one per vertex of the input; none without `--size`.
@@ -79,27 +51,16 @@ std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
 std::vector<double> read_sizes(const Options& options, std::size_t vertices);
 
 /// returns which surface options ask for.
-Surface_choice surface_of(const Options& options);
+IT::Surface_options surface_of(const Options& options);
 
 /// tells whether a file name has the extension of intrinsic triangulations.
 bool is_triangulation_file(const std::string& path);
 
-/// returns the number of faces of the user's mesh of which an input has parts.
-std::size_t number_of_polygons(const IT::Input_definition& input);
-
-/// counts the elements of a triangulation before its first move, when they are those of the input.
-template <class Triangulation>
-void describe(Loaded<Triangulation>& loaded) {
-  Stopwatch watch;
-  loaded.facts = facts_of(loaded.triangulation.mesh());
-  loaded.seconds.topology = watch.lap();
-}
-
 /// Cuts meshes open before their triangulations are built; or does nothing, if it has no functions.
 struct Cutter {
-  std::function<void(Mesh_file&)> prepare; ///< what to do with the mesh as it was read
+  std::function<void(IT::Read_surface&)> prepare; ///< what to do with the mesh as it was read
   /// Cuts the mesh and edges of it that are kept.
-  std::function<Cut(Mesh_file&, Constraints&, const Options&)> cut;
+  std::function<Cut(IT::Read_surface&, Constraints&, const Options&)> cut;
 };
 
 /// returns a point for each copy of a vertex.
@@ -111,47 +72,28 @@ inline std::vector<Point> points_of_copies(std::vector<Point> points, const Cut&
 
 /// builds the intrinsic triangulation of a mesh.
 template <class Triangulation>
-Loaded<Triangulation> build(Mesh_file file, const Options& options, const Cutter& cut_open = {}) {
+Loaded<Triangulation> build(IT::Read_surface file, const Options& options,
+                            const Cutter& cut_open = {}) {
   Stopwatch watch;
   if (cut_open.prepare) cut_open.prepare(file);
-  Constraints constraints = constraints_of(file, options);
-  const IT::Polygon_report polygons = file.input.planar_polygons.report;
-  // exact traits keep the points unless they only keep changed lengths
-  const bool are_points_kept = Triangulation::Metric::is_exact && options.metric.empty() &&
-                               file.input.mollification != IT::Mollification::lengths;
-  std::vector<Point> points = are_points_kept ? std::vector<Point>() : file.input.points;
+  Constraints constraints = constraints_of(file.input, options);
+  std::vector<Point> points = file.input.points;
   return naming_file(options.input, [&] {
     const Metric_report metric = change_metric(file, options);
-    Input_facts facts;
+    std::optional<IT::Element_counts> before_cut;
     Cut cut;
     if (cut_open.cut) {
       const IT::Gluing_map before = file.input.mesh;
       cut = cut_open.cut(file, constraints, options);
-      if (cut.is_cut()) facts = facts_of(before);
+      if (cut.is_cut()) before_cut = IT::count_elements(before);
       points = points_of_copies(std::move(points), cut);
     }
-    Loaded<Triangulation> loaded{Triangulation(std::move(file.input)),
-                                 {},
-                                 {},
-                                 {},
-                                 std::move(constraints),
-                                 metric,
-                                 std::move(file.domain),
-                                 polygons,
-                                 std::move(file.cloud)};
-    const Triangulation& t = loaded.triangulation;
-    if (!points.empty() && t.input().metric().points().empty()) {
-      loaded.points.resize(t.input().number_of_rows());
-      for (std::uint32_t v = 0; v < points.size(); ++v)
-        loaded.points[t.input_vertex({v})] = points[t.input().names().vertices.user(v)];
-    }
-    loaded.seconds = {file.seconds, watch.lap()};
-    describe(loaded);
-    if (cut.is_cut()) loaded.facts = facts;
-    loaded.cut = std::move(cut);
-    loaded.facts.polygons = file.polygons;
-    loaded.facts.triangulated_polygons = file.triangulated_polygons;
-    loaded.facts.faces_with_repeated_vertices = file.faces_with_repeated_vertices;
+    const double seconds = watch.lap();
+    Loaded<Triangulation> loaded{
+        IT::build_surface<Triangulation>(std::move(file), std::move(points)),
+        std::move(constraints), metric, std::move(cut)};
+    loaded.facts.seconds_of_building += seconds;
+    if (before_cut) loaded.facts.counts = *before_cut;
     return loaded;
   });
 }
@@ -162,11 +104,11 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
                                 const Cutter& cut_open) {
   Stopwatch watch;
   progress.show("reading");
-  Mesh_file file = read_mesh(options.input, surface_of(options));
-  const double seconds = watch.lap() - file.seconds; // of matching edges
+  IT::Read_surface file = IT::read_surface(options.input, surface_of(options));
+  const double seconds = watch.lap() - file.facts.seconds_of_reading; // of matching edges
   progress.show("building");
   Loaded<Triangulation> loaded = build<Triangulation>(std::move(file), options, cut_open);
-  loaded.seconds.build += seconds;
+  loaded.facts.seconds_of_building += seconds;
   loaded.sizes = read_sizes(options, loaded.triangulation.input().number_of_rows());
   return loaded;
 }
@@ -175,36 +117,16 @@ Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
 /// \throws std::runtime_error naming one that cannot be restored
 template <class Triangulation>
 void restore_constrained_edges(Loaded<Triangulation>& loaded, const Options& options) {
-  Triangulation& t = loaded.triangulation;
-  const std::uint32_t e = IT::restore_input_edges(t, loaded.constraints.is_constrained).missing;
-  if (e == IT::Gluing::none) return;
-  const auto row = [&](std::uint32_t v) { return std::to_string(t.input().names().row(v)); };
-  throw std::runtime_error(options.input + ": the edge between vertices " +
-                           row(t.input().source(2 * e)) + " and " + row(t.input().target(2 * e)) +
-                           " of the input, which is to be kept, has been flipped away and does "
-                           "not come back; start from the mesh");
-}
-
-/// returns what is known of a triangulation that was stored.
-template <class Triangulation>
-Loaded<Triangulation> stored(Triangulation t) {
-  Loaded<Triangulation> loaded{std::move(t), {}, {}, {}, {}, {}};
-  describe(loaded);
-  const auto& input = loaded.triangulation.input();
-  loaded.facts.polygons = number_of_polygons(input);
-  loaded.facts.triangulated_polygons = loaded.triangulation.report().triangulated_polygons;
-  return loaded;
+  const std::string missing =
+      IT::restore_kept_edges(loaded.triangulation, loaded.constraints.is_constrained);
+  if (!missing.empty()) throw std::runtime_error(options.input + ": " + missing);
 }
 
 /// reads an intrinsic triangulation from its file.
 template <class Triangulation>
 Loaded<Triangulation> load_triangulation(const Options& options, Progress& progress) {
-  Stopwatch watch;
   progress.show("reading");
-  auto t = IT::read_intrinsic_triangulation<Triangulation>(std::filesystem::path(options.input));
-  const double seconds = watch.lap();
-  Loaded<Triangulation> loaded = stored(std::move(t));
-  loaded.seconds.read = seconds;
+  Loaded<Triangulation> loaded{IT::read_stored_surface<Triangulation>(options.input)};
   const auto& input = loaded.triangulation.input();
   if constexpr (Triangulation::has_correspondence) {
     loaded.constraints = constraints_of(input, options);
@@ -214,8 +136,8 @@ Loaded<Triangulation> load_triangulation(const Options& options, Progress& progr
   return loaded;
 }
 
-/// The triangulations of the default correspondence. What several programs and the Python module do
-/// with them is compiled once, as `extern template` tells.
+/// The triangulations of the default correspondence. What several programs do with them is compiled
+/// once, as `extern template` tells.
 using Exact_triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                                         IT::Integer_coordinates>;
 /// With doubles.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "metric.h"
+#include "constraints.h"
 #include "support/text_lines.h"
 
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
@@ -32,20 +33,23 @@ bool is_positive_definite(const Tensor& m) {
   return a > 0 && b > 0 && m[5] - m[2] * m[2] / a - l * l / b > 0;
 }
 
-IT::Scaled_metric scaled_by_factors(const Mesh_file& file, const Number_table& table,
+IT::Scaled_metric scaled_by_factors(const IT::Read_surface& file, const Number_table& table,
                                     const Options& options) {
   table.expect_rows(file.input.names.number_of_rows(file.input.mesh.number_of_vertices()),
                     "vertices of " + options.input);
   for (std::size_t v = 0; v < table.rows(); ++v)
     if (!(table.values[v] > 0)) table.refuse(v, "a factor must be positive; correct it");
   return IT::scale_conformally(
-      file.input, [&](IT::Gluing_map::Vertex v) { return std::log(table.values[file.vertex(v)]); },
+      file.input,
+      [&](IT::Gluing_map::Vertex v) {
+        return std::log(table.values[file.input.names.row(v.index)]);
+      },
       IT::parameters::triangle_inequality(IT::Triangle_inequality::repair));
 }
 
-IT::Scaled_metric scaled_by_tensors(const Mesh_file& file, const Number_table& table,
+IT::Scaled_metric scaled_by_tensors(const IT::Read_surface& file, const Number_table& table,
                                     const Options& options) {
-  table.expect_rows(file.polygons, "faces of " + options.input);
+  table.expect_rows(file.facts.polygons, "faces of " + options.input);
   const auto tensor = [&](std::size_t face) { return Tensor(&table.values[6 * face], 6); };
   for (std::size_t f = 0; f < table.rows(); ++f)
     if (!is_positive_definite(tensor(f)))
@@ -61,10 +65,10 @@ IT::Scaled_metric scaled_by_tensors(const Mesh_file& file, const Number_table& t
 
 } // namespace
 
-Metric_report change_metric(Mesh_file& file, const Options& options) {
+Metric_report change_metric(IT::Read_surface& file, const Options& options) {
   if (options.metric.empty()) return {};
   const std::size_t rows = file.input.names.number_of_rows(file.input.mesh.number_of_vertices());
-  const Number_table table = read_numbers(options.metric, std::max(rows, file.polygons),
+  const Number_table table = read_numbers(options.metric, std::max(rows, file.facts.polygons),
                                           "vertices or faces of " + options.input);
   if (table.columns != 1 && table.columns != 6)
     table.refuse(0,

@@ -5,7 +5,8 @@
 #define INTRINSIC_METRIC_H
 
 #include "options.h"
-#include "support/read_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 
 #include <cstddef>
 
@@ -22,7 +23,8 @@ struct Metric_report {
 \throws std::runtime_error naming the line of the file that is wrong
 \throws Invalid_input naming an edge whose new length is out of range
 */
-Metric_report change_metric(Mesh_file& file, const Options& options);
+Metric_report change_metric(CGAL::Intrinsic_triangulations::Read_surface& file,
+                            const Options& options);
 
 } // namespace program
 

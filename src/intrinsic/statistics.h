@@ -8,14 +8,14 @@
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
+#include "support/messages.h"
 
-#include <CGAL/Intrinsic_operators/improvement/Improvement.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
+#include <CGAL/Intrinsic_operators/improvement/reports.h>
+#include <CGAL/Intrinsic_triangulations/support/Report.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 
@@ -24,44 +24,25 @@ namespace program {
 /// JSON with keys in the order in which they are set. Numbers that are not finite become null.
 using Json = nlohmann::ordered_json;
 
-/// returns what is known of input and mollification, and the program's version.
-Json input_json(const Options& options, const std::string& arithmetic,
-                const std::string& correspondence, const Input_facts& facts,
-                const IT::Input_report& report);
-/// returns which surface was made of the file, and why.
-Json domain_json(const IT::Domain_report& report,
-                 const std::optional<IT::Point_cloud_report>& cloud, std::size_t vertices);
-/// returns what was made of polygons.
-Json polygons_json(const IT::Polygon_report& report);
+/// returns a report as JSON.
+Json json_of(const IT::Report& report);
 /// returns what changed lengths needed.
 Json metric_json(const Metric_report& report);
-/// adds what was done to a triangulation.
-void add_improvement(Json& json, const IT::Improvement& done, const Options& options);
-/// adds what was measured after that.
-/// \param input_area from points, as `IT::area_of_points()` finds it
-void add_measurements(Json& json, const IT::Measurements& measured, const IT::Improvement& done,
-                      const Constraints& constraints, double input_area, bool is_exact);
 /// returns the peak of resident memory so far, in MiB.
 double peak_rss_mib();
 
 /// returns what is known of what was loaded, and how long that took.
 template <class Triangulation>
 Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
-  const Triangulation& t = loaded.triangulation;
-  Json json = input_json(options, Triangulation::Metric::is_exact ? "exact" : "double",
-                         Triangulation::Correspondence::name, loaded.facts, t.report());
-  if (!loaded.domain.reason.empty())
-    json["domain"] = domain_json(loaded.domain, loaded.cloud, t.input().number_of_rows());
-  else if (t.input().names().is_cover())
-    json["domain"] = {{"kind", "stored"},
-                      {"reason", "the file has a cover"},
-                      {"sheets", t.input().names().sheets},
-                      {"vertices", t.input().number_of_rows()}};
-  if (options.polygons != "fan") json["polygons"] = polygons_json(loaded.polygons);
+  Json json = {{"version", INTRINSIC_TRIANGULATIONS_VERSION}};
+  json.update(json_of(
+      IT::surface_report(as_utf8(options.input), loaded.triangulation, loaded.facts)));
+  const Json seconds = json["seconds"];
+  json.erase("seconds"); // which come last
+  if (options.polygons != "fan")
+    json["polygons"] = json_of(IT::polygon_report(loaded.facts.planar_polygons));
   if (!options.metric.empty()) json["metric"] = metric_json(loaded.metric);
-  json["seconds"] = {{"read", loaded.seconds.read},
-                     {"build", loaded.seconds.build},
-                     {"topology", loaded.seconds.topology}};
+  json["seconds"] = seconds;
   return json;
 }
 

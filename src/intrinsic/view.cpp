@@ -5,7 +5,8 @@
 #include "support/messages.h"
 #include "three_js.h"
 
-#include <algorithm>
+#include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -16,17 +17,6 @@
 namespace program {
 
 namespace {
-
-// a histogram as a row of blocks
-std::string bars(const Json& histogram) {
-  static const char* const block[] = {"\u2581", "\u2582", "\u2583", "\u2584",
-                                      "\u2585", "\u2586", "\u2587", "\u2588"};
-  std::size_t most = 1;
-  for (const Json& n : histogram) most = std::max(most, n.get<std::size_t>());
-  std::string row;
-  for (const Json& n : histogram) row += n == 0 ? "_" : block[n.get<std::size_t>() * 7 / most];
-  return row;
-}
 
 void describe_curves(std::ostream& text, const Json& geodesic) {
   const std::size_t n = geodesic["curves"].size();
@@ -60,26 +50,16 @@ std::string description(const Json& json) {
   // of the command cut; a map is cut open, too, and has other facts
   if (json.contains(Json::json_pointer("/cut/components"))) describe_cut(text, json["cut"]);
   if (!json.contains("delaunay")) return text.str();
-  text << json["delaunay"]["flips"] << " flips\nangles from "
-       << json["quality"]["min_angle_deg"].get<double>() << " to "
-       << json["quality"]["max_angle_deg"].get<double>() << " degrees\n"
-       << json["arithmetic"].get<std::string>()
-       << " arithmetic, certificate: " << json["certificate"].get<std::string>();
-  if (json.contains("refine"))
-    text << "\n"
-         << json["refine"]["insertions"] << " vertices inserted, "
-         << json["refine"]["unsatisfied_faces"] << " faces left below the bound\nangles before "
-         << bars(json["quality_before"]["angle_histogram"]);
-  text << "\nangles " << bars(json["quality"]["angle_histogram"]) << " (0 to 180\u00b0)";
+  text << IT::describe_delaunay(json);
   if (json.contains("conformal")) describe_map(text, json["conformal"]);
   return text.str();
 }
 
 } // namespace
 
-IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
-                                const std::vector<Point>& points, const Options& options,
-                                const Json& json, IT::Html_view view) {
+void write_view(std::ostream& out, const IT::Common_subdivision& s,
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                IT::Html_view view) {
   if (three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
@@ -94,13 +74,7 @@ IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision&
   constexpr std::size_t many = 1000; // curves, which would cover the surface
   if (view.curves.size() > many) view.curve_width = 1;
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
-  return IT::write_html_view(out, s, points, view);
-}
-
-void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json,
-                IT::Html_view view) {
-  const IT::Html_view_report report = write_page(out, s, points, options, json, view);
+  const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
   if (!report.is_complete())
     std::cerr << options.view << ": " << report.description()
               << "; --view-limit allows a larger page, and -o writes all to a file\n";

@@ -24,25 +24,17 @@ namespace program {
 
 /*!
 \brief writes the page that shows the intrinsic triangulation, and says on standard error what it
-leaves out; see `write_page()`.
-*/
-void write_view(std::ostream& out, const IT::Common_subdivision& s,
-                const std::vector<Point>& points, const Options& options, const Json& json,
-                IT::Html_view view);
-
-/*!
-\brief writes the page that shows the intrinsic triangulation.
+leaves out.
 \param out the file
 \param s the common subdivision
 \param points the position of each vertex of it
 \param options the options
 \param json the statistics
 \param view what else is shown
-\return what the page leaves out
 */
-IT::Html_view_report write_page(std::ostream& out, const IT::Common_subdivision& s,
-                                const std::vector<Point>& points, const Options& options,
-                                const Json& json, IT::Html_view view);
+void write_view(std::ostream& out, const IT::Common_subdivision& s,
+                const std::vector<Point>& points, const Options& options, const Json& json,
+                IT::Html_view view);
 
 } // namespace program
 

@@ -299,4 +299,22 @@ TEST(Units, on_a_cube_are_those_of_the_input) {
   }
 }
 
+TEST(units, areas_of_improved_surfaces) {
+  for (const double scale : scales) {
+    const Square q(scale, 5);
+    Triangulation t(q.mesh);
+    std::vector<std::array<double, 3>> points;
+    for (const Mesh::Vertex_index v : q.mesh.vertices()) {
+      const Point& p = q.mesh.point(v);
+      points.push_back({p.x(), p.y(), p.z()});
+    }
+    const auto kept = IT::labelled_input_edges(t, {});
+    IT::Improved_surface result = IT::improve_soundly(t, points, {}, kept);
+    IT::measure_improved(t, points, kept, false, result);
+    const double area = cells * cells * scale * scale;
+    EXPECT_NEAR(result.input_area / area, 1, 1e-12);
+    EXPECT_NEAR(result.measured.area / area, 1, 1e-12);
+  }
+}
+
 } // namespace

@@ -22,13 +22,13 @@ namespace {
 using Halfedge = IT::Gluing_map::Halfedge;
 
 // Nonzero for the edges to cut.
-std::vector<char> edges_to_cut(const Mesh_file& file, const Options& options) {
+std::vector<char> edges_to_cut(const IT::Intrinsic_input& input, const Options& options) {
   const std::string& cut = options.application.cut;
-  if (cut == "auto") return IT::cut_to_disk(file.input);
+  if (cut == "auto") return IT::cut_to_disk(input);
   Options listed = options;
   listed.constraints = cut;
   listed.sharp_angle.reset();
-  return constraints_of(file, listed).is_constrained;
+  return constraints_of(input, listed).is_constrained;
 }
 
 // The edges of the surface that is cut open, for the edges before.
@@ -52,17 +52,17 @@ void carry_over(Constraints& constraints, const IT::Gluing_map& before,
 
 } // namespace
 
-void take_sheet(Mesh_file& file) {
-  if (file.cloud || !file.input.names.is_cover()) return;
+void take_sheet(IT::Read_surface& file) {
+  if (file.facts.cloud || !file.input.names.is_cover()) return;
   file.input = IT::sheet_of_cover(file.input);
-  file.domain.sheets = 1;
+  file.facts.domain.sheets = 1;
 }
 
-Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options) {
+Cut cut_to_disk(IT::Read_surface& file, Constraints& constraints, const Options& options) {
   Cut cut;
-  if (file.cloud) return cut;
+  if (file.facts.cloud) return cut;
   const std::vector<char> is_cut =
-      naming_file(options.input, [&] { return edges_to_cut(file, options); });
+      naming_file(options.input, [&] { return edges_to_cut(file.input, options); });
   const std::string& edges = options.application.cut;
   IT::Opened_input opened = naming_file(edges == "auto" ? options.input : edges,
                                         [&] { return IT::cut_to_disks(file.input, is_cut); });

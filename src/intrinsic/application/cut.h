@@ -7,7 +7,6 @@
 #include "../constraints.h"
 #include "../delaunay.h"
 #include "../options.h"
-#include "../support/read_mesh.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
@@ -18,7 +17,7 @@
 namespace program {
 
 /// takes the triangles of a file in place of a cover of them; they need not be orientable.
-void take_sheet(Mesh_file& file);
+void take_sheet(IT::Read_surface& file);
 
 /*!
 \brief cuts a mesh open to disks, as `--cut` says, and edges that are kept with it.
@@ -31,7 +30,7 @@ Disks stay as they are. A cloud of points is not cut.
 \pre there is no cover, see `take_sheet()`
 \throws std::runtime_error if edges of a file do not cut the mesh to disks
 */
-Cut cut_to_disk(Mesh_file& file, Constraints& constraints, const Options& options);
+Cut cut_to_disk(IT::Read_surface& file, Constraints& constraints, const Options& options);
 
 /// makes of numbers at the vertices of a common subdivision numbers at the corners of its faces.
 void take_to_corners(const IT::Common_subdivision& s, std::vector<IT::Subdivision_field>& fields);

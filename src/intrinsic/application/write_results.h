@@ -42,14 +42,14 @@ template <class Triangulation>
 Loaded<Triangulation> input_alone(const Loaded<Triangulation>& loaded, const Options& options) {
   expect_points(loaded, options);
   const IT::Input& input = loaded.triangulation.input();
-  const std::vector<Point> rows = input_points(loaded);
+  const std::vector<Point>& rows = loaded.points;
   std::vector<Point> points;
   for (std::uint32_t v = 0; v < input.number_of_vertices(); ++v)
     points.push_back(rows[input.names().row(v)]);
   IT::Intrinsic_input in(input.mesh(), std::move(points), IT::Mollification::none);
   in.names = input.names();
   in.may_renumber = false;
-  return {Triangulation(std::move(in)), {}, {}, {}, {}};
+  return {{Triangulation(std::move(in)), rows}};
 }
 
 /// returns the index of each face that is drawn: of its intrinsic face, or on the input the sum of
@@ -128,7 +128,7 @@ Drawn_directions drawn_directions(const Loaded<Triangulation>& loaded,
 template <class Triangulation>
 std::vector<std::vector<Point>> axes_in_space(const Loaded<Triangulation>& loaded,
                                               const Computed& computed) {
-  if (!computed.directions || !loaded.has_points()) return {};
+  if (!computed.directions || loaded.points.empty()) return {};
   if (const auto& axes = computed.directions->axes; !axes.empty()) {
     std::vector<std::vector<Point>> result(2);
     for (const IT::Point_cloud_vectors::Axes& a : axes)

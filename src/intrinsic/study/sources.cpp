@@ -3,7 +3,8 @@
 
 #include "sources.h"
 #include "../support/file_formats.h"
-#include "../support/read_mesh.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 
 #include <stress_families.h>
 
@@ -78,7 +79,8 @@ IT::Intrinsic_input read_study_source(const Study_source& source) {
         IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
     return {IT::Gluing_map(gluing), std::move(mesh.points)};
   }
-  return read_mesh(source.location, surface_named(source.domain)).input;
+  namespace IT = CGAL::Intrinsic_triangulations;
+  return IT::read_surface(source.location, IT::surface_options(source.domain)).input;
 }
 
 } // namespace program

@@ -19,7 +19,7 @@ struct Study_source {
   /// name of the file without directory, and the surface if it is asked for; or spec
   std::string name;
   std::string family;   ///< `files`, or the generator
-  std::string domain;   ///< the surface of a file, see `surface_named()`
+  std::string domain;   ///< the surface of a file, see `surface_options()`
 };
 
 /// returns the mesh of a location, with the named surface.
@@ -29,7 +29,7 @@ Study_source study_source(const std::string& location, const std::string& domain
 \brief lists the meshes of a corpus.
 \param corpus mesh files, directories (their mesh files, sorted), specs of generators
   (`stress:FAMILY...`), or `stress` (the standard list of specs)
-\param domain the surfaces of files, see `surface_named()`
+\param domain the surfaces of files, see `surface_options()`
 \throws std::runtime_error naming what is missing, or two meshes of one name
 \throws std::invalid_argument if a spec is wrong
 */

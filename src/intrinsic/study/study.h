@@ -20,7 +20,7 @@ struct Study_limits {
 struct Study_options {
   std::vector<std::string> corpus;      ///< see `study_sources()`
   std::vector<std::string> arithmetics; ///< empty: all
-  std::string domain = "auto";          ///< the surfaces of meshes, see `surface_named()`
+  std::string domain = "auto";          ///< the surfaces of meshes, see `surface_options()`
   std::string output = "study.jsonl";   ///< where results are appended
   unsigned jobs = 1;                    ///< processes at a time
   Study_limits limits;

@@ -12,7 +12,7 @@
 
 namespace program {
 
-/// The words that name surfaces, see `surface_named()`.
+/// The words that name surfaces, see `surface_options()`.
 inline const std::vector<std::string> surface_words{"auto",   "manifold", "orientation-cover",
                                                     "tufted", "closed",   "points"};
 

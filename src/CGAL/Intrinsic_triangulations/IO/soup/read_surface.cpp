@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+Surface_options surface_options(const std::string& domain, const std::string& mollification,
+                                const std::string& polygons) {
+  Surface_options o;
+  o.is_points = domain == "points";
+  o.kind = domain == "manifold"            ? Domain_kind::manifold
+           : domain == "orientation-cover" ? Domain_kind::orientation_cover
+           : domain == "tufted"            ? Domain_kind::tufted_cover
+           : domain == "closed"            ? Domain_kind::closed
+                                           : Domain_kind::automatic;
+  o.mollification = mollification == "none"      ? Mollification::none
+                    : mollification == "lengths" ? Mollification::lengths
+                    : mollification == "squared" ? Mollification::squared_lengths
+                                                 : Mollification::automatic;
+  if (polygons == "planar") o.polygons = Nonplanar_polygons::planar;
+  return o;
+}
+
+Read_surface make_surface(Triangle_soup soup, const Surface_options& options) {
+  Read_surface made;
+  Surface_facts& facts = made.facts;
+  if (soup.triangles.empty()) {
+    constexpr std::size_t usual_neighbors = 30;
+    Point_cloud cloud = make_point_cloud(soup.points, options.neighbors.value_or(usual_neighbors),
+                                         options.mollification);
+    made.input = std::move(cloud.input);
+    facts.domain = std::move(cloud.report);
+    facts.cloud = std::move(cloud.points);
+    return made;
+  }
+  if (options.neighbors)
+    throw Invalid_input(Element_kind::none, 0,
+                        "--neighbors is for files without faces, and this file has faces; leave it "
+                        "out, or ignore faces with --domain points");
+  facts.polygons = soup.input_faces;
+  facts.triangulated_polygons = soup.triangulated_polygons;
+  facts.faces_with_repeated_vertices = soup.faces_with_repeated_vertices;
+  facts.planar_polygons = soup.planar_polygons.report;
+  Domain domain = make_domain(std::move(soup), options.kind, options.mollification);
+  made.input = std::move(domain.input);
+  facts.domain = std::move(domain.report);
+  return made;
+}
+
+Read_surface read_surface(const std::string& path, const Surface_options& options) {
+  const File_faces faces = options.is_points                            ? File_faces::ignored
+                           : options.kind == Domain_kind::automatic ? File_faces::optional
+                                                                        : File_faces::needed;
+  const auto start = std::chrono::steady_clock::now();
+  Triangle_soup soup = read_triangle_soup(path, options.polygons, faces);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  try {
+    Read_surface made = make_surface(std::move(soup), options);
+    made.facts.seconds_of_reading = seconds.count();
+    return made;
+  } catch (const Invalid_input& e) {
+    throw Invalid_input(e.kind(), e.index(), path + ": " + e.what());
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations

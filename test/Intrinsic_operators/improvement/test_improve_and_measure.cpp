@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
+#include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
+#include <CGAL/Intrinsic_operators/improvement/reports.h>
+
+#include "operator_test_meshes.h"
+
+#include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Oracles: measure() and flip_to_delaunay() alone.
+
+namespace {
+
+using namespace operator_test;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
+
+Shape rough(unsigned seed) { return rough_grid(6, .45, .8, seed); }
+
+IT::Built_surface<Triangulation> built(const Shape& s) {
+  return IT::build_surface<Triangulation>(IT::Read_surface{s.input()});
+}
+
+IT::Improved_surface improved(IT::Built_surface<Triangulation>& b, const IT::Improve_options& o,
+                              const std::vector<char>& marks = {}) {
+  const auto kept = IT::labelled_input_edges(b.triangulation, marks);
+  IT::Improved_surface result = IT::improve_soundly(b.triangulation, b.points, o, kept);
+  IT::measure_improved(b.triangulation, b.points, kept, false, result);
+  return result;
+}
+
+TEST(improve_and_measure, finds_what_flips_and_measure_find) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    auto b = built(rough(seed));
+    const IT::Improved_surface result = improved(b, {});
+    Triangulation t(rough(seed).input());
+    EXPECT_EQ(result.done.flips.flips, IT::flip_to_delaunay(t).flips);
+    EXPECT_EQ(result.input_area, IT::area_of_points(t));
+    const IT::Measurements alone = IT::measure(t);
+    EXPECT_EQ(result.measured.area, alone.area);
+    EXPECT_EQ(result.measured.laplacian_trace, alone.laplacian_trace);
+    ASSERT_TRUE(result.measured.dirichlet.has_value());
+    EXPECT_STREQ(result.certificate(), "exact");
+    EXPECT_EQ(result.shortcoming(), "");
+  }
+}
+
+TEST(improve_and_measure, keeps_edges_of_the_input) {
+  const Shape s = rough(3);
+  auto b = built(s);
+  IT::Input_edges edges(b.triangulation.input());
+  std::vector<char> marks = edges.no_marks();
+  ASSERT_TRUE(edges.mark(s.triangles[0][0], s.triangles[0][1], marks));
+  ASSERT_TRUE(edges.mark(s.triangles[7][0], s.triangles[7][1], marks));
+  const IT::Improved_surface result = improved(b, {}, marks);
+  EXPECT_EQ(result.measured.edges.constrained, 2U);
+}
+
+TEST(improve_and_measure, says_that_an_unchanged_triangulation_is_not_delaunay) {
+  auto b = built(rough(2));
+  IT::Improve_options as_it_is;
+  as_it_is.flips = false;
+  const IT::Improved_surface result = improved(b, as_it_is);
+  EXPECT_GT(result.measured.edges.non_delaunay, 0U);
+  EXPECT_STREQ(result.certificate(), "none");
+}
+
+TEST(reports, have_what_was_built_done_and_measured) {
+  auto b = built(rough(4));
+  IT::Improve_options options;
+  options.refine.emplace().minimum_angle = 25;
+  IT::Report report = IT::surface_report("a grid", b.triangulation, b.facts);
+  const IT::Improved_surface result = improved(b, options);
+  IT::report_improvement(report, result, options, std::size_t{0});
+  EXPECT_EQ(report.at("input").at("file").get<std::string>(), "a grid");
+  EXPECT_EQ(report.at("input").at("vertices").get<std::int64_t>(),
+            static_cast<std::int64_t>(b.facts.counts.vertices));
+  EXPECT_EQ(report.at("arithmetic").get<std::string>(), "exact");
+  EXPECT_EQ(report.at("correspondence").get<std::string>(), "integer");
+  EXPECT_EQ(report.at("delaunay").at("flips").get<std::int64_t>(),
+            static_cast<std::int64_t>(result.done.flips.flips));
+  EXPECT_EQ(report.at("refine").at("asked_angle_deg").get<double>(), 25);
+  EXPECT_EQ(report.at("refine").at("unsatisfied").get<IT::Report::Figures>().size(), 4U);
+  EXPECT_EQ(report.at("certificate").get<std::string>(), result.certificate());
+  EXPECT_EQ(report.at("area").at("intrinsic").get<double>(), result.measured.area);
+  EXPECT_EQ(report.at("constraints").at("edges").get<std::int64_t>(), 0);
+  for (const char* const name : {"read", "build", "topology", "delaunay", "refine", "verify"})
+    EXPECT_TRUE(report.at("seconds").contains(name)) << name;
+  const std::string text = IT::describe_delaunay(report);
+  EXPECT_NE(text.find("exact arithmetic, certificate: exact"), std::string::npos);
+  EXPECT_NE(text.find("vertices inserted"), std::string::npos);
+}
+
+} // namespace
