@@ -1,6 +1,6 @@
 # embed_three_js(TARGET): compiles three.js and its TrackballControls.js into TARGET, which then has the
-# functions that src/intrinsic/three_js.h declares. Where the scripts are
-# not found their text is empty, and the program says so when it needs them.
+# functions that three_js.h declares, which is beside this file. Where the scripts are not found their
+# text is empty, and who needs them says so.
 
 set(INTRINSIC_TRIANGULATIONS_THREE_JS_DIR "" CACHE PATH
   "Directory of three.js (three.min.js, examples/js/controls); empty: that of Debian's libjs-three")
@@ -26,4 +26,5 @@ function(embed_three_js target)
     DEPENDS "${PROJECT_SOURCE_DIR}/cmake/write_three_js_source.cmake"
     VERBATIM)
   target_sources(${target} PRIVATE "${source}")
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/cmake")
 endfunction()

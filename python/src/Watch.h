@@ -98,4 +98,20 @@ struct Watching {
 
 } // namespace python
 
+/// \cond
+namespace pybind11::detail {
+
+// Functions take the user's function, or `None`, as what watches the call.
+template <>
+struct type_caster<python::Watch> {
+  PYBIND11_TYPE_CASTER(python::Watch, const_name("object"));
+  bool load(handle progress, bool) {
+    value = python::Watch(reinterpret_borrow<object>(progress));
+    return true;
+  }
+};
+
+} // namespace pybind11::detail
+/// \endcond
+
 #endif // INTRINSIC_PYTHON_WATCH_H

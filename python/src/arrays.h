@@ -120,6 +120,12 @@ py::array_t<Number> array_of(std::vector<Number>&& numbers, std::vector<py::ssiz
   return owned_array(std::move(owner), data, std::move(shape));
 }
 
+/// returns whole numbers of any type as Python has them.
+template <class Number>
+py::array_t<std::int64_t> whole(const std::vector<Number>& numbers) {
+  return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
+}
+
 /// returns a vector of rows of `n` numbers as an array of two dimensions, without a copy.
 template <class Number, std::size_t n>
 py::array_t<Number> array_of(std::vector<std::array<Number, n>>&& rows) {

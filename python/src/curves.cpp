@@ -53,12 +53,10 @@ Found find_on_copy(const T& t, const std::vector<IT::Wanted_curve>& wanted,
 }
 
 py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& asked,
-                bool is_shortest, bool stays_at_points, bool is_certified,
-                const py::object& progress) {
+                bool is_shortest, bool stays_at_points, bool is_certified, Watch& watch) {
   std::vector<IT::Wanted_curve> wanted;
   for (const auto& [points, is_loop] : asked)
     wanted.push_back({places_of(s, points), is_loop, stays_at_points});
-  Watch watch(progress);
   IT::Find_curves_options options;
   options.is_along_edges = !is_shortest;
   options.is_certified = is_certified;

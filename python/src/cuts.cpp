@@ -62,11 +62,6 @@ Cut cut_to_disks(T t, const std::vector<Place>& through, Watch& watch) {
   return {t.shared_input(), IT::cut_along(t, cut.edges)};
 }
 
-// Whole numbers as Python has them.
-py::array_t<std::int64_t> whole(const std::vector<std::uint32_t>& numbers) {
-  return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
-}
-
 // Numbers of elements of the mesh; -1 is none.
 py::array_t<std::int64_t> numbers_or_none(const std::vector<IT::Cut_surface::Vertex>& vertices,
                                           std::uint32_t IT::Cut_surface::Vertex::*number) {
@@ -116,20 +111,18 @@ py::dict cut_network(const Surface& s, const Curve_edges& edges) {
   return cut_arrays(cut, s.points);
 }
 
-py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways, const py::object& progress) {
-  Watch watch(progress);
+py::dict cut_ways(Surface& s, const std::vector<const Way*>& ways, Watch& watch) {
   return cut_arrays(
       with_triangulation(s, watch,
                          [&]<class T>(const T& t) { return cut_along_ways<T>(t, ways, watch); }),
       s.points);
 }
 
-py::dict cut_to_disks_through(Surface& s, const Place_arrays& through, const py::object& progress) {
+py::dict cut_to_disks_through(Surface& s, const Place_arrays& through, Watch& watch) {
   const std::vector<Place> places = places_of(s, through);
   for (const Place& p : places)
     if (!p.is_vertex())
       throw py::value_error("cuts pass through vertices; give no points in faces");
-  Watch watch(progress);
   return cut_arrays(
       with_triangulation(s, watch,
                          [&]<class T>(const T& t) { return cut_to_disks<T>(t, places, watch); }),
@@ -140,8 +133,7 @@ py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
   return array_of(IT::even_levels({u.data(), static_cast<std::size_t>(u.size())}, count));
 }
 
-py::list isolines(Surface& s, const Doubles& u, const Doubles& l, const py::object& progress) {
-  Watch watch(progress);
+py::list isolines(Surface& s, const Doubles& u, const Doubles& l, Watch& watch) {
   Watching visitor{&watch, "levels"};
   std::shared_ptr<const IT::Input> input;
   std::vector<IT::Traced_isoline> lines;

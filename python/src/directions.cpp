@@ -58,8 +58,7 @@ IT::Found_directions directions(Surface& s, int degree, const std::optional<doub
 
 py::tuple direction_field(Surface& s, int degree, const std::optional<double>& strength,
                           const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
-                          const py::object& progress) {
-  Watch watch(progress);
+                          Watch& watch) {
   IT::Found_directions found = directions(
       s, degree, strength, given_vectors(places_of(s, places), vectors), neighbors, watch);
   const IT::Input& input = input_of(s);
@@ -125,7 +124,7 @@ struct Matrices_watch {
 
 py::array_t<double>
 signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, Integers>>& given,
-                double time_factor, const py::object& progress) {
+                double time_factor, Watch& watch) {
   Signed_curves curves;
   for (const auto& c : given)
     if (const Way* way = std::get_if<Way>(&c))
@@ -135,7 +134,6 @@ signed_distance(Surface& s, const std::vector<std::variant<Way, Place_arrays, In
     else
       curves.emplace_back(
           numbers_of(std::get<Integers>(c), std::numeric_limits<std::uint32_t>::max(), "vertex"));
-  Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&]<class T>(const T& t) {
     using Method = IT::Signed_heat_distance<T>;
     struct Kept { // for one time

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
+#include <CGAL/Intrinsic_operators/distance/divide_among.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
@@ -45,46 +46,48 @@ void expect_sources(const std::vector<Place>& sources) {
   if (sources.empty()) throw py::value_error("distances need a source; give one at least");
 }
 
-// Calls a function with what finds the distances of a surface.
-template <class Function>
-auto with_distances(Surface& s, Method& method, std::size_t threads, const py::object& progress,
-                    const Function& function) {
-  Watch watch(progress);
-  method.number_of_threads = threads;
+// Lets a search ask whether to go on.
+void watch_steps(Method& method, Watch& watch) {
   method.progress = [&watch](IT::Distance_step step, std::uint64_t done, std::uint64_t) {
     return watch(step == IT::Distance_step::windows    ? "windows"
                  : step == IT::Distance_step::matrices ? "matrices"
                                                        : "parts",
                  done);
   };
+}
+
+// Calls a function with what finds the distances of a surface.
+template <class Function>
+auto with_distances(Surface& s, Method& method, std::size_t threads, Watch& watch,
+                    const Function& function) {
+  method.number_of_threads = threads;
+  watch_steps(method, watch);
   return with_triangulation(s, watch, [&](const auto& t) { return function(distances_on(s, t)); });
 }
 
 py::tuple distance(Surface& s, const Place_arrays& sources,
-                   const std::optional<Place_arrays>& targets, Method method,
-                   const py::object& progress) {
+                   const std::optional<Place_arrays>& targets, Method method, Watch& watch) {
   const std::vector<Place> from = places_of(s, sources);
   const std::vector<Place> to = targets ? places_of(s, *targets) : std::vector<Place>();
   IT::Found_distances found = with_distances(
-      s, method, 0, progress, [&](auto& find) { return find.from(from, method, to); });
+      s, method, 0, watch, [&](auto& find) { return find.from(from, method, to); });
   return py::make_tuple(array_of(std::move(targets ? found.at_targets : found.by_row)),
                         IT::name_of(found.status));
 }
 
 template <class Number>
 std::string fill(Surface& s, const std::vector<std::vector<Place>>& sets, Method& method,
-                 std::size_t threads, py::array_t<Number> out, const py::object& progress) {
+                 std::size_t threads, py::array_t<Number> out, Watch& watch) {
   if ((out.flags() & py::array::c_style) == 0 || !out.writeable())
     throw py::value_error("out must be a writable array in C order");
   const std::span<Number> numbers(out.mutable_data(), static_cast<std::size_t>(out.size()));
-  return IT::name_of(with_distances(s, method, threads, progress, [&](auto& find) {
+  return IT::name_of(with_distances(s, method, threads, watch, [&](auto& find) {
     return find.columns(sets, numbers, method);
   }));
 }
 
 std::string distances(Surface& s, const Place_arrays& sources, const std::vector<std::size_t>& ends,
-                      Method method, std::size_t threads, const py::array& out,
-                      const py::object& progress) {
+                      Method method, std::size_t threads, const py::array& out, Watch& watch) {
   const std::vector<Place> all = places_of(s, sources);
   std::vector<std::vector<Place>> sets;
   auto from = all.begin();
@@ -94,92 +97,74 @@ std::string distances(Surface& s, const Place_arrays& sources, const std::vector
     from = to;
   }
   if (py::isinstance<py::array_t<double>>(out))
-    return fill<double>(s, sets, method, threads, out, progress);
+    return fill<double>(s, sets, method, threads, out, watch);
   if (py::isinstance<py::array_t<float>>(out))
-    return fill<float>(s, sets, method, threads, out, progress);
+    return fill<float>(s, sets, method, threads, out, watch);
   throw py::value_error("out must have the type float64 or float32");
 }
 
 py::array_t<double> pair_distances(Surface& s, const Place_arrays& first,
                                    const Place_arrays& second, Method method, std::size_t threads,
-                                   const py::object& progress) {
+                                   Watch& watch) {
   const std::vector<Place> from = places_of(s, first), to = places_of(s, second);
-  return array_of(with_distances(s, method, threads, progress,
+  return array_of(with_distances(s, method, threads, watch,
                                  [&](auto& find) { return find.of_pairs(from, to, method); }));
 }
 
 // ---- Cells of sources, and samples of vertices --------------------------------------------------
 
 // The cells of sources, and what is drawn of them.
-struct Found_cells {
+struct Drawn_cells {
   std::shared_ptr<const IT::Input> input;
-  std::vector<double> distances;
-  std::vector<std::int64_t> labels; // -1: no source can be reached
-  IT::Voronoi_cells cells;
+  IT::Found_cells found;
   std::vector<Way> boundaries;
   std::vector<IT::Surface_point> junctions; // on the input
 };
 
 template <class T>
-Found_cells cells(Surface& s, const T& t, const std::vector<Place>& sources,
-                  const std::vector<std::uint32_t>& cell_of_place, std::optional<double> tolerance,
-                  Watch& watch) {
-  Place_finder<T> find(t);
-  std::vector<IT::Surface_point> points;
-  std::vector<std::uint32_t> cell_of_source;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    find.append(sources[i], points);
-    cell_of_source.resize(points.size(), cell_of_place[i]);
-  }
-  auto& search = distances_on(s, t).exact_search();
-  Watching visitor{&watch, "windows"};
-  search.search(points, IT::parameters::visitor(std::ref(visitor)));
-  watch.begin("cells");
-  const IT::Twin_points twins(t);
-  Found_cells found{t.shared_input(), search.distances(), {}, {}, {}, {}};
-  twins.copy(found.distances);
-  found.cells =
-      tolerance ? IT::voronoi_cells(search, cell_of_source, IT::parameters::tolerance(*tolerance))
-                : IT::voronoi_cells(search, cell_of_source);
-  found.labels.assign(found.distances.size(), -1);
-  for (const auto v : vertices(t.mesh()))
-    if (const std::uint32_t i = search.nearest_source(v); i != IT::Gluing::none)
-      found.labels[t.input_vertex(v)] = cell_of_source[i];
-  twins.copy(found.labels);
-  for (const IT::Cell_boundary& b : found.cells.boundaries) {
+Drawn_cells cells(IT::Distances<T>& find, const T& t, const std::vector<std::vector<Place>>& sets,
+                  std::optional<double> tolerance, const Method& method, Watch& watch) {
+  Drawn_cells drawn{t.shared_input(), IT::divide_among(find, sets, tolerance, method), {}, {}};
+  for (const IT::Cell_boundary& b : drawn.found.cells.boundaries) {
     watch.begin("boundary");
-    found.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
+    drawn.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
   }
-  for (const IT::Cell_junction& j : found.cells.junctions)
-    found.junctions.push_back(search.is_on_faces() ? j.point
-                                                   : IT::locate_on_input(t, j.point).value());
-  distances_on(s, t).forget_exact_search();
-  return found;
+  for (const IT::Cell_junction& j : drawn.found.cells.junctions)
+    drawn.junctions.push_back(find.exact_search().is_on_faces()
+                                  ? j.point
+                                  : IT::locate_on_input(t, j.point).value());
+  find.forget_exact_search();
+  return drawn;
 }
 
 py::dict voronoi(Surface& s, const Place_arrays& sources, const std::vector<std::uint32_t>& cell,
-                 std::optional<double> tolerance, const py::object& progress) {
+                 std::optional<double> tolerance, Watch& watch) {
   const std::vector<Place> places = places_of(s, sources);
   expect_sources(places);
-  Watch watch(progress);
-  Found_cells found = with_triangulation(
-      s, watch, [&](const auto& t) { return cells(s, t, places, cell, tolerance, watch); });
+  std::vector<std::vector<Place>> sets(cell.back() + std::size_t{1});
+  for (std::size_t i = 0; i < places.size(); ++i) sets[cell[i]].push_back(places[i]);
+  Method method;
+  watch_steps(method, watch);
+  Drawn_cells drawn = with_triangulation(s, watch, [&](const auto& t) {
+    return cells(distances_on(s, t), t, sets, tolerance, method, watch);
+  });
   py::list boundaries, junctions;
-  for (std::size_t i = 0; i < found.boundaries.size(); ++i) {
-    py::dict line = curve_arrays(*found.input, s.points, found.boundaries[i], true);
-    line["left"] = found.cells.boundaries[i].left;
-    line["right"] = found.cells.boundaries[i].right;
+  for (std::size_t i = 0; i < drawn.boundaries.size(); ++i) {
+    py::dict line = curve_arrays(*drawn.input, s.points, drawn.boundaries[i], true);
+    line["left"] = drawn.found.cells.boundaries[i].left;
+    line["right"] = drawn.found.cells.boundaries[i].right;
     boundaries.append(line);
   }
-  for (const IT::Cell_junction& j : found.cells.junctions) junctions.append(py::cast(j.sources));
+  for (const IT::Cell_junction& j : drawn.found.cells.junctions)
+    junctions.append(py::cast(j.sources));
   py::dict result;
-  result["labels"] = array_of(std::move(found.labels));
-  result["distances"] = array_of(std::move(found.distances));
-  result["areas"] = array_of(std::move(found.cells.areas));
+  result["labels"] = array_of(std::move(drawn.found.nearest));
+  result["distances"] = array_of(std::move(drawn.found.by_row));
+  result["areas"] = array_of(std::move(drawn.found.cells.areas));
   result["boundaries"] = boundaries;
-  result["junctions"] = point_arrays(*found.input, s.points, found.junctions);
+  result["junctions"] = point_arrays(*drawn.input, s.points, drawn.junctions);
   result["cells_at_junctions"] = junctions;
-  result["status"] = IT::name_of(found.cells.status);
+  result["status"] = IT::name_of(drawn.found.cells.status);
   return result;
 }
 
@@ -199,10 +184,9 @@ std::pair<std::vector<std::int64_t>, double> farthest(const T& t, const std::vec
 }
 
 py::tuple farthest_points(Surface& s, const Place_arrays& sources, std::size_t count,
-                          const py::object& progress) {
+                          Watch& watch) {
   const std::vector<Place> places = places_of(s, sources);
   expect_sources(places);
-  Watch watch(progress);
   auto [rows, radius] = with_triangulation(
       s, watch, [&](const auto& t) { return farthest(t, places, count, watch); });
   return py::make_tuple(array_of(std::move(rows)), radius);

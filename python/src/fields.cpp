@@ -39,9 +39,8 @@ IT::Logarithm_method logarithm_method(const std::string& method) {
 
 py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,
                             double time_factor, double maximum_distance, std::size_t neighbors,
-                            const py::object& progress) {
+                            Watch& watch) {
   const Place p = places_of(s, place).at(0);
-  Watch watch(progress);
   IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   options.maximum_distance = maximum_distance;
   return array_of(with_triangulation(s, watch, [&](auto& t) {
@@ -56,20 +55,18 @@ py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::st
 // ---- Transport ---------------------------------------------------------------------------------
 
 Field transport(Surface& s, const Place_arrays& places, const Doubles& vectors, double time_factor,
-                std::size_t neighbors, const py::object& progress) {
+                std::size_t neighbors, Watch& watch) {
   const IT::Given_vectors given = given_vectors(places_of(s, places), vectors);
-  Watch watch(progress);
   const IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   return with_triangulation(s, watch,
                             [&](auto& t) { return vectors_on(s, t).transport(given, options); });
 }
 
 py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles& values,
-                           double time_factor, std::size_t neighbors, const py::object& progress) {
+                           double time_factor, std::size_t neighbors, Watch& watch) {
   const std::vector<Place> at = places_of(s, places);
   expect_size(values, at.size(), "values");
   const std::vector<double> given(values.data(), values.data() + values.size());
-  Watch watch(progress);
   const IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   return array_of(with_triangulation(
       s, watch, [&](auto& t) { return vectors_on(s, t).extend(at, given, options); }));

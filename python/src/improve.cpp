@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
 
+#include <three_js.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -165,8 +167,7 @@ Surface_ptr copy(Surface& s, bool is_improved) {
 }
 
 Surface_ptr improved_copy(Surface& s, const IT::Improve_options& options, const Kept& keep,
-                          const py::object& progress) {
-  Watch watch(progress);
+                          Watch& watch) {
   const Surface_ptr result = copy(s, true);
   with_triangulation(*result, watch, [&](auto& t) {
     const std::vector<char> marks = marks_of(t.input(), keep);
@@ -179,8 +180,8 @@ Surface_ptr improved_copy(Surface& s, const IT::Improve_options& options, const 
 }
 
 Surface_ptr delaunay(Surface& s, const std::optional<Integers>& keep,
-                     std::optional<double> sharp_angle, const py::object& progress) {
-  return improved_copy(s, {}, kept(s, keep, sharp_angle), progress);
+                     std::optional<double> sharp_angle, Watch& watch) {
+  return improved_copy(s, {}, kept(s, keep, sharp_angle), watch);
 }
 
 IT::Refinement_order order_of(const std::string& name) {
@@ -193,8 +194,7 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
                    std::optional<double> max_edge_length, std::optional<double> max_circumradius,
                    std::optional<std::uint64_t> max_insertions, const std::string& order,
                    bool conforming, const std::optional<Integers>& keep,
-                   std::optional<double> sharp_angle, double odt_length,
-                   const py::object& progress) {
+                   std::optional<double> sharp_angle, double odt_length, Watch& watch) {
   IT::Improve_options options;
   IT::Refine_criteria& criteria = options.refine.emplace();
   criteria.minimum_angle = min_angle;
@@ -205,15 +205,15 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
   criteria.is_conforming = conforming;
   criteria.odt_length = odt_length;
   if (sizes) criteria.lengths.assign(sizes->data(), sizes->data() + sizes->size());
-  return improved_copy(s, options, kept(s, keep, sharp_angle), progress);
+  return improved_copy(s, options, kept(s, keep, sharp_angle), watch);
 }
 
 Surface_ptr adapt(Surface& s, std::uint32_t source, double heat_time, double tolerance,
                   std::size_t max_vertices, double min_angle, const std::optional<Integers>& keep,
-                  std::optional<double> sharp_angle, const py::object& progress) {
+                  std::optional<double> sharp_angle, Watch& watch) {
   IT::Improve_options options;
   options.adapt = {source, heat_time, tolerance, max_vertices, min_angle};
-  return improved_copy(s, options, kept(s, keep, sharp_angle), progress);
+  return improved_copy(s, options, kept(s, keep, sharp_angle), watch);
 }
 
 // ---- Measuring ---------------------------------------------------------------------------------
@@ -243,6 +243,8 @@ std::string page(Surface& s, double megabytes) {
     IT::Html_view view;
     view.title = title;
     view.description = text;
+    view.three = embedded::three_js();
+    view.trackball_controls = embedded::trackball_controls_js();
     view.marks_name = {};
     view.maximum_size = static_cast<std::size_t>(1e6 * megabytes);
     std::ostringstream out;

@@ -67,9 +67,8 @@ IT::Map_method method_of(const std::string& name) {
 }
 
 // The surface may be refined.
-py::tuple parametrize(Surface& s, const std::string& method, const py::object& progress) {
+py::tuple parametrize(Surface& s, const std::string& method, Watch& watch) {
   IT::Map_distortion distortion;
-  Watch watch(progress);
   Watching visitor{&watch, method == "harmonic" ? "rounds" : "solutions"};
   IT::Injective_map map = with_triangulation(s, watch, [&](auto& t) {
     IT::Injective_map result =
@@ -83,8 +82,7 @@ py::tuple parametrize(Surface& s, const std::string& method, const py::object& p
                         dict_of(map.certificate), dict_of(distortion), map.rounds, map.inserted);
 }
 
-py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, const py::object& progress) {
-  Watch watch(progress);
+py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, Watch& watch) {
   Watching visitor{&watch, "solutions"};
   return array_of(with_triangulation(s, watch, [&](auto& t) {
     return IT::conformal_map_of_points(IT::points_of_rows(t, s.points), neighbors,
@@ -149,8 +147,7 @@ std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
 
 // The triangles of a surface, cut open along edges, or, without edges, to disks, and the vertex
 // that each vertex is a copy of.
-py::tuple cut_open(Surface& s, const std::optional<Integers>& edges, const py::object& progress) {
-  Watch watch(progress);
+py::tuple cut_open(Surface& s, const std::optional<Integers>& edges, Watch& watch) {
   bool is_exact = false;
   IT::Opened_input opened = with_triangulation(s, watch, [&](auto& t) {
     is_exact = std::remove_cvref_t<decltype(t)>::Metric::is_exact;
@@ -170,8 +167,7 @@ std::uint32_t sheets(Surface& s) {
 
 // ---- Eigenfunctions ----------------------------------------------------------------------------
 
-py::tuple eigen(Surface& s, std::size_t count, const py::object& progress) {
-  Watch watch(progress);
+py::tuple eigen(Surface& s, std::size_t count, Watch& watch) {
   Watching visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
     IT::Eigenpairs found = IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
@@ -197,12 +193,11 @@ IT::Deformation_energy energy_of(const std::string& name) {
 }
 
 py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& displacements,
-                           const std::string& energy, const py::object& progress) {
+                           const std::string& energy, Watch& watch) {
   const IT::Deformation_energy minimized = energy_of(energy);
   const Row_matrix given = matrix_of(displacements);
   const std::vector<std::uint32_t> rows = numbers_of(
       handles, with_triangulation(s, [](auto& t) { return t.number_of_vertices(); }), "vertex");
-  Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&](auto& t) -> Row_matrix {
     std::shared_ptr<void>& place = s.cache["deformation"];
     auto* kept = static_cast<Kept_deformation*>(place.get());

@@ -27,13 +27,7 @@ struct Subdivision {
   IT::Interpolation_matrix from_input, from_intrinsic;
 };
 
-template <class Number>
-py::array_t<std::int64_t> whole_numbers(const std::vector<Number>& numbers) {
-  return array_of(std::vector<std::int64_t>(numbers.begin(), numbers.end()));
-}
-
-py::dict common_subdivision(Surface& s, const py::object& progress) {
-  Watch watch(progress);
+py::dict common_subdivision(Surface& s, Watch& watch) {
   Subdivision d = with_triangulation(s, watch, [&](auto& t) {
     Subdivision r{IT::common_subdivision(t), {}, {}, {}, {}};
     watch.begin("matrices");
@@ -49,11 +43,11 @@ py::dict common_subdivision(Surface& s, const py::object& progress) {
   py::dict result;
   result["has_points"] = !d.points.empty();
   result["V"] = array_of(std::move(d.points));
-  result["corners"] = whole_numbers(d.s.corner);
-  result["begins"] = whole_numbers(d.s.face_begin);
-  result["input_face"] = whole_numbers(d.s.input_face);
+  result["corners"] = whole(d.s.corner);
+  result["begins"] = whole(d.s.face_begin);
+  result["input_face"] = whole(d.s.input_face);
   result["intrinsic_face"] = array_of(std::move(d.intrinsic_face));
-  result["sheet"] = whole_numbers(d.s.sheet);
+  result["sheet"] = whole(d.s.sheet);
   result["P_input"] = array_of(std::move(d.from_input));
   result["P_intrinsic"] = array_of(std::move(d.from_intrinsic));
   return result;
@@ -61,9 +55,8 @@ py::dict common_subdivision(Surface& s, const py::object& progress) {
 
 // Values at vertices on the other triangulation, a function per column.
 py::array_t<double> transfer(Surface& s, const Doubles& values, bool to_input, bool is_l2,
-                             const py::object& progress) {
+                             Watch& watch) {
   const Row_matrix given = matrix_of(values);
-  Watch watch(progress);
   return array_of(with_triangulation(s, watch, [&](auto& t) -> Row_matrix {
     if (!is_l2) return to_input ? IT::copy_to_input(t, given) : IT::copy_to_intrinsic(t, given);
     const Eigen::MatrixXd columns = given;

@@ -165,12 +165,11 @@ Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, cons
 Surface_ptr read(const std::string& path, const std::string& domain,
                  const std::optional<std::string>& arithmetic,
                  const std::optional<std::string>& mollification, const std::string& polygons,
-                 std::optional<std::size_t> neighbors, const py::object& progress) {
+                 std::optional<std::size_t> neighbors, Watch& watch) {
   constexpr std::array<std::string_view, 1> stored{"idt"};
   IT::Surface_options options =
       IT::surface_options(domain, mollification.value_or("automatic"), polygons);
   options.neighbors = neighbors;
-  Watch watch(progress);
   return without_interpreter(watch, [&] {
     watch("reading");
     if (IT::has_extension(path, stored))

@@ -129,9 +129,8 @@ py::dict dict_of_map(IT::Uniformization found, const std::vector<Point>& points)
 py::dict uniformize(Surface& s, const std::optional<std::string>& target, bool starts_from_input,
                     const std::optional<std::size_t>& cones, const Integers& rows,
                     const Doubles& radians, const Integers& numerators,
-                    const Integers& denominators, const py::object& progress) {
+                    const Integers& denominators, Watch& watch) {
   const Asked_angles asked = asked_angles(rows, radians, numerators, denominators);
-  Watch watch(progress);
   IT::Uniformize_options options;
   options.target = target_of(target);
   options.start = starts_from_input ? IT::Uniform_start::input : IT::Uniform_start::delaunay;

@@ -6,13 +6,16 @@
 
 #include "improve.h"
 #include "load.h"
-#include "matrices.h"
 #include "options.h"
 #include "output_files.h"
 #include "statistics.h"
+#include "support/naming_file.h"
 #include "support/progress.h"
 #include "view.h"
 
+#include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
+#include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/matrix_market.h>
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/write_intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
@@ -20,6 +23,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+
+#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <cstdint>
@@ -85,6 +90,32 @@ Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const O
   std::vector<Point> points = IT::positions(s, input_points(loaded), loaded.triangulation.input());
   json["subdivision"]["area"] = area(s, points) / loaded.triangulation.input().names().sheets;
   return {std::move(s), std::move(points), std::move(triangles)};
+}
+
+/// writes a matrix. \param what what it is, for the comment in the file
+inline void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
+                         const std::string& what, Output_files& files) {
+  files.write(path, [&](std::ostream& out) {
+    IT::write_matrix_market(out, matrix,
+                            what + ",\nby intrinsic " + INTRINSIC_TRIANGULATIONS_VERSION);
+  });
+}
+
+/// writes the Laplacian and the mass matrix, if options name files for them.
+/// \throws Invalid_input naming the file
+template <class Triangulation>
+void write_matrices(Triangulation& t, const Options& options, Output_files& files) {
+  const std::string rows = "; rows of the input's vertices in their order, then of those inserted";
+  naming_file(options.input, [&] {
+    if (!options.laplacian.empty())
+      write_matrix(options.laplacian, IT::cotangent_laplacian(t),
+                   "cotangent Laplacian, positive semidefinite" + rows, files);
+    if (!options.mass.empty())
+      write_matrix(options.mass,
+                   options.mass_kind == "lumped" ? IT::lumped_mass_matrix(t)
+                                                 : IT::galerkin_mass_matrix(t),
+                   options.mass_kind + " mass matrix" + rows, files);
+  });
 }
 
 /// writes the common subdivision, what interpolates there, and the page that shows it.

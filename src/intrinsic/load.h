@@ -7,11 +7,11 @@
 #include "constraints.h"
 #include "metric.h"
 #include "options.h"
-#include "support/Cut.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
@@ -29,6 +29,17 @@
 #include <vector>
 
 namespace program {
+
+/// How a mesh was cut open.
+struct Cut {
+  /// The vertex of the file that each vertex of the surface is a copy of; empty: it is not cut.
+  std::vector<std::uint32_t> original_vertex;
+  std::size_t edges = 0;             ///< number of edges that were cut
+  double length = 0;                 ///< of these edges in space
+  std::vector<IT::Polyline> seams{}; ///< these edges in space
+
+  bool is_cut() const { return !original_vertex.empty(); }
+};
 
 /// An intrinsic triangulation and what is known of its input.
 template <IT::NumberedTriangulation Triangulation>

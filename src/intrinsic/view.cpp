@@ -3,10 +3,12 @@
 
 #include "view.h"
 #include "support/messages.h"
-#include "three_js.h"
 
 #include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
 
+#include <three_js.h>
+
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -33,11 +35,15 @@ void describe_cut(std::ostream& text, const Json& cut) {
 }
 
 void describe_map(std::ostream& text, const Json& conformal) {
-  const bool is_proven = conformal["proven_residual"].is_number();
-  const Json& residual = conformal[is_proven ? "proven_residual" : "residual"];
-  if (residual.is_number())
+  const auto is_known = [&](const char* key) {
+    return conformal[key].is_number() && std::isfinite(conformal[key].get<double>());
+  };
+  const bool is_proven = is_known("proven_residual");
+  const char* const residual = is_proven ? "proven_residual" : "residual";
+  if (is_known(residual))
     text << "\n"
-         << conformal["cones"] << " cones; angles are right up to " << residual.get<double>()
+         << conformal["cones"] << " cones; angles are right up to "
+         << conformal[residual].get<double>()
          << " radians" << (is_proven ? ", proven" : "");
 }
 
@@ -60,7 +66,7 @@ std::string description(const Json& json) {
 void write_view(std::ostream& out, const IT::Common_subdivision& s,
                 const std::vector<Point>& points, const Options& options, const Json& json,
                 IT::Html_view view) {
-  if (three_js().empty())
+  if (embedded::three_js().empty())
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
                              "install libjs-three and build it again");
@@ -68,8 +74,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   const std::string text = description(json);
   view.title = title;
   view.description = text;
-  view.three = three_js();
-  view.trackball_controls = trackball_controls_js();
+  view.three = embedded::three_js();
+  view.trackball_controls = embedded::trackball_controls_js();
   if (view.marks.empty()) view.marks_name = {};
   constexpr std::size_t many = 1000; // curves, which would cover the surface
   if (view.curves.size() > many) view.curve_width = 1;

@@ -314,6 +314,10 @@ TEST(units, areas_of_improved_surfaces) {
     const double area = cells * cells * scale * scale;
     EXPECT_NEAR(result.input_area / area, 1, 1e-12);
     EXPECT_NEAR(result.measured.area / area, 1, 1e-12);
+    IT::Distances<Triangulation> find(t);
+    const IT::Found_cells halves =
+        IT::divide_among(find, {{IT::Place::at_vertex(0)}, {IT::Place::at_vertex(cells)}});
+    for (const double half : halves.cells.areas) EXPECT_NEAR(half / area, 0.5, 1e-9);
   }
 }
 

@@ -15,7 +15,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -51,15 +50,6 @@ struct Marks {
   std::string name;
   std::vector<IT::Polyline> points{}; ///< of one point each
 };
-
-/// returns a number, or null if it is not finite.
-inline Json finite_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-/// does so for each one.
-inline Json finite_or_null(const std::vector<double>& numbers) {
-  Json result = Json::array();
-  for (const double x : numbers) result.push_back(finite_or_null(x));
-  return result;
-}
 
 /// A surface of polygons in space, with numbers and vectors on it.
 struct Surface_with_fields {

@@ -6,7 +6,6 @@
 
 #include "../delaunay.h"
 #include "../options.h"
-#include "../support/Cut.h"
 #include "Computed.h"
 #include "direction_lines.h"
 

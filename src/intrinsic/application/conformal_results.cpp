@@ -86,10 +86,10 @@ Computed map_of_disks(Computed computed, const IT::Input& surface, const std::ve
 
 Laid_out shown_layout(const IT::Scaled_layout& layout, const std::vector<Point>& points,
                       Json& json) {
-  json["mean_quasi_conformal"] = finite_or_null(layout.distortion.mean_quasi_conformal);
-  json["max_quasi_conformal"] = finite_or_null(layout.distortion.maximum_quasi_conformal);
-  json["min_area_ratio"] = finite_or_null(layout.distortion.minimum_area_ratio);
-  json["max_area_ratio"] = finite_or_null(layout.distortion.maximum_area_ratio);
+  json["mean_quasi_conformal"] = layout.distortion.mean_quasi_conformal;
+  json["max_quasi_conformal"] = layout.distortion.maximum_quasi_conformal;
+  json["min_area_ratio"] = layout.distortion.minimum_area_ratio;
+  json["max_area_ratio"] = layout.distortion.maximum_area_ratio;
   const IT::Map_certificate& c = layout.certificate;
   json["injective"] = c.is_injective();
   json["locally_injective"] = c.is_locally_injective();

@@ -12,19 +12,19 @@
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
 #include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
-#include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/divide_among.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
@@ -85,8 +85,8 @@ Places joined(const Sources& lists, std::size_t from, std::size_t to) {
 }
 
 void add_range(Json& json, const Range& range) {
-  json["min"] = finite_or_null(range.least);
-  json["max"] = finite_or_null(range.greatest);
+  json["min"] = range.least;
+  json["max"] = range.greatest;
   json["unreached"] = range.infinite;
 }
 
@@ -100,8 +100,8 @@ Computed computed_distances(const Triangulation& t, Eigen::VectorXd distances,
                    {"sources", o.sources.size()},
                    {"curves", o.curves.size()},
                    {"signed", o.is_signed},
-                   {"min", finite_or_null(range.least)},
-                   {"max", finite_or_null(range.greatest)},
+                   {"min", range.least},
+                   {"max", range.greatest},
                    {"unreached_vertices", range.infinite}};
   if (!o.isolines.empty()) {
     computed.levels = levels_in(range, o.levels);
@@ -138,51 +138,20 @@ Computed distances_from_curves(Triangulation& t, const Sources& sources,
                    heat.time());
 }
 
-template <class Triangulation>
-IT::Voronoi_cells cells_of(const IT::Polyhedral_distance<Triangulation>& search,
-                           const std::vector<std::uint32_t>& cell_of_source,
-                           const Application_options& o) {
-  return o.cell_tolerance ? IT::voronoi_cells(search, cell_of_source,
-                                              IT::parameters::tolerance(*o.cell_tolerance))
-                          : IT::voronoi_cells(search, cell_of_source);
-}
-
 // Divides the surface among the sources, or sets of them.
 template <class Triangulation>
-void add_cells(const IT::Polyhedral_distance<Triangulation>& search,
-               const std::vector<std::uint32_t>& cell_of_source, const Application_options& o,
-               Computed& computed) {
-  const Triangulation& t = search.triangulation();
-  IT::Voronoi_cells cells = cells_of(search, cell_of_source, o);
-  std::vector<std::size_t> sizes(cells.areas.size());
-  Function nearest{"nearest_source", computed.functions.front().values};
-  for (const auto v : vertices(t.mesh())) {
-    const std::uint32_t source = search.nearest_source(v);
-    const bool is_reached = source != IT::Gluing::none;
-    nearest.values[t.input_vertex(v)] = is_reached ? double(cell_of_source[source]) : -1;
-    if (is_reached) ++sizes[cell_of_source[source]];
-  }
-  IT::Twin_points(t).copy(nearest.values);
+void add_cells(const Triangulation& t, IT::Found_cells found, Computed& computed) {
+  Function nearest{"nearest_source", Eigen::VectorXd(computed.functions.front().values.size())};
+  std::ranges::copy(found.nearest, nearest.values.begin());
   computed.functions.push_back(std::move(nearest));
-  computed.json["cells"] = {{"vertices", sizes},
-                            {"areas", cells.areas},
-                            {"boundaries", cells.boundaries.size()},
-                            {"junctions", cells.junctions.size()},
-                            {"status", IT::name_of(cells.status)}};
-  computed.cell_boundaries =
-      [&t, cells = std::move(cells)](const std::vector<std::array<double, 3>>& points) {
-        return IT::polylines(t, cells, points);
-      };
-}
-
-// The cell of each point of places, of which there are several on a cover.
-template <class Triangulation>
-std::vector<std::uint32_t> cells_of_points(const Triangulation& t, const Sources& cells) {
-  IT::Place_finder<Triangulation> find(t);
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
-    result.insert(result.end(), find.points(cells[cell]).size(), cell);
-  return result;
+  computed.json["cells"] = {{"vertices", found.vertices},
+                            {"areas", found.cells.areas},
+                            {"boundaries", found.cells.boundaries.size()},
+                            {"junctions", found.cells.junctions.size()},
+                            {"status", IT::name_of(found.cells.status)}};
+  computed.cell_boundaries = [&t, cells = std::move(found.cells)](const Points& points) {
+    return IT::polylines(t, cells, points);
+  };
 }
 
 // From points in lists, and from sets of them to targets; divides the surface among the sets.
@@ -191,7 +160,12 @@ Computed distances_of(const Triangulation& t, const Sources& sets, const Places&
                       const Application_options& o, Progress& progress) {
   const IT::Distance_options asked = asked_of(o, progress);
   IT::Distances<Triangulation> find(t);
-  const IT::Found_distances found = find.from(joined(sets, 0, sets.size()), asked, targets);
+  IT::Found_cells found;
+  if (o.voronoi.empty())
+    static_cast<IT::Found_distances&>(found) =
+        find.from(joined(sets, 0, sets.size()), asked, targets);
+  else
+    found = IT::divide_among(find, sets, o.cell_tolerance, asked);
   Computed computed = computed_distances(
       t, Eigen::VectorXd::Map(found.by_row.data(), static_cast<Eigen::Index>(found.by_row.size())),
       o);
@@ -203,10 +177,10 @@ Computed distances_of(const Triangulation& t, const Sources& sets, const Places&
   if (!o.source_sets.empty())
     computed.json["sets"] = sets.size();
   else {
-    computed.json["reached"] = finite_or_null(found.reached);
-    computed.json["targets"] = finite_or_null(found.at_targets);
+    computed.json["reached"] = found.reached;
+    computed.json["targets"] = found.at_targets;
   }
-  if (!o.voronoi.empty()) add_cells(find.exact_search(), cells_of_points(t, sets), o, computed);
+  if (!o.voronoi.empty()) add_cells(t, std::move(found), computed);
   return computed;
 }
 
@@ -252,7 +226,7 @@ Computed distances_of_pairs(const Triangulation& t, const Application_options& o
   computed.json = {{"method", o.distance}, {"pairs", from.size()}};
   if (asked.method == IT::Distance_method::heat) computed.json["time"] = find.heat_time(asked);
   add_range(computed.json, range_of(distances));
-  computed.json["distances"] = finite_or_null(distances);
+  computed.json["distances"] = distances;
   computed.write = [distances](std::ostream& out, Json&) {
     Number_rows numbers(out);
     for (const double d : distances) {

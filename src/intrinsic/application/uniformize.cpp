@@ -111,10 +111,10 @@ Json json_of(const IT::Uniformization& found, const Uniformize_options& asked) {
       {"target",
        std::ranges::find(targets, found.target, &decltype(targets)::value_type::second)->first},
       {"iterations", m.iterations},
-      {"residual", finite_or_null(m.residual)},
+      {"residual", m.residual},
       {"flips", m.flips},
       {"cones", cones.size()}};
-  json["proven_residual"] = m.proven_residual ? finite_or_null(*m.proven_residual) : Json(nullptr);
+  json["proven_residual"] = m.proven_residual ? Json(*m.proven_residual) : Json(nullptr);
   if (!asked.cones.empty()) json["cone_angles"] = cones;
   if (found.period) json["period"] = {found.period->real(), found.period->imag()};
   if (found.sphere) {
@@ -192,7 +192,7 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
   const Eigen::VectorXd& u = computed.functions.front().values;
   computed.json["least_u"] = u.minCoeff();
   computed.json["largest_u"] = u.maxCoeff();
-  computed.json["max_scale_ratio"] = finite_or_null(std::exp(u.maxCoeff() - u.minCoeff()));
+  computed.json["max_scale_ratio"] = std::exp(u.maxCoeff() - u.minCoeff());
   computed.timed = "uniformize";
   return computed;
 }

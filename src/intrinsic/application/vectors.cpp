@@ -152,7 +152,7 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   const auto [radius, unknown] = greatest_known(by_rows(log, length_of));
   computed.json = {{"method", method},
                    {"radius", radius},
-                   {"injectivity_radius", finite_or_null(torn.radius)},
+                   {"injectivity_radius", torn.radius},
                    {"torn_edges", torn.edges},
                    {"unknown_vertices", unknown}};
   return computed;

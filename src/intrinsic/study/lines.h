@@ -4,13 +4,16 @@
 #ifndef INTRINSIC_STUDY_LINES_H
 #define INTRINSIC_STUDY_LINES_H
 
-#include "json.h"
+#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
 namespace program {
+
+/// Findings, with keys in the order in which they are set.
+using Json = nlohmann::ordered_json;
 
 /// returns findings as a line, with keys in the order that is documented.
 std::string study_line(const Json& findings);

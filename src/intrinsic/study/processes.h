@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_STUDY_PROCESSES_H
 #define INTRINSIC_STUDY_PROCESSES_H
 
-#include "json.h"
+#include "lines.h"
 #include "sources.h"
 #include "study.h"
 

@@ -4,7 +4,7 @@
 #ifndef INTRINSIC_STUDY_RUN_H
 #define INTRINSIC_STUDY_RUN_H
 
-#include "json.h"
+#include "lines.h"
 #include "results.h"
 
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>

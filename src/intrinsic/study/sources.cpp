@@ -16,6 +16,8 @@
 
 namespace program {
 
+namespace IT = CGAL::Intrinsic_triangulations;
+
 namespace {
 
 const std::string stress_prefix = "stress:";
@@ -79,7 +81,6 @@ IT::Intrinsic_input read_study_source(const Study_source& source) {
         IT::gluing_from_triangles(static_cast<std::uint32_t>(mesh.points.size()), mesh.faces);
     return {IT::Gluing_map(gluing), std::move(mesh.points)};
   }
-  namespace IT = CGAL::Intrinsic_triangulations;
   return IT::read_surface(source.location, IT::surface_options(source.domain)).input;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
+#include <CGAL/Intrinsic_operators/distance/divide_among.h>
 
 #include "operator_test_meshes.h"
 
@@ -137,6 +138,32 @@ TEST(Distances, of_columns_and_pairs_are_those_of_single_calls) {
       for (std::size_t i = 0; i < pairs.size(); ++i)
         EXPECT_NEAR(pairs[i], find.from({first[i]}, options, {second[i]}).at_targets[0], 1e-12);
     }
+  }
+}
+
+TEST(divide_among, gives_each_vertex_of_a_square_to_the_nearest_set) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    Square q(seed);
+    const Triangulation t = q.triangulation();
+    const std::vector<std::vector<Place>> sets{q.places(2), q.places(1), q.places(3)};
+    IT::Distances<Triangulation> find(t);
+    const IT::Found_cells found = IT::divide_among(find, sets);
+    for (std::uint32_t v = 0; v < q.shape.points.size(); ++v) {
+      const Place p = Place::at_vertex(v);
+      const double least = std::min({q.distance(p, sets[0]), q.distance(p, sets[1]),
+                                     q.distance(p, sets[2])});
+      EXPECT_NEAR(found.by_row[v], least, 1e-12);
+      ASSERT_TRUE(found.nearest[v] >= 0 && found.nearest[v] < 3);
+      EXPECT_NEAR(q.distance(p, sets[static_cast<std::size_t>(found.nearest[v])]), least, 1e-12);
+    }
+    double area = 0;
+    std::size_t vertices = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      area += found.cells.areas[k];
+      vertices += found.vertices[k];
+    }
+    EXPECT_NEAR(area, 36, 1e-9);
+    EXPECT_EQ(vertices, q.shape.points.size());
   }
 }
 
