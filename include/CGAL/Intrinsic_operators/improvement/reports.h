@@ -197,7 +197,7 @@ Report surface_report(const std::string& name, const Triangulation& t,
   const std::size_t rows = t.input().number_of_rows();
   if (!facts.domain.reason.empty())
     report["domain"] = internal::report_of_domain(facts, rows);
-  else if (t.input().names().sheets > 1)
+  else if (t.input().names().is_cover())
     report["domain"] = {{"kind", "stored"},
                         {"reason", "the file has a cover"},
                         {"sheets", t.input().names().sheets},
