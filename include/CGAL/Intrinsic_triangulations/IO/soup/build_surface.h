@@ -45,7 +45,7 @@ std::vector<std::array<double, 3>> points_by_rows(std::size_t vertices, const In
   return points;
 }
 
-// \pre no move was made
+// Counts the elements that the triangulation has now.
 template <NumberedTriangulation Triangulation>
 void count_elements_of(Built_surface<Triangulation>& built) {
   const auto start = std::chrono::steady_clock::now();

@@ -25,10 +25,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// Which surface is made of faces or points.
 struct Surface_options {
-  Domain_kind kind = Domain_kind::automatic; ///< of faces
-  bool is_points = false;                    ///< whether faces are ignored
-  std::optional<std::size_t> neighbors{};    ///< of each point of a cloud; 30 by default
-  Nonplanar_polygons polygons = Nonplanar_polygons::fan;    ///< what is made of bent ones
+  Domain_kind kind = Domain_kind::automatic;              ///< of faces
+  bool is_points = false;                                 ///< whether faces are ignored
+  std::optional<std::size_t> neighbors{};                 ///< of each point; 30 by default
+  Nonplanar_polygons polygons = Nonplanar_polygons::fan;  ///< what is made of bent ones
   Mollification mollification = Mollification::automatic; ///< treatment of degenerate faces
 };
 
@@ -44,9 +44,9 @@ Surface_options surface_options(const std::string& domain,
 
 /// What is known of a surface when a triangulation of it is built.
 struct Surface_facts {
-  Element_counts counts{};                ///< of the triangles; see `build_surface()`
-  std::size_t polygons = 0;               ///< faces of the user; 0: points alone
-  std::size_t triangulated_polygons = 0;  ///< those with more than three sides
+  Element_counts counts{};                      ///< of the triangles, see `build_surface()`
+  std::size_t polygons = 0;                     ///< faces of the user; 0: points alone
+  std::size_t triangulated_polygons = 0;        ///< those with more than three sides
   std::size_t faces_with_repeated_vertices = 0; ///< see `Triangle_soup`
   Domain_report domain{};                       ///< which surface was made, and why
   Polygon_report planar_polygons{};             ///< what was made of polygons

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -55,9 +56,9 @@ Read_surface make_surface(Triangle_soup soup, const Surface_options& options) {
 }
 
 Read_surface read_surface(const std::string& path, const Surface_options& options) {
-  const File_faces faces = options.is_points                            ? File_faces::ignored
+  const File_faces faces = options.is_points                        ? File_faces::ignored
                            : options.kind == Domain_kind::automatic ? File_faces::optional
-                                                                        : File_faces::needed;
+                                                                    : File_faces::needed;
   const auto start = std::chrono::steady_clock::now();
   Triangle_soup soup = read_triangle_soup(path, options.polygons, faces);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
