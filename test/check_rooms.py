@@ -62,7 +62,6 @@ ALLOWED_INTERNALS = {
     "Intrinsic_triangulations/support/test_parameters.cpp": "how functions read the named parameters of users",
     "Intrinsic_triangulations/domains/test_Delaunay_star.cpp": ORACLE,
     "Intrinsic_triangulations/domains/test_tufted_cover.cpp": ORACLE,
-    "Intrinsic_triangulations/exact/test_expressions.cpp": ORACLE,
     "Intrinsic_triangulations/input/metric_scaling/test_side_vectors.cpp": HOSTILE,
     "Intrinsic_triangulations/input/test_Polygon_flattener.cpp": HOSTILE,
     "Intrinsic_triangulations/retriangulation/optimization/test_odt_optimize.cpp": ORACLE,

@@ -189,7 +189,7 @@ These pages describe the files: \ref page_file_format, \ref page_output_formats,
 */
 
 // Headers: correspondence/Intrinsic_view.h correspondence/Sheets.h correspondence/curves/
-// Headers: correspondence/models/
+// Headers: correspondence/models/ deciding/
 /*!
 \defgroup ref_inside_correspondence Inside correspondences
 \ingroup page_reference

@@ -9,10 +9,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Ideal_exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Decider.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
@@ -206,10 +206,13 @@ public:
     return internal::diamond_of(h, mesh(), numbers());
   }
 
-  /// returns the predicates for cases that the metric leaves open: see `Exact_ladder`.
-  auto exact_values() const requires internal::Decides_by_input<Metric> {
-    return internal::Exact_values_of<Intrinsic_triangulation, Places>(*this, places_,
-                                                                      exact_memory_);
+  /// returns what decides predicates: the metric, or an object that asks it first and decides the
+  /// rest from the input, see `Exact_ladder`.
+  decltype(auto) decider() const {
+    if constexpr (internal::Answers_if_certain<Metric>)
+      return internal::Decider<Intrinsic_triangulation, Places>(*this, places_, exact_memory_);
+    else
+      return metric();
   }
 
   /*!
@@ -305,11 +308,7 @@ private:
   friend Session;
   /// \endcond
 
-  static constexpr bool decides_by_input = internal::Decides_by_input<Metric>;
-  // where the vertices are on the input, if they define the metric
-  using Places = std::conditional_t<decides_by_input && !internal::Stores_nothing<Metric>,
-                                    internal::Vertex_places<Intrinsic_triangulation>,
-                                    internal::No_vertex_places<Intrinsic_triangulation>>;
+  using Places = internal::Places_of<Intrinsic_triangulation, Metric>;
 
   // Calls a function with all observers, in the order in which they are asked about moves and told.
   template <class Function>
@@ -325,9 +324,7 @@ private:
   Metric metric_;
   [[no_unique_address]] Correspondence correspondence_;
   [[no_unique_address]] Places places_;
-  [[no_unique_address]] mutable std::conditional_t<decides_by_input, internal::Exact_memory,
-                                                   internal::No_exact_memory>
-      exact_memory_; // a cache
+  [[no_unique_address]] mutable internal::Memory_of<Metric> exact_memory_; // a cache
   internal::Vertex_rows<Integer_coordinates> rows_;
 };
 

@@ -42,7 +42,6 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.cpp>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_memory.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.cpp>
@@ -57,6 +56,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/intrinsic_face_colors.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.cpp>
+#include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.cpp>

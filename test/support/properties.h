@@ -180,7 +180,7 @@ inline void expect_same_laplacian(std::map<Vertex_pair, double> a, std::map<Vert
 template <class T, class Function>
 void with_exact_values(const T& t, Halfedge<T> h, const Function& f) {
   const places::Exact_input input(t.input().metric());
-  t.exact_values().with_figure(t.diamond(h), [&](const auto& figure) {
+  t.decider().with_figure(t.diamond(h), [&](const auto& figure) {
     f(figure.template values<IT::Multiquadratic_number>(input));
   });
 }

@@ -38,7 +38,9 @@ at a vertex. Values are in scaled units: lengths of the input times 2 to the pow
 | \itf{locate_on_input}, insertion with \itc{Integer_coordinates} and \itc{Explicit_crossings} | also `sign` of faces |
 | \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
-A metric that decides by the input takes one more argument in `sign` and `cotangent_weight`, too.
+A metric that answers only what it is certain of has `certain_sign` in place of `sign`,
+`stored_weight` in place of `cotangent_weight` of a diamond, `is_narrow` and `refine`: see
+\itc{Exact_euclidean_metric}.
 
 \cgalHeading{Invariants}
 

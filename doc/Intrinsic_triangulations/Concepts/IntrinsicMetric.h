@@ -8,8 +8,8 @@
 \cgalConcept
 
 The concept `IntrinsicMetric` describes the store of a metric on a triangulation, as far as flips
-need it: it decides whether an edge is Delaunay and whether it can be flipped, and computes and
-stores the values that a flip makes. \ref ::EuclideanMetric adds lengths, areas and angles.
+need it: it decides whether an edge is Delaunay and whether it can be flipped, or answers if it is
+certain, and computes and stores the values that a flip makes. \ref ::EuclideanMetric adds lengths, areas and angles.
 
 Algorithms call the metric for everything that must be right, with numbers of edges and faces. So
 they depend neither on the number type nor on the geometry.
@@ -42,10 +42,12 @@ its value.
 
 A model of \ref ::EuclideanMetric has `sign` in place of `delaunay_sign` and `is_flippable`.
 
-A metric decides alone, or by the input. A metric that decides by the input takes one more argument
-in its predicates: the triangulation that owns it passes an object with exact values.
-\itc{Exact_euclidean_metric}, \itc{Exact_ideal_hyperbolic_metric} and \itc{Integer_only_metric}, which
-stores nothing, do this.
+A metric decides alone, or answers only what it is certain of. Such a metric has `certain_delaunay`
+in place of `is_locally_delaunay`, `delaunay_sign` and `is_flippable`. The triangulation that owns it
+has a decider, which asks the metric first, decides the rest from the input, and hands better
+enclosures of the stored values back. \itc{Exact_euclidean_metric},
+\itc{Exact_ideal_hyperbolic_metric} and \itc{Integer_only_metric}, which stores nothing, are such
+metrics; the deciders are parts of the package, one for each kind of store.
 
 \cgalHeading{Invariants}
 
@@ -82,6 +84,9 @@ public:
 
   /// tells whether an edge is Delaunay; true for ties.
   bool is_locally_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d) const;
+  /// tells the same, if the metric is certain.
+  CGAL::Intrinsic_triangulations::Certainty
+  certain_delaunay(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /// returns the sign of that property: negative if the edge is not Delaunay, zero for ties.
   CGAL::Sign delaunay_sign(const CGAL::Intrinsic_triangulations::Diamond& d) const;
   /// tells whether the edge between two different faces can be flipped.

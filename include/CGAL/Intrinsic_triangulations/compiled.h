@@ -51,10 +51,11 @@ sources of the library, see `src/instances/`.
   prefix class Move_session<__VA_ARGS__>;                                                          \
   prefix class internal::Mover<__VA_ARGS__>;                                                       \
   prefix class internal::Vertex_remover<__VA_ARGS__>
-// instantiates the search for places of vertices of an exact triangulation.
+// instantiates what decides for an exact triangulation, and where its vertices are.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PLACES(prefix, ...)                                          \
   prefix class internal::Vertex_places<__VA_ARGS__>;                                               \
-  prefix class internal::Exact_values<__VA_ARGS__>
+  prefix class internal::Figure_finder<__VA_ARGS__, internal::Vertex_places<__VA_ARGS__>>;         \
+  prefix class internal::Euclidean_decider<__VA_ARGS__>
 // instantiates the usual functions on a triangulation.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS(prefix, ...)                                      \
   prefix Flip_to_delaunay_result internal::flip_from(                                              \

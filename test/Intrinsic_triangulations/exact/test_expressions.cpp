@@ -6,14 +6,13 @@
 #include "properties.h"
 #include "radical_number.h"
 
+#include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/metric/Integer_only_traits.h>
 
 #include <gtest/gtest.h>
 
@@ -350,38 +349,37 @@ struct Counts {
   int zeros = 0, others = 0;
 };
 
-using Places = IT::internal::No_vertex_places<Triangulation>;
-using From_integers = IT::internal::Exact_values<Triangulation, Places>;
+using From_integers = IT::Integer_only_triangulation<>;
 
 // By the metric, and from integer coordinates and the input alone.
 template <class Expression>
-int expect_sign(Known_triangulation& k, IT::internal::Exact_memory& memory, Halfedge h,
+int expect_sign(Known_triangulation& k, const From_integers& integers, Halfedge h,
                 const Expression& e, int expected) {
   const Scope scope;
-  const IT::Integer_only_metric metric;
   EXPECT_EQ(k.t.sign(k.t.diamond(h), e), expected);
-  EXPECT_EQ(metric.sign(k.t.diamond(h), e, From_integers(k.t, Places(), memory)), expected);
-  EXPECT_EQ(k.t.metric().statistics().probable_zero + metric.statistics().probable_zero, 0U);
+  EXPECT_EQ(integers.sign(k.t.diamond(h), e), expected);
+  EXPECT_EQ(k.t.metric().statistics().probable_zero, 0U);
+  EXPECT_EQ(integers.metric().statistics().probable_zero, 0U);
   return expected;
 }
 
 void check_diamonds(Known_triangulation& k, Programs& programs, std::mt19937& random, Counts& n) {
-  IT::internal::Exact_memory memory;
+  const From_integers integers(k.t);
   for (const Halfedge h : k.diamonds()) {
     const IT::Diamond_values<Number> values = k.values(h);
     const unsigned degree = 1 + static_cast<unsigned>(random() % 6);
     const Of_diamond e{programs.polynomial(degree, random() % 2 == 0)};
     EXPECT_TRUE(IT::recorded(e).degree());
     const Number value = e(values);
-    const int s = expect_sign(k, memory, h, e, value.sign());
-    expect_sign(k, memory, h, Of_diamond_over_one{e}, s);
+    const int s = expect_sign(k, integers, h, e, value.sign());
+    expect_sign(k, integers, h, Of_diamond_over_one{e}, s);
     ++(s == 0 ? n.zeros : n.others);
     const double c = CGAL::to_double(value.rational());
     const Of_diamond constant{Programs::minus_constant(e, 7, c)};
-    ++(expect_sign(k, memory, h, constant, constant(values).sign()) == 0 ? n.zeros : n.others);
-    expect_sign(k, memory, h, Right_corner(), Right_corner()(values).sign());
-    expect_sign(k, memory, h, Negated_corner(), Right_corner()(values).sign());
-    expect_sign(k, memory, h, Right_corner_over_one(), Right_corner()(values).sign());
+    ++(expect_sign(k, integers, h, constant, constant(values).sign()) == 0 ? n.zeros : n.others);
+    expect_sign(k, integers, h, Right_corner(), Right_corner()(values).sign());
+    expect_sign(k, integers, h, Negated_corner(), Right_corner()(values).sign());
+    expect_sign(k, integers, h, Right_corner_over_one(), Right_corner()(values).sign());
   }
 }
 
@@ -450,13 +448,13 @@ TEST(Expressions, tell_a_right_angle_of_two_coplanar_corners_whatever_the_digits
     Known_triangulation k(meshes::Mesh{{{0, 0, 0}, {a - b, a + b, 0}, {-b, a, 0}, {a, b, 0}},
                                        {{0, 1, 2}, {0, 3, 1}}});
     ASSERT_EQ(k.diamonds().size(), 1U);
-    IT::internal::Exact_memory memory;
+    const From_integers integers(k.t);
     for (const Halfedge h : {k.diamonds()[0], opposite(k.diamonds()[0], k.t.mesh())}) {
       EXPECT_EQ(Right_corner()(k.values(h)).sign(), 0);
-      expect_sign(k, memory, h, Right_corner(), 0);
-      expect_sign(k, memory, h, Right_corner_over_one(), 0);
+      expect_sign(k, integers, h, Right_corner(), 0);
+      expect_sign(k, integers, h, Right_corner_over_one(), 0);
       expect_sign(
-          k, memory, h, [](const auto& d) { return Right_corner()(d); }, 0);
+          k, integers, h, [](const auto& d) { return Right_corner()(d); }, 0);
     }
     a = std::ldexp(static_cast<double>(1 + random() % 0x3ffffff), -27);
     b = std::ldexp(static_cast<double>(1 + random() % 0x3ffffff), -27);

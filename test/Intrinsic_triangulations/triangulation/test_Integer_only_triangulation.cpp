@@ -79,7 +79,7 @@ void expect_same_geometry(Exact& t) {
   Exact::Session exact(t);
   IT::Integer_only_triangulation<>::Session rebuilt(integers);
   for (const Map::Halfedge h : inner_halfedges(t)) {
-    const auto values = integers.exact_values().values(integers.diamond(h));
+    const auto values = integers.decider().values(integers.diamond(h));
     ASSERT_TRUE(overlap(values, t, h)) << h.index;
     // some dozen operations in triangles that are not thin
     ASSERT_LT(values.ij.sup() - values.ij.inf(), 1e-10 * values.ij.sup()) << h.index;

@@ -79,10 +79,10 @@ using Hyperbolic = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbo
 static_assert(IT::RefinableMetric<IT::Exact_euclidean_metric>);
 static_assert(IT::RefinableMetric<IT::Euclidean_metric<double>>);
 static_assert(!IT::RefinableMetric<archetypes::Metric>);
-static_assert(IT::internal::Defined_by_places<IT::Exact_euclidean_metric>);
+static_assert(IT::internal::Has_enclosures<IT::Exact_euclidean_metric>);
 static_assert(!IT::internal::Measures_insertions<IT::Exact_euclidean_metric>);
 static_assert(IT::internal::Measures_insertions<IT::Euclidean_metric<double>>);
-static_assert(!IT::internal::Defined_by_places<IT::Euclidean_metric<double>>);
+static_assert(!IT::internal::Has_enclosures<IT::Euclidean_metric<double>>);
 static_assert(!IT::RefinableMetric<double>);
 
 // ---- NumberedComplex

@@ -119,12 +119,12 @@ public:
 private:
   using Precise = Ball<Double_double>;
   static constexpr bool is_exact = requires(Triangulation & t, std::uint32_t e) {
-    t.metric().sharpen(e, t.exact_values());
+    t.decider().sharpen(e);
   };
 
   std::array<Precise, 3> precise_surpluses(const std::array<std::uint32_t, 3>& sides) const {
     const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    return surpluses(t_.metric().template lambdas<Precise>(sides, t_.exact_values()));
+    return surpluses(t_.decider().template lambdas<Precise>(sides));
   }
 
   // Intervals that flips have widened get their digits from the input again: beside needles angles
@@ -133,11 +133,10 @@ private:
     if constexpr (is_exact) {
       constexpr double width = 0x1p-48; // relative; four units in the last place at least
       const typename Triangulation::Metric::Scope scope;
-      const auto exact = t_.exact_values();
       for (const typename Triangulation::edge_descriptor e : edges(t_.mesh())) {
         const std::uint32_t i = t_.index(e);
         const auto& lambda = t_.metric().lambda(i);
-        if (lambda.sup() - lambda.inf() > width * lambda.inf()) t_.metric().sharpen(i, exact);
+        if (lambda.sup() - lambda.inf() > width * lambda.inf()) t_.decider().sharpen(i);
       }
     }
   }

@@ -39,7 +39,7 @@ inline void name_vertices(Intrinsic_input& in, const Input_names& names) {
 template <MeasuredTriangulation Triangulation>
 std::vector<double> nearest_squared_lengths(const Triangulation& t) {
   std::vector<double> result(t.numbers().edge_capacity(t.mesh()));
-  if constexpr (Has_enclosures<typename Triangulation::Metric> && requires { t.exact_values(); }) {
+  if constexpr (Has_enclosures<typename Triangulation::Metric> && requires { t.decider(); }) {
     constexpr unsigned bits = 106; // those of `Double_double`, twice those of the result
     const typename Triangulation::Metric::Scope scope;
     std::vector<Indexed_face> sides;
@@ -50,7 +50,7 @@ std::vector<double> nearest_squared_lengths(const Triangulation& t) {
         result[sides[i].edges[k]] = std::ldexp(CGAL::to_double(values.squared_lengths[k]),
                                                -2 * t.metric().scale_exponent());
     };
-    t.exact_values().for_each_enclosure(sides, bits, store);
+    t.decider().for_each_enclosure(sides, bits, store);
   } else {
     for (const typename Triangulation::edge_descriptor e : edges(t.mesh()))
       result[t.index(e)] = t.squared_length(e);

@@ -28,15 +28,14 @@ namespace internal {
 // Exact ideal hyperbolic traits.
 template <class Triangulation>
 concept Has_precise_lambdas = requires(const Triangulation& t, std::uint32_t e) {
-  t.metric().sharpen(e, t.exact_values());
-  t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values());
+  t.decider().template lambdas<Double_double>(std::array{e});
 };
 
 // The lambda length of an edge, in scaled units.
 template <Has_precise_lambdas Triangulation>
 Double_double precise_lambda(const Triangulation& t, std::uint32_t e) {
   const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  return t.metric().template lambdas<Double_double>(std::array{e}, t.exact_values())[0];
+  return t.decider().template lambdas<Double_double>(std::array{e})[0];
 }
 
 // The sides of triangles as vectors, each with nearly all digits, in a frame in which the first

@@ -92,20 +92,20 @@ public:
   /// encloses the squared distance of corners i and j of a diamond that is unfolded; see above.
   FT squared_length(const Input_metric& input, const Unfolded_diamond& diamond, unsigned bits);
 
-  /// Bits that are enough for the nearest double to any weight.
-  static constexpr unsigned last_bits = Mpfr_number::most_bits;
-
   /*!
-  \brief returns the double nearest to the cotangent weight of a diamond, if the given bits
-  determine it, and it is neither zero nor infinite; with `last_bits` always.
+  \brief returns the double nearest to the cotangent weight of a diamond; nothing if so many bits do
+  not tell it, as where it is zero.
   \param input, diamond see `sign()`
-  \param bits 106, 256, or any more
+  \param statistics counts the bits that it took
+  \param most_bits with the default, it is found unless it is zero
   */
   template <class Figure>
-  std::optional<double> weight(const Input_metric& input, const Figure& diamond, unsigned bits);
+  std::optional<double> weight(const Input_metric& input, const Figure& diamond,
+                               Predicate_statistics& statistics,
+                               unsigned most_bits = Mpfr_number::most_bits);
 
-  /// returns the same, in 106 bits, for many diamonds, each of two faces joined along the first
-  /// side of each.
+  /// returns the same where 106 bits tell it, for many diamonds, each of two faces joined along the
+  /// first side of each.
   std::vector<std::optional<double>> weights(const Input_metric& input,
                                              const Replayed_faces& faces);
 

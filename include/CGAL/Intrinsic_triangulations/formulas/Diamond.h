@@ -7,9 +7,14 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
+#include <boost/config.hpp>
+
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 /*!
 \file
@@ -86,6 +91,14 @@ constexpr FT right_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.im + d.mj - d.ij;
 }
 
+/// returns the same two, from stored squared lengths of edges.
+template <RingNumber FT>
+BOOST_FORCEINLINE std::pair<FT, FT> cotangent_numerators(const std::vector<FT>& lengths,
+                                                         const Diamond& d) {
+  const FT& ij = lengths[d.ij];
+  return {lengths[d.jk] + lengths[d.ki] - ij, lengths[d.im] + lengths[d.mj] - ij};
+}
+
 /*!
 \brief evaluates to a value that is positive iff the angles opposite the edge sum to less than pi,
 zero iff to pi (the four vertices are cocircular), negative iff to more.
@@ -115,10 +128,11 @@ FT cotangent_weight(const Diamond_values<FT>& d) {
 The value is 2 L_ij times the quadruple area of the face `mki` that a flip would make.
 */
 struct Convexity_at_source_expression {
-  /// evaluates the expression
-  template <class FT>
-  constexpr FT operator()(const Diamond_values<FT>& d) const {
-    return (d.ij + d.im - d.mj) * d.area_f + (d.ij + d.ki - d.jk) * d.area_g;
+  /// evaluates the expression. \param d the diamond \param times a functor that multiplies a number
+  /// by an area
+  template <class FT, std::invocable<const FT&, const FT&> Times = std::multiplies<>>
+  constexpr FT operator()(const Diamond_values<FT>& d, const Times& times = {}) const {
+    return times(FT(d.ij + d.im - d.mj), d.area_f) + times(FT(d.ij + d.ki - d.jk), d.area_g);
   }
 };
 
@@ -128,10 +142,11 @@ struct Convexity_at_source_expression {
 The value is 2 L_ij times the quadruple area of the face `kmj` that a flip would make.
 */
 struct Convexity_at_target_expression {
-  /// evaluates the expression
-  template <class FT>
-  constexpr FT operator()(const Diamond_values<FT>& d) const {
-    return (d.ij + d.mj - d.im) * d.area_f + (d.ij + d.jk - d.ki) * d.area_g;
+  /// evaluates the expression. \param d the diamond \param times a functor that multiplies a number
+  /// by an area
+  template <class FT, std::invocable<const FT&, const FT&> Times = std::multiplies<>>
+  constexpr FT operator()(const Diamond_values<FT>& d, const Times& times = {}) const {
+    return times(FT(d.ij + d.mj - d.im), d.area_f) + times(FT(d.ij + d.jk - d.ki), d.area_g);
   }
 };
 
@@ -169,15 +184,13 @@ cancellation on slivers, unlike L_ki + L_im - (p_k p_m - a_f a_g) / (2 L_ij). Th
 */
 template <FieldNumber FT>
 Flipped_values<FT> flipped(const Diamond_values<FT>& d) {
-  const FT p_k = d.ij + d.ki - d.jk;
-  const FT p_m = d.ij + d.im - d.mj;
   const FT x = (d.ki - d.jk) + (d.mj - d.im); // p_k - p_m, rounded alike from either side
   const FT y = d.area_f + d.area_g;
   const FT twice = d.ij + d.ij;
   const FT quarter = FT(1) / (twice + twice);
   const FT half = quarter + quarter;
   return {(x * x + y * y) * quarter, Convexity_at_target_expression()(d) * half,
-          (p_m * d.area_f + p_k * d.area_g) * half};
+          Convexity_at_source_expression()(d) * half};
 }
 
 namespace internal {

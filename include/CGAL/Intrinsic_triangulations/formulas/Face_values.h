@@ -50,6 +50,19 @@ struct Face_values {
   FT quadruple_area;                 ///< four times the area
 };
 
+namespace internal {
+
+// the doubles that a metric has of a face
+template <class Metric>
+Face_values<double> approximate_values(const Metric& metric, const Indexed_face& face) {
+  return {{metric.approximate_squared_length(face.edges[0]),
+           metric.approximate_squared_length(face.edges[1]),
+           metric.approximate_squared_length(face.edges[2])},
+          metric.approximate_quadruple_area(face.face)};
+}
+
+} // namespace internal
+
 /*!
 \brief joins two faces along the first side of each.
 */

@@ -6,6 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 
+#include <concepts>
+#include <functional>
+
 /*!
 \file
 Formulas of ideal hyperbolic triangulations, in Penner's lambda lengths.
@@ -34,10 +37,12 @@ struct Ideal_diamond_values {
 /*!
 \brief returns the lambda length of the edge km that a flip makes: products of opposite sides, by
 Ptolemy's relation ij km = jk im + ki mj.
+\param d the diamond
+\param times a functor that multiplies two positive numbers
 */
-template <FieldNumber FT>
-FT ptolemy_flip(const Ideal_diamond_values<FT>& d) {
-  return (d.jk * d.im + d.ki * d.mj) / d.ij;
+template <FieldNumber FT, std::invocable<const FT&, const FT&> Times = std::multiplies<>>
+FT ptolemy_flip(const Ideal_diamond_values<FT>& d, const Times& times = {}) {
+  return (times(d.jk, d.im) + times(d.ki, d.mj)) / d.ij;
 }
 
 /*!
@@ -64,15 +69,16 @@ which are twice the cosines of the opposite angles in Euclid's triangles with th
 (ac + bd)(ad + bc) - e^2 (ab + cd).
 */
 struct Ideal_delaunay_expression {
-  /// evaluates the positive term.
-  template <class FT>
-  static constexpr FT outer(const Ideal_diamond_values<FT>& d) {
-    return (d.jk * d.im + d.ki * d.mj) * (d.jk * d.mj + d.ki * d.im);
+  /// evaluates the positive term. \param d the diamond \param times see `ptolemy_flip()`
+  template <class FT, std::invocable<const FT&, const FT&> Times = std::multiplies<>>
+  static constexpr FT outer(const Ideal_diamond_values<FT>& d, const Times& times = {}) {
+    return times(FT(times(d.jk, d.im) + times(d.ki, d.mj)),
+                 FT(times(d.jk, d.mj) + times(d.ki, d.im)));
   }
-  /// evaluates the term that is subtracted.
-  template <class FT>
-  static constexpr FT inner(const Ideal_diamond_values<FT>& d) {
-    return d.ij * d.ij * (d.jk * d.ki + d.im * d.mj);
+  /// evaluates the term that is subtracted; see above.
+  template <class FT, std::invocable<const FT&, const FT&> Times = std::multiplies<>>
+  static constexpr FT inner(const Ideal_diamond_values<FT>& d, const Times& times = {}) {
+    return times(FT(times(d.ij, d.ij)), FT(times(d.jk, d.ki) + times(d.im, d.mj)));
   }
   /// evaluates the expression.
   template <class FT>

@@ -9,6 +9,8 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <optional>
 
@@ -40,6 +42,14 @@ inline Interval_nt<false> product_with_nonnegative(const Interval_nt<false>& a,
 #endif
 }
 
+/// is `product_with_nonnegative()` as a functor, for formulas that multiply by nonnegative numbers.
+struct Times_nonnegative {
+  /// multiplies.
+  Interval_nt<false> operator()(const Interval_nt<false>& a, const Interval_nt<false>& b) const {
+    return product_with_nonnegative(a, b);
+  }
+};
+
 /*!
 \brief squares an interval.
 \pre the bounds are finite
@@ -70,6 +80,31 @@ inline Interval_nt<false> delaunay_value(const Interval_nt<false>& q_f,
   return product_with_nonnegative(q_f, area_g) + product_with_nonnegative(q_g, area_f);
 }
 
+/// What intervals prove of a statement. Flips take a tenth less time with it than with an optional
+/// `bool`, which compilers do not see through.
+enum class Certainty {
+  no,  ///< it is false
+  yes, ///< it is true
+  open ///< nothing
+};
+
+/*!
+\brief tells whether an edge is Delaunay, if intervals prove it.
+\param q_f, q_g the numerators of the cotangents opposite the edge
+\param area_f, area_g the quadruple areas, read only if an angle may be obtuse
+\pre the areas have no negative lower bound
+*/
+BOOST_FORCEINLINE Certainty certain_delaunay(const Interval_nt<false>& q_f,
+                                             const Interval_nt<false>& area_f,
+                                             const Interval_nt<false>& q_g,
+                                             const Interval_nt<false>& area_g) {
+  // both angles at most a right one: areas do not matter
+  if (q_f.inf() >= 0 && q_g.inf() >= 0) return Certainty::yes;
+  const Interval_nt<false> value = delaunay_value(q_f, area_f, q_g, area_g);
+  if (value.inf() >= 0) return Certainty::yes;
+  return value.sup() < 0 ? Certainty::no : Certainty::open;
+}
+
 /*!
 \brief computes `flipped()`, faster.
 \pre the areas have no negative lower bound
@@ -79,17 +114,13 @@ flipped_nonnegative(const Diamond_values<Interval_nt<false>>& d) {
   using FT = Interval_nt<false>;
   // else quotients by L_ij may overflow
   if (!(d.ij.inf() >= 0x1p-900)) return flipped(d);
-  const FT p_k = d.ij + d.ki - d.jk, p_m = d.ij + d.im - d.mj;
-  const FT r_k = d.ij + d.jk - d.ki, r_m = d.ij + d.mj - d.im;
   const FT half(-(-0.5 / d.ij.sup()), 0.5 / d.ij.inf()),
       quarter(0.5 * half.inf(), 0.5 * half.sup());
   const FT x = (d.ki - d.jk) - (d.im - d.mj); // p_k - p_m, without the error of L_ij
   const FT km = interval_square(x) + interval_square(d.area_f + d.area_g);
-  const FT left = product_with_nonnegative(r_m, d.area_f) + product_with_nonnegative(r_k, d.area_g);
-  const FT right =
-      product_with_nonnegative(p_m, d.area_f) + product_with_nonnegative(p_k, d.area_g);
-  return {product_with_nonnegative(km, quarter), product_with_nonnegative(left, half),
-          product_with_nonnegative(right, half)};
+  const Times_nonnegative times;
+  return {times(km, quarter), times(Convexity_at_target_expression()(d, times), half),
+          times(Convexity_at_source_expression()(d, times), half)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -102,27 +102,81 @@ public:
   /// values are precise enough to place points in the face, for lengths of an ordinary face.
   bool is_narrow(const Indexed_face& face, double width = narrow) const;
 
+  /// returns the intervals of a diamond.
+  Diamond_values<FT> enclosure(const Diamond& d) const {
+    return gather(squared_length_, quadruple_area_, d);
+  }
+  /// returns the intervals of a face.
+  Face_values<FT> enclosure(const Indexed_face& f) const {
+    return gather(squared_length_, quadruple_area_, f);
+  }
+  /// returns the intervals of faces.
+  std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces) const {
+    std::vector<Face_values<FT>> result;
+    for (const Indexed_face& f : faces) result.push_back(enclosure(f));
+    return result;
+  }
+
+  /// makes the intervals of a diamond smaller, by others that contain the values too.
+  void refine(const Diamond& d, const Diamond_values<FT>& better) const;
+  /// makes the intervals of faces smaller; see above.
+  void refine(std::span<const Indexed_face> faces,
+              const std::vector<Face_values<FT>>& better) const;
+  /// makes the intervals of a face smaller; see above.
+  void refine(const Indexed_face& face, const Face_values<FT>& better) const;
+  /// makes the interval of a squared length smaller; see above.
+  void refine_length(std::uint32_t e, const FT& better) const {
+    refine(squared_length_[e], length_[e], better);
+  }
+
   /// computes a flip so that the doubles stay good, see `flipped_consistently()`. Use it for edges
   /// that may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
   std::optional<Flipped> compute_consistent_flip(const Diamond& d) const {
     return Flipped{flipped_nonnegative(enclosure(d)), flipped_consistently(approximation(d))};
   }
 
+  /*!
+  \brief returns the weight of an edge between two faces from the doubles, if the intervals prove it
+  accurate enough:
+
+  its sign is right, it is zero only where the intervals are zero too, and its error is at most
+  `tolerance` times itself or min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet
+  energy in the two faces of functions that change by one along the edge. The default is just below
+  the 1e-12 that `measures.h` states.
+  */
+  std::optional<double> stored_weight(const Diamond& d, double tolerance = 0x1p-40) const {
+    const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
+    const auto [q_f, q_g] = numerators(d);
+    const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),
+                 right = cotangent_weight(d.ij, d.im, d.mj, d.g), weight = left + right,
+                 size = std::abs(weight);
+    // the usual case: the error bound below, without division
+    const double product_of_areas = a_f.inf() * a_g.inf(),
+                 part = rest_of_weight(left, q_f, a_f) * a_g.inf() +
+                        rest_of_weight(right, q_g, a_g) * a_f.inf();
+    if (part <= 2 * (tolerance - 0x1p-51) * (size * product_of_areas) && size < 0x1p1000 &&
+        size > 0x1p-900 && product_of_areas > 0x1p-900)
+      return weight;
+    const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
+                         0x1p-52 * size,
+                 energy = 0.25 * (a_f.inf() + a_g.inf()) / ij.sup();
+    if (!(error <= tolerance * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
+      return std::nullopt;
+    // a sum that the error does not reach
+    if (error < size) return weight;
+    const FT product = delaunay_value(q_f, a_f, q_g, a_g);
+    if (product.inf() == 0 && product.sup() == 0) return 0.0; // as on axis-parallel meshes
+    const bool is_certain = weight > 0 ? product.inf() > 0 : weight < 0 && product.sup() < 0;
+    return is_certain ? std::optional(weight) : std::nullopt;
+  }
+
 protected:
-  /// returns the intervals of a diamond.
-  Diamond_values<FT> enclosure(const Diamond& d) const {
-    return gather(squared_length_, quadruple_area_, d);
+  /// returns `cotangent_numerators()`.
+  BOOST_FORCEINLINE std::pair<FT, FT> numerators(const Diamond& d) const {
+    return cotangent_numerators(squared_length_, d);
   }
   /// returns the doubles of a diamond.
   Diamond_values<double> approximation(const Diamond& d) const { return gather(length_, area_, d); }
-  /// returns the intervals of a face.
-  Face_values<FT> enclosure(const Indexed_face& f) const {
-    return gather(squared_length_, quadruple_area_, f);
-  }
-  /// returns the doubles of a face.
-  Face_values<double> approximation(const Indexed_face& f) const {
-    return gather(length_, area_, f);
-  }
 
   /// computes the new values of a flip. \pre the diamond is strictly convex
   // inlined by force: passing its result takes a tenth of the time of a flip
@@ -150,56 +204,6 @@ protected:
   /// stores the new values of an insertion or a removal, also for new edges and faces.
   void store(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> faces,
              const New_values& n);
-
-  /// makes the intervals of a diamond smaller, by others that contain the values too.
-  void refine(const Diamond& d, const Diamond_values<FT>& better) const;
-
-  /// makes the intervals of faces smaller, by others that contain the values too.
-  void refine(std::span<const Indexed_face> faces,
-              const std::vector<Face_values<FT>>& better) const;
-  /// makes the intervals of a face smaller; see above.
-  void refine(const Indexed_face& face, const Face_values<FT>& better) const;
-
-  /// makes the interval of a squared length smaller; see above.
-  void refine_length(std::uint32_t e, const FT& better) const {
-    refine(squared_length_[e], length_[e], better);
-  }
-
-  /*!
-  \brief returns the weight of an edge between two faces from the doubles, if the intervals prove it
-  accurate enough:
-
-  its sign is right, it is zero only where the intervals are zero too, and its error is at most
-  `tolerance` times itself or min(1, E), where E = (a_f + a_g) / (4 L_ij) is the least Dirichlet
-  energy in the two faces of functions that change by one along the edge. The default is just below
-  the 1e-12 that `measures.h` states.
-  */
-  std::optional<double> stored_weight(const Diamond& d, double tolerance = 0x1p-40) const {
-    const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
-    const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij,
-             q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
-    const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),
-                 right = cotangent_weight(d.ij, d.im, d.mj, d.g), weight = left + right,
-                 size = std::abs(weight);
-    // the usual case: the error bound below, without division
-    const double product_of_areas = a_f.inf() * a_g.inf(),
-                 part = rest_of_weight(left, q_f, a_f) * a_g.inf() +
-                        rest_of_weight(right, q_g, a_g) * a_f.inf();
-    if (part <= 2 * (tolerance - 0x1p-51) * (size * product_of_areas) && size < 0x1p1000 &&
-        size > 0x1p-900 && product_of_areas > 0x1p-900)
-      return weight;
-    const double error = error_of_weight(left, q_f, a_f) + error_of_weight(right, q_g, a_g) +
-                         0x1p-52 * size,
-                 energy = 0.25 * (a_f.inf() + a_g.inf()) / ij.sup();
-    if (!(error <= tolerance * std::max(size, std::min(energy, 1.0))) || !(size < 0x1p1000))
-      return std::nullopt;
-    // a sum that the error does not reach
-    if (error < size) return weight;
-    const FT product = delaunay_value(q_f, a_f, q_g, a_g);
-    if (product.inf() == 0 && product.sup() == 0) return 0.0; // as on axis-parallel meshes
-    const bool is_certain = weight > 0 ? product.inf() > 0 : weight < 0 && product.sup() < 0;
-    return is_certain ? std::optional(weight) : std::nullopt;
-  }
 
 private:
   // a bound on |q - 2 w a|; rounding is upwards

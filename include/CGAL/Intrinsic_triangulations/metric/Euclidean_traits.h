@@ -75,9 +75,7 @@ public:
   /// tells whether the angles opposite the edge sum to at most pi, or rounding hides it.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     ++statistics_.checks;
-    const FT& ij = squared_length_[d.ij];
-    const FT q_f = squared_length_[d.jk] + squared_length_[d.ki] - ij;
-    const FT q_g = squared_length_[d.im] + squared_length_[d.mj] - ij;
+    const auto [q_f, q_g] = numerators(d);
     // both angles at most a right one: areas do not matter
     if (q_f >= FT(0) && q_g >= FT(0)) return true;
     const FT value = q_f * quadruple_area_[d.g] + q_g * quadruple_area_[d.f];
@@ -144,8 +142,7 @@ public:
   std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const {
     const FT area = quadruple_area_[d.f] + quadruple_area_[d.g];
     const Flipped n{flipped(values(d)).km, area, FT(0)};
-    if (!is_length(n.km)) return std::nullopt;
-    return n;
+    return is_length(n.km) ? std::optional<Flipped>(n) : std::nullopt;
   }
 
   /// stores a flip. \param d the diamond \param n what `compute_flip()` returned for it
@@ -202,8 +199,7 @@ public:
   */
   std::optional<Vertex_move_values<FT>> inserted_values(const Border_star& s,
                                                         double parameter) const {
-    const FT ij = squared_length_[s.ip], area = quadruple_area_[s.f], t(parameter);
-    const FT rest = FT(1) - t;
+    const FT ij = squared_length_[s.ip], area = quadruple_area_[s.f], t(parameter), rest(FT(1) - t);
     const FT kp = squared_distance_from_corner(squared_length_[s.ki], ij, squared_length_[s.jk],
                                                area, rest, t);
     const FT ip = t * t * ij, jp = rest * rest * ij;
@@ -288,6 +284,10 @@ public:
   }
 
 protected:
+  /// returns `cotangent_numerators()`.
+  BOOST_FORCEINLINE std::pair<FT, FT> numerators(const Diamond& d) const {
+    return cotangent_numerators(squared_length_, d);
+  }
   /// returns the values of a diamond.
   Diamond_values<FT> values(const Diamond& d) const {
     return {squared_length_[d.ij], squared_length_[d.jk], squared_length_[d.ki],

@@ -7,27 +7,20 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
-#include <CGAL/enum.h>
 
 #include <optional>
-#include <span>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief stores no values: each predicate rebuilds those that it needs from where edges run on the
-input.
+\brief stores no values: a decider rebuilds those that a predicate needs from where edges run on the
+input, see `Intrinsic_triangulation::decider()`.
 
-Intervals of doubles, evaluated on the figure of `Exact_values`, decide nearly all signs; the same
-figure decides the others exactly (see `Exact_ladder`). All predicates take `Exact_values` as their
-last argument. All members but the constructors and `Scope` require a live `Scope`.
+All members but the constructors and `Scope` require a live `Scope`.
 \cgalModels{IntrinsicMetric}
 */
 class Integer_only_metric {
@@ -52,33 +45,11 @@ public:
       : scale_exponent_(input.scale_exponent()), has_only_positive_areas_(has_only_positive_areas) {
   }
 
-  /// tells whether the angles opposite the edge sum to at most pi.
-  template <class Exact>
-  bool is_locally_delaunay(const Diamond& d, const Exact& exact) const {
+  /// knows nothing of an edge.
+  Certainty certain_delaunay(const Diamond&) const {
     ++statistics_.checks;
-    Diamond_values<FT> v = exact.values(d);
-    const bool are_right = left_cotangent_numerator(v).inf() >= 0 &&
-                           right_cotangent_numerator(v).inf() >= 0; // areas do not matter
-    return are_right || sign(d, Delaunay_expression(), exact, v) != NEGATIVE;
+    return Certainty::open;
   }
-  /// returns the exact sign of an expression in the values of a diamond, of any degree.
-  /// \tparam Expression a model of `DiamondExpression`
-  template <class Expression, class Exact>
-  Sign sign(const Diamond& d, const Expression& expression, const Exact& exact) const {
-    Diamond_values<FT> v = exact.values(d);
-    return sign(d, expression, exact, v);
-  }
-  /// returns the exact sign of an expression in the values of faces, of any degree.
-  /// \tparam Expression a model of `FaceExpression`
-  template <class Expression, class Exact>
-  Sign sign(std::span<const Indexed_face> faces, const Expression& expression,
-            const Exact& exact) const {
-    std::vector<Face_values<FT>> v = exact.values(faces);
-    if (const auto s = certain_sign(expression(std::span<const Face_values<FT>>(v)))) return *s;
-    ++statistics_.filter_failures;
-    return exact.sign(faces, Recorded_face_expression(expression, faces.size()), v, statistics_);
-  }
-
   /// tells whether all faces are known to have positive areas: then diamonds of edges that are not
   /// locally Delaunay are convex.
   bool has_only_positive_areas() const { return has_only_positive_areas_; }
@@ -93,14 +64,6 @@ public:
   Predicate_statistics& statistics() const { return statistics_; }
 
 private:
-  template <class Expression, class Exact>
-  Sign sign(const Diamond& d, const Expression& expression, const Exact& exact,
-            Diamond_values<FT>& values) const {
-    if (const std::optional<Sign> s = certain_sign(expression(values))) return *s;
-    ++statistics_.filter_failures;
-    return exact.sign(d, recorded(expression), values, statistics_);
-  }
-
   int scale_exponent_ = 0;
   bool has_only_positive_areas_ = false; // false: unknown
   mutable Predicate_statistics statistics_;
@@ -113,7 +76,7 @@ private:
 struct Integer_only_traits {
   /// Number type of the filter.
   using FT = Interval_nt<false>;
-  /// Stores no values and decides.
+  /// Stores no values.
   using Metric = Integer_only_metric;
 };
 

@@ -63,15 +63,10 @@ public:
   /// tells whether the angles opposite the edge sum to at most pi, or intervals leave it open.
   bool is_locally_delaunay(const Diamond& d) const {
     ++statistics().checks;
-    const FT& ij = squared_length(d.ij);
-    const FT q_f = squared_length(d.jk) + squared_length(d.ki) - ij;
-    const FT q_g = squared_length(d.im) + squared_length(d.mj) - ij;
-    // both angles at most a right one: areas do not matter
-    if (q_f.inf() >= 0 && q_g.inf() >= 0) return true;
-    const FT value = delaunay_value(q_f, quadruple_area(d.f), q_g, quadruple_area(d.g));
-    if (value.sup() < 0) return false;
-    if (!(value.inf() >= 0)) ++statistics().undecided; // nor is it if a bound is not a number
-    return true;
+    const auto [q_f, q_g] = numerators(d);
+    const Certainty c = certain_delaunay(q_f, quadruple_area(d.f), q_g, quadruple_area(d.g));
+    if (c == Certainty::open) ++statistics().undecided; // as where a bound is not a number
+    return c != Certainty::no;
   }
 
   /// returns the sign of an expression in the values of a diamond; zero, too, if intervals leave it

@@ -56,10 +56,7 @@ public:
   Flipped before_flip(const Diamond& d) const { return {lambda_[d.ij], unscaled_lambda(d.ij)}; }
 
   /// tells whether an edge can be flipped: always.
-  template <class... Exact>
-  static bool is_flippable(const Diamond&, const Exact&...) {
-    return true;
-  }
+  static bool is_flippable(const Diamond&) { return true; }
 
   /// sets the factors of vertices, by row. Call `scale()` for all edges next.
   /// \param rests what rounding took from each factor; none: nothing
@@ -95,6 +92,8 @@ public:
   const FT& unscaled_lambda(std::uint32_t e) const {
     return is_scaled() ? unscaled_[e] : lambda_[e];
   }
+  /// returns the lambda lengths of a diamond.
+  Ideal_diamond_values<FT> values(const Diamond& d) const { return gather(d, lambda_); }
   /// returns a double near the lambda length of an edge, in scaled units.
   double approximate_lambda(std::uint32_t e) const { return CGAL::to_double(lambda_[e]); }
   /// returns s, where lengths are scaled by 2^s: those of the input, until there are factors.
@@ -116,10 +115,8 @@ public:
 protected:
   /// tells whether factors were ever set.
   bool is_scaled() const { return !unscaled_.empty(); }
-  /// returns the lambda lengths of a diamond.
-  Ideal_diamond_values<FT> values(const Diamond& d) const { return values(d, lambda_); }
   /// returns the lambda lengths of a diamond without factors of vertices. \pre `is_scaled()`
-  Ideal_diamond_values<FT> unscaled_values(const Diamond& d) const { return values(d, unscaled_); }
+  Ideal_diamond_values<FT> unscaled_values(const Diamond& d) const { return gather(d, unscaled_); }
   /// stores the lambda lengths of an edge; a better enclosure of the same value is no change.
   void store(std::uint32_t e, const Flipped& n) const {
     lambda_[e] = n.lambda;
@@ -127,7 +124,7 @@ protected:
   }
 
 private:
-  static Ideal_diamond_values<FT> values(const Diamond& d, const std::vector<FT>& of) {
+  static Ideal_diamond_values<FT> gather(const Diamond& d, const std::vector<FT>& of) {
     return {of[d.ij], of[d.jk], of[d.ki], of[d.im], of[d.mj]};
   }
 

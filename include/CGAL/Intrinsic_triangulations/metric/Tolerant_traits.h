@@ -40,9 +40,7 @@ public:
   /// tells whether the cotangents of the angles opposite the edge sum to at least -tolerance.
   bool is_locally_delaunay(const Diamond& d) const {
     ++this->statistics().checks;
-    const FT& ij = this->squared_length(d.ij);
-    const FT q_f = this->squared_length(d.jk) + this->squared_length(d.ki) - ij;
-    const FT q_g = this->squared_length(d.im) + this->squared_length(d.mj) - ij;
+    const auto [q_f, q_g] = this->numerators(d);
     // both angles at most a right one: areas do not matter
     if (q_f >= FT(0) && q_g >= FT(0)) return true;
     const FT &a_f = this->quadruple_area(d.f), &a_g = this->quadruple_area(d.g);

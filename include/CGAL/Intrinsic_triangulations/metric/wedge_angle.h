@@ -140,14 +140,22 @@ std::optional<Comparison_result> certain_comparison_to_pi(const Metric& metric, 
   return SMALLER;
 }
 
+// Doubles near the values of a face: stored ones or, if the metric stores none, new ones.
+template <class Triangulation>
+Face_values<double> near_values(const Triangulation& t, const Indexed_face& f) {
+  if constexpr (requires { t.metric().approximate_quadruple_area(f.face); })
+    return approximate_values(t.metric(), f);
+  else
+    return t.decider().approximate_values(f);
+}
+
 // Finds the wedge at the target of h between h and g, on the left of h: the first corner is in the
 // face of h. If g is the opposite of h, it goes all around the vertex. Returns false if a side in
 // between has no face, or `may_pass()` refuses its halfedge from the vertex, or g is in another fan
-// of a nonmanifold vertex. `values` returns the doubles of a face from a halfedge on. `wedge` is a
-// `Wedge` or, if that is enough, an `Angle_sum`.
-template <class Triangulation, class Corners, class Values, class May_pass>
+// of a nonmanifold vertex. `wedge` is a `Wedge` or, if that is enough, an `Angle_sum`.
+template <class Triangulation, class Corners, class May_pass>
 bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Corners& wedge, const Values& values,
+                typename Triangulation::halfedge_descriptor g, Corners& wedge,
                 const May_pass& may_pass) {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   const auto& mesh = t.mesh();
@@ -159,27 +167,12 @@ bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descrip
     const Halfedge ij = next(h, mesh);
     const Indexed_face f{t.numbers().face(face(h, mesh)),
                          {edge_number(ij), edge_number(next(ij, mesh)), edge_number(h)}};
-    wedge.add(f, values(ij, f));
+    wedge.add(f, near_values(t, f));
     if (ij == g) return true;
     if (!may_pass(ij)) return false;
     h = opposite(ij, mesh);
     if (h == first) return false;
   }
-}
-
-// by the stored values of the metric
-template <class Triangulation, class Corners, class May_pass>
-bool find_wedge(const Triangulation& t, typename Triangulation::halfedge_descriptor h,
-                typename Triangulation::halfedge_descriptor g, Corners& wedge,
-                const May_pass& may_pass) {
-  const auto values = [&](typename Triangulation::halfedge_descriptor, const Indexed_face& f) {
-    const auto& m = t.metric();
-    return Face_values<double>{{m.approximate_squared_length(f.edges[0]),
-                                m.approximate_squared_length(f.edges[1]),
-                                m.approximate_squared_length(f.edges[2])},
-                               m.approximate_quadruple_area(f.face)};
-  };
-  return find_wedge(t, h, g, wedge, values, may_pass);
 }
 
 template <class Triangulation, class Corners>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -14,11 +15,9 @@
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -26,13 +25,6 @@ namespace internal {
 
 // Greatest relative width of the intervals of values that users get.
 inline constexpr double usual_width = Enclosed_values::narrow;
-
-// Stores intervals, which can be made narrow.
-template <class Metric>
-concept Has_enclosures = requires(const Metric& m, std::span<const Indexed_face> faces) {
-  m.is_narrow(faces.front());
-  typename Metric::Scope;
-};
 
 // The numbers of the face of a halfedge and of its sides, from that one on.
 template <class Triangulation>
@@ -47,14 +39,6 @@ Indexed_face indexed_face_from(const Triangulation& t,
 template <class Triangulation>
 Indexed_face indexed_face(const Triangulation& t, typename Triangulation::face_descriptor f) {
   return indexed_face_from(t, halfedge(f, t.mesh()));
-}
-
-template <class Metric>
-Face_values<double> approximate_values(const Metric& metric, const Indexed_face& face) {
-  return {{metric.approximate_squared_length(face.edges[0]),
-           metric.approximate_squared_length(face.edges[1]),
-           metric.approximate_squared_length(face.edges[2])},
-          metric.approximate_quadruple_area(face.face)};
 }
 
 // The stored values of a face, in scaled units.
@@ -108,11 +92,11 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
 } // namespace internal
 
 /*!
-\brief calls the metric of a triangulation, and passes it the data for decisions.
+\brief has what a triangulation asks its metric, or the decider of a metric that leaves questions
+open.
 
 Functions with numbers of faces and edges require a live session.
-\tparam Triangulation derives from this class; with a metric that decides by the input it has
-`exact_values()`
+\tparam Triangulation derives from this class
 */
 template <class Triangulation, MutableDeltaComplex Mesh, IntrinsicMetric Metric>
 class Metric_values {
@@ -122,28 +106,30 @@ public:
   template <class Expression>
   Sign sign(const Diamond& d,
             const Expression& expression) const requires internal::Decides_signs<Metric> {
-    return decide([&](const auto&... exact) { return metric().sign(d, expression, exact...); });
+    return self().decider().sign(d, expression);
   }
   /// returns the sign of an expression in the values of faces, exact with exact traits.
   /// \tparam Expression a model of `FaceExpression`
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces,
             const Expression& expression) const requires internal::Decides_signs<Metric> {
-    return decide([&](const auto&... exact) { return metric().sign(faces, expression, exact...); });
+    return self().decider().sign(faces, expression);
   }
   /// tells whether the angles opposite the edge of a diamond sum to at most pi.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
-    if constexpr (by_input)
-      return metric().is_locally_delaunay(d, self().exact_values());
-    else
+    if constexpr (internal::Answers_if_certain<Metric>) {
+      const Certainty c = metric().certain_delaunay(d);
+      return c == Certainty::open ? is_open_delaunay(d) : c == Certainty::yes;
+    } else {
       return metric().is_locally_delaunay(d);
+    }
   }
   /// returns the sign of pi minus the angles opposite the edge of a diamond.
   Sign delaunay_sign(const Diamond& d) const {
     if constexpr (internal::Decides_signs<Metric>)
       return sign(d, Delaunay_expression());
     else
-      return decide([&](const auto&... exact) { return metric().delaunay_sign(d, exact...); });
+      return self().decider().delaunay_sign(d);
   }
   /// tells whether the diamond is strictly convex, so that its edge can be flipped.
   bool is_flippable(const Diamond& d) const {
@@ -151,36 +137,25 @@ public:
       return sign(d, Convexity_at_source_expression()) == POSITIVE &&
              sign(d, Convexity_at_target_expression()) == POSITIVE;
     else
-      return decide([&](const auto&... exact) { return metric().is_flippable(d, exact...); });
+      return metric().is_flippable(d);
   }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
   /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.
   double cotangent_weight(const Diamond& d,
                           double tolerance = 0x1p-40) const requires EuclideanMetric<Metric> {
-    if constexpr (by_input) {
-      if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
-      const auto exact = self().exact_values();
-      if (exact.asks_for_weights()) find_weights();
-      if (const auto weight = exact.known_weight(d, metric().statistics())) return *weight;
-      return metric().cotangent_weight(d, exact);
-    } else {
+    if constexpr (internal::Has_enclosures<Metric>)
+      return self().decider().cotangent_weight(d, tolerance);
+    else
       return metric().cotangent_weight(d);
-    }
   }
   /// makes stored values of faces as accurate as possible; those of all faces, once single ones
   /// have taken as long.
   void sharpen(std::span<const Indexed_face> faces) const requires EuclideanMetric<Metric> {
-    if constexpr (by_input) {
-      if (self().exact_values().asks_for_faces()) sharpen_all();
-      metric().sharpen(faces, self().exact_values());
-    }
+    if constexpr (internal::Has_enclosures<Metric>) self().decider().sharpen(faces);
   }
   /// makes the stored length of the first side of a face as accurate as possible; see above.
   void sharpen_length(const Indexed_face& face) const requires EuclideanMetric<Metric> {
-    if constexpr (by_input) {
-      if (self().exact_values().asks_for_faces()) sharpen_all();
-      metric().sharpen_length(face, self().exact_values());
-    }
+    if constexpr (internal::Has_enclosures<Metric>) self().decider().sharpen_length(face);
   }
 
   /// returns the lambda length of an edge as a double, in the units of the input; with exact traits
@@ -188,10 +163,10 @@ public:
   double lambda(typename boost::graph_traits<Mesh>::edge_descriptor e)
       const requires internal::Scales_vertices<Metric> {
     const std::uint32_t i = self().index(e);
-    if constexpr (by_input)
+    if constexpr (internal::Answers_if_certain<Metric>)
       if (!metric().is_narrow(i)) {
         const typename Metric::Scope scope;
-        metric().sharpen(i, self().exact_values());
+        self().decider().sharpen(i);
       }
     return std::ldexp(metric().approximate_lambda(i), -metric().scale_exponent());
   }
@@ -218,41 +193,10 @@ public:
   }
 
 private:
-  // calls a function with what the metric requires to decide
-  template <class Function>
-  BOOST_FORCEINLINE auto decide(const Function& f) const {
-    if constexpr (by_input)
-      return f(self().exact_values());
-    else
-      return f();
+  // not within the loop that flips
+  BOOST_NOINLINE bool is_open_delaunay(const Diamond& d) const {
+    return self().decider().is_open_delaunay(d);
   }
-
-  void sharpen_all() const requires EuclideanMetric<Metric> {
-    std::vector<Indexed_face> wide;
-    for (const auto f : faces(self().mesh()))
-      if (const auto face = internal::indexed_face(self(), f); !metric().is_narrow(face))
-        wide.push_back(face);
-    const auto exact = self().exact_values();
-    exact.sharpen_all([&] { metric().sharpen(wide, exact); });
-  }
-
-  // of all edges whose stored values are too inaccurate
-  void find_weights() const requires EuclideanMetric<Metric> {
-    const auto& mesh = self().mesh();
-    const auto null = boost::graph_traits<Mesh>::null_face();
-    std::vector<Diamond> diamonds;
-    for (const auto e : edges(mesh)) {
-      const auto h = halfedge(e, mesh);
-      if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
-      const Diamond d = self().diamond(h);
-      if (!metric().stored_weight(d) && !metric().is_known_tie(d)) diamonds.push_back(d);
-    }
-    std::sort(diamonds.begin(), diamonds.end(),
-              [](const Diamond& a, const Diamond& b) { return a.ij < b.ij; });
-    self().exact_values().find_weights(diamonds);
-  }
-
-  static constexpr bool by_input = internal::Decides_by_input<Metric>;
 
   const Triangulation& self() const { return static_cast<const Triangulation&>(*this); }
   const Metric& metric() const { return self().metric(); }

@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/enum.h>
 
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -213,7 +212,7 @@ private:
   // the values at a vertex whose insertion all have agreed to
   template <class Star, class Where>
   auto values_of_insertion(const Star& star, const Where& where) const {
-    if constexpr (Defined_by_places<Metric>)
+    if constexpr (Has_enclosures<Metric>)
       return std::optional(t_.places_.inserted_values(t_));
     else
       return metric_.inserted_values(star, where);
@@ -271,11 +270,9 @@ private:
 
   // Whether the edge that a vertex was inserted on, or within rounding of, can be flipped.
   bool is_convex(Halfedge h) const {
-    if constexpr (Defined_by_places<Metric>) {
+    if constexpr (Has_enclosures<Metric>) {
       const Diamond d = diamond_of(h, mesh_, number_);
-      return metric_.is_degenerate(d.f) ||
-             (t_.sign(d, Convexity_at_source_expression()) == POSITIVE &&
-              t_.sign(d, Convexity_at_target_expression()) == POSITIVE);
+      return metric_.is_degenerate(d.f) || t_.is_flippable(d);
     } else {
       return true;
     }

@@ -95,13 +95,7 @@ public:
   Comparison_result compare_angle_to_pi(halfedge_descriptor h, halfedge_descriptor g)
       const requires internal::Decides_signs<typename Triangulation::Metric> {
     internal::Wedge wedge;
-    if constexpr (internal::Stores_nothing<typename Triangulation::Metric>)
-      internal::find_wedge(
-          t_, h, g, wedge,
-          [&](halfedge_descriptor, const Indexed_face& f) { return rebuilt_values(f); },
-          [](halfedge_descriptor) { return true; });
-    else
-      internal::find_wedge(t_, h, g, wedge);
+    internal::find_wedge(t_, h, g, wedge);
     return compare_angle_to_pi(wedge);
   }
   /// \cond
@@ -134,15 +128,6 @@ public:
   }
 
 private:
-  // doubles near the values of a face, from where it is on the input
-  Face_values<double> rebuilt_values(const Indexed_face& face)
-      const requires internal::Stores_nothing<typename Triangulation::Metric> {
-    const auto v = t_.exact_values().values(std::span(&face, 1)).front();
-    const auto& [l, a] = v;
-    return {{CGAL::to_double(l[0]), CGAL::to_double(l[1]), CGAL::to_double(l[2])},
-            CGAL::to_double(a)};
-  }
-
   Move_status combinatorial_flip_status(halfedge_descriptor h) const {
     const auto null = boost::graph_traits<Mesh>::null_face();
     const auto f = face(h, t_.mesh()), g = face(opposite(h, t_.mesh()), t_.mesh());

@@ -5,11 +5,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_METRIC_CONCEPTS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Interval_nt.h>
@@ -21,7 +20,6 @@
 #include <optional>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 /*!
 \file
@@ -32,48 +30,55 @@ cost, and which operation needs which function.
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
-// The argument of a metric that decides by the input: see `Exact_values`.
-struct Any_exact_values {
-  using FT = Interval_nt<false>;
-  Sign sign(const Diamond&, const Recorded_diamond_expression&, Diamond_values<FT>&,
-            Predicate_statistics&) const;
-  Sign sign(std::span<const Indexed_face>, const Recorded_face_expression&,
-            std::vector<Face_values<FT>>&, Predicate_statistics&) const;
-  unsigned for_each_enclosure(std::span<const Indexed_face>, unsigned, const auto& visit) const;
-  FT first_squared_length(const Indexed_face&, unsigned) const;
-  double nonzero_weight(const Diamond&, Predicate_statistics&) const;
+// Decides expressions in the values of a diamond.
+template <class Metric>
+concept Decides_expressions = requires(const Metric& c, const Diamond& d) {
+  { c.sign(d, Delaunay_expression()) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_source_expression()) } -> std::same_as<Sign>;
+  { c.sign(d, Convexity_at_target_expression()) } -> std::same_as<Sign>;
 };
 
-// Decides expressions in the values of a diamond, with exact values if they are given.
-template <class Metric, class... Exact>
-concept Decides_expressions = requires(const Metric& c, const Diamond& d, const Exact&... exact) {
-  { c.sign(d, Delaunay_expression(), exact...) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_source_expression(), exact...) } -> std::same_as<Sign>;
-  { c.sign(d, Convexity_at_target_expression(), exact...) } -> std::same_as<Sign>;
-};
-
-// Decides flips by functions of their own.
-template <class Metric, class... Exact>
-concept Has_flip_predicates = requires(const Metric& c, const Diamond& d, const Exact&... exact) {
-  { c.delaunay_sign(d, exact...) } -> std::same_as<Sign>;
-  { c.is_flippable(d, exact...) } -> std::same_as<bool>;
-};
-
-template <class Metric, class... Exact>
-concept Decides_flips = (Decides_expressions<Metric, Exact...> ||
-                         Has_flip_predicates<Metric, Exact...>)&&requires(const Metric& c,
-                                                                          const Diamond& d,
-                                                                          const Exact&... exact) {
-  { c.is_locally_delaunay(d, exact...) } -> std::same_as<bool>;
+// Decides flips by functions of its own.
+template <class Metric>
+concept Has_flip_predicates = requires(const Metric& c, const Diamond& d) {
+  { c.delaunay_sign(d) } -> std::same_as<Sign>;
+  { c.is_flippable(d) } -> std::same_as<bool>;
 };
 
 template <class Metric>
-concept Decides_by_input = Decides_flips<Metric, Any_exact_values>;
+concept Decides_flips = (Decides_expressions<Metric> || Has_flip_predicates<Metric>)&&requires(
+    const Metric& c, const Diamond& d) {
+  { c.is_locally_delaunay(d) } -> std::same_as<bool>;
+};
 
-// Decides any expressions.
+// Answers only what it is certain of; a decider above it answers the rest.
+template <class Metric>
+concept Answers_if_certain = requires(const Metric& c, const Diamond& d) {
+  { c.certain_delaunay(d) } -> std::same_as<Certainty>;
+};
+
+// Stores enclosures of lengths and areas, and takes better ones.
+template <class Metric>
+concept Has_enclosures = Answers_if_certain<Metric> &&
+    requires(const Metric& c, const Diamond& d, const Indexed_face& face,
+             const Diamond_values<Interval_nt<false>>& better) {
+  { c.certain_sign(d, Delaunay_expression()) } -> std::same_as<std::optional<Sign>>;
+  { c.stored_weight(d) } -> std::same_as<std::optional<double>>;
+  { c.is_narrow(face) } -> std::same_as<bool>;
+  c.refine(d, better);
+};
+
+// Has lambda lengths, and multiplies those of edges by factors of their vertices.
+template <class Metric>
+concept Scales_vertices = requires(Metric& m, std::span<const double> factors, std::uint32_t i) {
+  m.set_factors(factors, factors);
+  m.scale(i, i, i);
+};
+
+// Any expressions are decided, by the metric or its decider.
 template <class Metric>
 concept Decides_signs =
-    Decides_expressions<Metric> || Decides_expressions<Metric, Any_exact_values>;
+    Decides_expressions<Metric> || (Answers_if_certain<Metric> && !Scales_vertices<Metric>);
 
 // Has no values of its own: those that flips make are none.
 template <class Metric>
@@ -83,23 +88,23 @@ concept Stores_nothing = std::is_empty_v<typename Metric::Flipped> &&
 };
 
 // Measures the angles at an edge.
-template <class Metric, class... Exact>
-concept Measures_diamonds = Decides_expressions<Metric, Exact...> &&
-    requires(const Metric& c, const Diamond& d, const Exact&... exact) {
-  { c.cotangent_weight(d, exact...) } -> std::convertible_to<double>;
+template <class Metric>
+concept Measures_diamonds = Decides_expressions<Metric> &&
+    requires(const Metric& c, const Diamond& d) {
+  { c.cotangent_weight(d) } -> std::convertible_to<double>;
 };
 
 } // namespace internal
 
 /*!
-\brief requires the storage of a metric that decides flips.
+\brief requires the storage of a metric that decides flips, or answers what it is certain of.
 
 Syntax of \ref ::IntrinsicMetric, which describes its meaning.
 */
 template <class Metric>
 concept IntrinsicMetric =
     (internal::Decides_flips<Metric> ||
-     internal::Decides_by_input<Metric>)&&std::default_initializable<Metric>&& std::
+     internal::Answers_if_certain<Metric>)&&std::default_initializable<Metric>&& std::
         movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
             constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
                 Metric& m, const Metric& c, const Diamond& d) {
@@ -118,9 +123,8 @@ Syntax of \ref ::EuclideanMetric, which describes its meaning.
 template <class Metric>
 concept EuclideanMetric = IntrinsicMetric<Metric> &&
     (internal::Measures_diamonds<Metric> ||
-     internal::Measures_diamonds<Metric, internal::Any_exact_values>)&&requires(const Metric& c,
-                                                                                const Diamond& d,
-                                                                                std::uint32_t i) {
+     internal::Has_enclosures<Metric>)&&requires(const Metric& c, const Diamond& d,
+                                                 std::uint32_t i) {
   { c.compute_flip_to_zero_area(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
   { c.cotangent_weight(i, i, i, i) } -> std::convertible_to<double>;
   { c.is_degenerate(i) } -> std::same_as<bool>;
@@ -137,13 +141,6 @@ namespace internal {
 template <class Metric>
 concept Remembers_flips = requires(const Metric& c, const Diamond& d) {
   { c.before_flip(d) } -> std::same_as<typename Metric::Flipped>;
-};
-
-// Has lambda lengths, and multiplies those of edges by factors of their vertices.
-template <class Metric>
-concept Scales_vertices = requires(Metric& m, std::span<const double> factors, std::uint32_t i) {
-  m.set_factors(factors, factors);
-  m.scale(i, i, i);
 };
 
 // Computes the values of an insertion from stored ones.
@@ -167,11 +164,6 @@ concept Stores_insertions = requires(Metric& m, const Vertex_star& star, const B
   m.insert_in_border_edge(border, values);
 };
 
-// Receives the values of an insertion from the places of vertices on the input, and decides by
-// those.
-template <class Metric>
-concept Defined_by_places = Decides_by_input<Metric> && Stores_insertions<Metric>;
-
 } // namespace internal
 
 /*!
@@ -183,8 +175,8 @@ template <class Metric>
 concept RefinableMetric = EuclideanMetric<Metric> && internal::Remembers_flips<Metric> &&
     internal::Stores_insertions<Metric> &&
     (internal::Measures_insertions<Metric> ||
-     internal::Decides_by_input<Metric>)&&requires(Metric& m, const Vertex_star& star,
-                                                   const Border_star& border) {
+     internal::Has_enclosures<Metric>)&&requires(Metric& m, const Vertex_star& star,
+                                                 const Border_star& border) {
   m.remove_from_face(star);
   m.remove_from_border_edge(border);
 };

@@ -60,8 +60,10 @@ Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
       // All other zeros, exactly in the field of the square roots.
       climb.ask(Field_proof{known.image_steps_left(input)});
   // Values proven not to be zero show their sign at some precision.
-  for (unsigned bits = 512; !is_decided && !climb.gives_up(bits); bits *= 2)
-    if (climb.ask(in_numbers(bits))) break;
+  if (!is_decided)
+    raise_precision(512, 2 * Mpfr_number::most_bits, [&](unsigned bits) {
+      return climb.gives_up(bits) || climb.ask(in_numbers(bits));
+    });
   return climb.sign();
 }
 
@@ -144,15 +146,25 @@ std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& inp
 
 template <class Figure>
 std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figure& diamond,
-                                           unsigned bits) {
-  const auto nearest = [&](auto& numbers) -> std::optional<double> {
-    const auto weight = cotangent_weight(Memory::values(input, diamond, numbers));
-    // in the end it is in the middle between two doubles, or beyond all of them
-    return bits < last_bits ? nearest_double(weight) : std::optional(weight.to_double());
-  };
-  if (bits <= 106) return internal::to_nearest(nearest, memory().short_balls);
-  const Mpfr_precision precision(bits);
-  return internal::to_nearest(nearest, memory().long_balls[bits]);
+                                           Predicate_statistics& statistics, unsigned most_bits) {
+  std::optional<double> result;
+  raise_precision(106, most_bits, [&](unsigned bits) {
+    const auto find_nearest = [&](auto& numbers) {
+      const auto weight = cotangent_weight(Memory::values(input, diamond, numbers));
+      // in the end it is in the middle between two doubles, or beyond all of them
+      result = bits < Mpfr_number::most_bits ? nearest_double(weight)
+                                             : std::optional(weight.to_double());
+    };
+    ++statistics.sharpenings[bits];
+    if (bits == 106) {
+      internal::to_nearest(find_nearest, memory().short_balls);
+    } else {
+      const Mpfr_precision precision(bits);
+      internal::to_nearest(find_nearest, memory().long_balls[bits]);
+    }
+    return result.has_value();
+  });
+  return result;
 }
 
 // the figures on which it climbs
@@ -177,8 +189,8 @@ template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
                                  std::vector<Face_values<Interval_nt<false>>>&,
                                  Predicate_statistics&);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
-                                                    unsigned);
+                                                    Predicate_statistics&, unsigned);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,
-                                                    unsigned);
+                                                    Predicate_statistics&, unsigned);
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <type_traits>
 
@@ -103,8 +104,9 @@ public:
                                              const std::optional<Surface_point>& wanted = {}) {
     const Intrinsic_view<Triangulation> view(t);
     const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
-    if constexpr (internal::Defined_by_places<typename Triangulation::Metric>) {
-      short_.is_unfolded = long_.is_unfolded = longest_.is_unfolded = false;
+    if constexpr (internal::Has_enclosures<typename Triangulation::Metric>) {
+      short_.is_unfolded = false;
+      for (auto& [bits, numbers] : long_) numbers.is_unfolded = false;
       face_.unfold(
           view, coordinates, h,
           internal::values_from(coordinates.input(), intervals_.of(coordinates.input().metric())));
@@ -220,15 +222,14 @@ private:
     place_ = place;
     values_ = face_.values(place);
     if (along_side) values_.quadruple_areas[0] = FT(0);
-    const auto sharpen = [&](auto& numbers, unsigned bits) {
+    narrow_enclosures(106, 1024, [&](unsigned bits) {
+      if (!is_open(along_side)) return true;
       const Mpfr_precision precision(bits);
       ++t.metric().statistics().sharpenings[bits];
-      find_values(numbers, input, along_side);
-    };
-    if (!is_open(along_side)) return are_positive(along_side);
-    sharpen(short_, 106);
-    if (is_open(along_side)) sharpen(long_, 256);
-    if (is_open(along_side)) sharpen(longest_, 1024);
+      bits == 106 ? find_values(short_, input, along_side)
+                  : find_values(long_[bits], input, along_side);
+      return false;
+    });
     return are_positive(along_side);
   }
 
@@ -276,7 +277,7 @@ private:
   Unfolded_face<FT> face_;
   Input_face_intervals<FT> intervals_;
   Numbers<Double_double> short_;
-  Numbers<Mpfr_number> long_, longest_; // of 256 and of 1024 bits
+  std::map<unsigned, Numbers<Mpfr_number>> long_; // by precision
   Vertex_move_values<FT> values_;
   Place_in_face place_; // that they belong to
 };

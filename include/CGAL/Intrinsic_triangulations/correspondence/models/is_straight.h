@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_IS_STRAIGHT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_IS_STRAIGHT_H
 
-#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -36,10 +35,9 @@ bool is_straight(const Triangulation& t, typename Triangulation::halfedge_descri
   const Indexed_face side = indexed_face_from(t, h);
   if (t.correspondence().normal_coordinate(side.edges[0]) <= 0)
     return true; // in one face, or along its side
-  const auto exact = t.exact_values();
-  Predicate_statistics& statistics = t.metric().statistics();
-  Unfolded_diamond strip = exact.strip(side);
-  const auto z = strip.positions<FT>(exact.intervals());
+  const auto decider = t.decider();
+  Unfolded_diamond strip = decider.strip(side);
+  const auto z = strip.positions<FT>(decider.intervals());
   const auto i = strip.position(0, z), ij = strip.position(1, z) - i;
   for (std::uint32_t n = 1; n < strip.size(); ++n) {
     const auto &ends = strip.triangles[n].point, &last = strip.triangles[n - 1].point;
@@ -48,9 +46,9 @@ bool is_straight(const Triangulation& t, typename Triangulation::halfedge_descri
       std::optional<Sign> s = certain_sign(cross(ij, z[ends[end]] - i));
       strip.corners[2] = {n, end};
       if (!s) {
-        ++statistics.filter_failures;
+        ++t.metric().statistics().filter_failures;
         Diamond_values<FT> values;
-        s = exact.sign_on(strip, recorded(Left_area_expression()), values, statistics);
+        s = decider.exact_sign_on(strip, recorded(Left_area_expression()), values);
       }
       if (*s != (end == 0 ? POSITIVE : NEGATIVE)) return false;
     }

@@ -144,6 +144,27 @@ private:
   Mpfr_number::Precision previous_;
 };
 
+/*!
+\brief computes in more and more bits: 53 (doubles), 106 (pairs of doubles), 256, 512, 1024, ...
+\param first, last the least and the greatest number of bits
+\param is_done a functor that computes in a number of bits, and tells whether that was enough
+\return whether it was
+*/
+template <std::predicate<unsigned> Is_done>
+constexpr bool raise_precision(unsigned first, unsigned last, const Is_done& is_done) {
+  for (unsigned bits = first; bits <= last; bits = bits < 106 ? 106 : bits < 256 ? 256 : 2 * bits)
+    if (is_done(bits)) return true;
+  return false;
+}
+
+/// does the same for enclosures that have to be narrow. These skip 512 bits, so that one step less
+/// leads to a face that is too thin for 256.
+template <std::predicate<unsigned> Is_done>
+constexpr bool narrow_enclosures(unsigned first, unsigned last, const Is_done& is_done) {
+  return raise_precision(first, last,
+                         [&](unsigned bits) { return bits != 512 && is_done(bits); });
+}
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_MPFR_NUMBER_H

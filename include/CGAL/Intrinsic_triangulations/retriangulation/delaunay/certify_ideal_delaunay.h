@@ -29,8 +29,7 @@ certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& id
   if (!ideal.metric().relative_factors().empty())
     exact.scale_vertices(ideal.metric().relative_factors(), ideal.metric().rests());
   const typename Exact::Metric::Scope scope;
-  for (const auto e : edges(exact.mesh()))
-    exact.metric().sharpen(exact.index(e), exact.exact_values());
+  for (const auto e : edges(exact.mesh())) exact.decider().sharpen(exact.index(e));
   exact.metric().statistics() = {};
   const auto report = check_delaunay(exact);
   Delaunay_certificate certificate;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_MEMORY_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_MEMORY_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EXACT_MEMORY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EXACT_MEMORY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
@@ -146,4 +146,4 @@ struct No_exact_memory : No_correspondence {};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_MODELS_EXACT_MEMORY_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EXACT_MEMORY_H

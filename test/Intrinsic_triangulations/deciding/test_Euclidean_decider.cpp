@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_values.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Euclidean_decider.h>
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
@@ -52,7 +52,7 @@ std::size_t multi_precision(const IT::Predicate_statistics& s) {
   return n;
 }
 
-TEST(Exact_values, find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
+TEST(Euclidean_decider, find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
   for (const double slope : {0.0, 0.5}) {
     Exact t(two_parabolas(100, slope).input());
     Counted u(two_parabolas(100, slope).input());
@@ -80,11 +80,12 @@ std::size_t check_signs(const T& t) {
   const IT::Intrinsic_view<T> view(t);
   IT::Diamond_unfolder unfolder;
   IT::Exact_ladder ladder;
+  IT::Predicate_statistics statistics;
   std::size_t certain = 0;
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
-    const std::optional<double> weight = ladder.weight(t.input().metric(), d, 512);
+    const std::optional<double> weight = ladder.weight(t.input().metric(), d, statistics, 512);
     const auto left = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 512).front(),
                wide = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 53).front();
     // by the strip under the edge alone
@@ -101,7 +102,7 @@ std::size_t check_signs(const T& t) {
   return certain;
 }
 
-TEST(Exact_values, decide_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
+TEST(Euclidean_decider, decide_as_many_bits_do_after_random_flips_over_flat_and_bent_parts) {
   std::mt19937 random(1);
   meshes::Mesh almost_flat = meshes::grid(3, 3);
   almost_flat.points[5][2] = 0x1p-60;
@@ -118,7 +119,7 @@ TEST(Exact_values, decide_as_many_bits_do_after_random_flips_over_flat_and_bent_
   }
 }
 
-TEST(Exact_values, repeat_flips_where_normal_coordinates_cannot_count) {
+TEST(Euclidean_decider, repeat_flips_where_normal_coordinates_cannot_count) {
   // each flip of the three edges of a flat torus in turn makes the next edge longer by the golden ratio
   const gallery::Surface s = gallery::one_vertex_torus();
   for (const bool asks_early : {false, true}) {

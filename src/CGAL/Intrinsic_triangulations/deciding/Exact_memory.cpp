@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Exact_memory.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>

@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EUCLIDEAN_DECIDER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EUCLIDEAN_DECIDER_H
+
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Figure_finder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
+#include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+/*
+Decides for a metric that stores enclosures: asks the metric first. What that leaves open it decides
+exactly on the figure of the values, and gives the metric the narrower enclosures found on the way.
+*/
+template <class Triangulation, class Places = Vertex_places<Triangulation>>
+class Euclidean_decider : public Figure_finder<Triangulation, Places> {
+  using Base = Figure_finder<Triangulation, Places>;
+  using Metric = typename Triangulation::Metric;
+
+public:
+  using FT = Interval_nt<false>;
+  using Base::Base;
+
+  // The sign of an expression in the values of a diamond, and of faces.
+  template <class Expression>
+  Sign sign(const Diamond& d, const Expression& expression) const {
+    const std::optional<Sign> s = metric().certain_sign(d, expression);
+    return s ? *s : open_sign(d, recorded(expression));
+  }
+  template <class Expression>
+  Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+    const std::optional<Sign> s = metric().certain_sign(faces, expression);
+    return s ? *s : open_sign(faces, Recorded_face_expression(expression, faces.size()));
+  }
+  // whether the angles opposite the edge sum to at most pi, which stored intervals leave open
+  bool is_open_delaunay(const Diamond& d) const {
+    return open_sign(d, recorded(Delaunay_expression())) != NEGATIVE;
+  }
+
+  // see `Predicate_session::cotangent_weight()`
+  double cotangent_weight(const Diamond& d, double tolerance) const {
+    if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
+    if (!memory_.are_weighed && asks_for_all()) find_weights();
+    if (const auto weight = known_weight(d)) return *weight;
+    if (const auto weight = metric().stored_weight(d)) return *weight;
+    if (sign(d, Delaunay_expression()) == ZERO) return 0;
+    return this->with_figure(d, [this](const auto& figure) {
+      return *memory_.ladder.weight(this->input_metric(), figure, metric().statistics());
+    });
+  }
+
+  // Makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
+  // value, except for areas of thin faces, which get as accurate as `most_bits` allow. Those of all
+  // faces, once single ones have taken as long.
+  void sharpen(std::span<const Indexed_face> faces) const {
+    if (asks_for_faces()) sharpen_all();
+    narrow({faces.begin(), faces.end()});
+  }
+  // the same for the interval of the squared length of the first side of a face
+  void sharpen_length(const Indexed_face& face) const {
+    if (asks_for_faces()) sharpen_all();
+    const std::uint32_t e = face.edges[0];
+    narrow_enclosures(53, most_bits, [&](unsigned bits) {
+      if (metric().is_narrow(e)) return true;
+      ++metric().statistics().sharpenings[bits];
+      metric().refine_length(e, first_squared_length(face, bits));
+      return false;
+    });
+  }
+
+  // Calls a function with the number of each face and intervals that contain its values, computed
+  // in at least `bits` bits: 106 or more if flips are repeated, since repeating them in doubles
+  // would only give the stored intervals again. Returns the bits.
+  template <class Visit>
+  unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
+                              const Visit& visit) const {
+    if ((asks_for_faces() && !can_unfold_soon()) || !this->can_unfold(faces)) {
+      bits = std::max(bits, 106U);
+      memory_.ladder.for_each_enclosure(this->input_metric(), this->replayed(faces), bits, visit);
+    } else {
+      for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
+        visit(i, this->with_figure(faces.subspan(i, 1), [&](const auto& figure) {
+          return enclosure(figure, bits);
+        }));
+    }
+    return bits;
+  }
+
+private:
+  static constexpr unsigned most_bits = 4096;
+  static constexpr unsigned few_passes = 4; // without coordinates
+
+  const Metric& metric() const { return t_.metric(); }
+
+  // a sign that the stored intervals leave open
+  Sign open_sign(const Diamond& d, const Recorded_diamond_expression& expression) const {
+    Predicate_statistics& statistics = metric().statistics();
+    ++statistics.filter_failures;
+    std::uint64_t& probable = statistics.probable_zero;
+    const bool is_remembered = expression.zero_meaning() == Zero_meaning::cocircular;
+    if (is_remembered)
+      if (const auto known = metric().remembered_signs().find(d.ij)) {
+        if (known->sign == ZERO) ++(known->is_probable ? probable : statistics.certified_zero);
+        return known->sign;
+      }
+    const std::uint64_t before = probable;
+    Diamond_values<FT> better = metric().enclosure(d);
+    const Sign s = this->exact_sign(d, expression, better);
+    metric().refine(d, better);
+    if (is_remembered) metric().remembered_signs().remember(d.ij, {s, probable != before});
+    return s;
+  }
+  Sign open_sign(std::span<const Indexed_face> faces,
+                 const Recorded_face_expression& expression) const {
+    ++metric().statistics().filter_failures;
+    std::vector<Face_values<FT>> better = metric().enclosures(faces);
+    const Sign s = this->exact_sign(faces, expression, better);
+    metric().refine(faces, better);
+    return s;
+  }
+
+  void narrow(std::vector<Indexed_face> wide) const {
+    const auto is_narrow = [this](const Indexed_face& f) { return metric().is_narrow(f); };
+    unsigned last = 0;
+    narrow_enclosures(53, most_bits, [&](unsigned bits) {
+      std::erase_if(wide, is_narrow);
+      if (wide.empty()) return true;
+      if (bits <= last) return false; // the bits that flips were repeated in
+      last = for_each_enclosure(wide, bits, [&](std::size_t i, const Face_values<FT>& better) {
+        metric().refine(wide[i], better);
+      });
+      metric().statistics().sharpenings[last] += wide.size();
+      return false;
+    });
+  }
+  void sharpen_all() const {
+    std::vector<Indexed_face> wide;
+    for (const auto f : faces(t_.mesh()))
+      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face))
+        wide.push_back(face);
+    note_crossings();
+    narrow(std::move(wide));
+    memory_.are_sharp = true;
+    count_pass();
+  }
+
+  // Finds the weights of all edges whose stored values are too inaccurate, if that takes less time
+  // than one by one.
+  void find_weights() const {
+    std::vector<Diamond> diamonds = inaccurate_diamonds();
+    note_crossings();
+    memory_.are_weighed = true;
+    count_pass();
+    memory_.weights.clear();
+    std::vector<Indexed_face> faces;
+    faces.reserve(2 * diamonds.size());
+    for (const Diamond& d : diamonds)
+      for (const Indexed_face& f : this->faces_of(d)) faces.push_back(f);
+    if (places_.has_coordinates(t_) && this->can_unfold(faces)) return;
+    const auto all = memory_.ladder.weights(this->input_metric(), this->replayed(faces));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      memory_.weights.emplace_back(diamonds[i].ij, all[i]);
+  }
+  // in the order of their edges
+  std::vector<Diamond> inaccurate_diamonds() const {
+    const auto& mesh = t_.mesh();
+    const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+    std::vector<Diamond> result;
+    for (const auto e : edges(mesh)) {
+      const auto h = halfedge(e, mesh);
+      if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
+      const Diamond d = t_.diamond(h);
+      if (!metric().stored_weight(d) && !metric().remembered_signs().is_zero(d.ij))
+        result.push_back(d);
+    }
+    std::sort(result.begin(), result.end(),
+              [](const Diamond& a, const Diamond& b) { return a.ij < b.ij; });
+    return result;
+  }
+  // the double nearest to the weight of a diamond, if it was found with all others
+  std::optional<double> known_weight(const Diamond& d) const {
+    if (!memory_.are_weighed) return std::nullopt;
+    const auto& all = memory_.weights;
+    const auto i = std::lower_bound(all.begin(), all.end(), d.ij,
+                                    [](const auto& w, std::uint32_t e) { return w.first < e; });
+    if (i == all.end() || i->first != d.ij || !i->second) return std::nullopt;
+    ++metric().statistics().sharpenings[106];
+    return i->second;
+  }
+
+  // an interval of the squared length of the first side of a face, from at least `bits` bits
+  FT first_squared_length(const Indexed_face& face, unsigned bits) const {
+    if (this->can_unfold(std::array{face.edges[0]}))
+      return memory_.ladder.squared_length(this->input_metric(), this->strip(face), bits);
+    return enclosure(this->replayed(std::span(&face, 1)), std::max(bits, 106U))
+        .squared_lengths.front();
+  }
+  // of one face
+  Face_values<FT> enclosure(const Unfolded_faces& face, unsigned bits) const {
+    return memory_.ladder.enclosures(this->input_metric(), face, bits).front();
+  }
+  Face_values<FT> enclosure(const Replayed_faces& face, unsigned bits) const {
+    Face_values<FT> result;
+    memory_.ladder.for_each_enclosure(this->input_metric(), face, bits,
+                                      [&](std::size_t, const auto& values) { result = values; });
+    return result;
+  }
+
+  // Whether to compute values of all faces at once: if single ones have taken as long, or there is
+  // nothing to unfold yet.
+  bool asks_for_faces() const { return !memory_.are_sharp && asks_for_all(); }
+  bool asks_for_all() const {
+    if (const Flip_list* flips = places_.flips())
+      return !can_unfold_soon() || memory_.steps > flips->size() / 4;
+    // where vertices were inserted: as many steps as one pass along the input edges takes, and one
+    // over all triangles under faces
+    if (memory_.steps <= memory_.enough_steps) return false;
+    const Integer_coordinates& c = *places_.coordinates(t_);
+    if (memory_.steps <= c.number_of_edges()) return false;
+    memory_.enough_steps = c.number_of_edges();
+    for (std::uint32_t e = 0; e < c.number_of_edges(); ++e)
+      memory_.enough_steps += 8 * number_of_crossings(c, e);
+    return memory_.steps > memory_.enough_steps;
+  }
+  // whether there are coordinates, or it pays to make some, which follow moves
+  bool can_unfold_soon() const {
+    return places_.has_coordinates(t_) || memory_.passes > few_passes;
+  }
+  // of all edges, in one pass along the input edges; repeats the flips if they are listed
+  void note_crossings() const {
+    memory_.unfolder.take_steps(); // else these would count against storing crossings
+    if (places_.flips() == nullptr) places_.coordinates(t_)->keep_crossings(t_);
+  }
+  void count_pass() const {
+    memory_.steps = memory_.enough_steps = 0;
+    ++memory_.passes;
+  }
+
+  using Base::memory_;
+  using Base::places_;
+  using Base::t_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EUCLIDEAN_DECIDER_H
