@@ -116,7 +116,7 @@ Gluing front_of(const Input& surface);
 namespace internal {
 
 /// What is known of a triangulation.
-struct Surface_facts {
+struct Choice_facts {
   std::size_t components = 0;
   std::ptrdiff_t euler_characteristic = 0; ///< without isolated vertices
   std::uint32_t sheets = 1;
@@ -124,8 +124,8 @@ struct Surface_facts {
   bool has_border = false;
 };
 template <IndexedTriangulation Triangulation>
-Surface_facts surface_facts(const Triangulation& t) {
-  Surface_facts facts;
+Choice_facts choice_facts(const Triangulation& t) {
+  Choice_facts facts;
   facts.components = connected_components(t.mesh()).count;
   facts.euler_characteristic = euler_characteristic(t.mesh());
   for (const std::uint32_t n : umbrellas(t.mesh()))
@@ -137,7 +137,7 @@ Surface_facts surface_facts(const Triangulation& t) {
 }
 
 // Replaces automatic choices. \throws Invalid_input if choices contradict each other or the surface
-void choose(Uniformize_options& options, const Surface_facts& facts);
+void choose(Uniformize_options& options, const Choice_facts& facts);
 
 // \throws Invalid_input if vertices fall together
 void take_sphere(Uniformization& result, Conformal_sphere sphere, std::vector<double> u);
@@ -211,7 +211,7 @@ Uniformization uniformize_closed(const Triangulation& t, Uniformize_options opti
   using Traits = std::conditional_t<Triangulation::Metric::is_exact, Exact_ideal_hyperbolic_traits,
                                     Ideal_hyperbolic_traits<double>>;
   using Ideal = Intrinsic_triangulation<Gluing_map, Traits, Integer_coordinates>;
-  choose(options, surface_facts(t));
+  choose(options, choice_facts(t));
   Uniformization result;
   result.target = options.target;
   result.start = options.start;

@@ -72,7 +72,7 @@ bool has_angles(const Uniformize_options& o) {
   return o.cones || o.scale_ratio || static_cast<bool>(o.prescribe);
 }
 
-Uniform_target target_of(const Uniformize_options& options, const Surface_facts& facts) {
+Uniform_target target_of(const Uniformize_options& options, const Choice_facts& facts) {
   if (has_angles(options) || facts.sheets != 1 || facts.components != 1)
     return Uniform_target::plane;
   switch (facts.euler_characteristic) {
@@ -95,7 +95,7 @@ std::string unreached(const Conformal_metric& m) {
 
 } // namespace
 
-void choose(Uniformize_options& options, const Surface_facts& facts) {
+void choose(Uniformize_options& options, const Choice_facts& facts) {
   const auto refuse = [](const std::string& what) {
     throw Invalid_input(Element_kind::none, 0, what);
   };
