@@ -69,8 +69,8 @@ py::tuple distance(Surface& s, const Place_arrays& sources,
                    const std::optional<Place_arrays>& targets, Method method, Watch& watch) {
   const std::vector<Place> from = places_of(s, sources);
   const std::vector<Place> to = targets ? places_of(s, *targets) : std::vector<Place>();
-  IT::Found_distances found = with_distances(
-      s, method, 0, watch, [&](auto& find) { return find.from(from, method, to); });
+  IT::Found_distances found =
+      with_distances(s, method, 0, watch, [&](auto& find) { return find.from(from, method, to); });
   return py::make_tuple(array_of(std::move(targets ? found.at_targets : found.by_row)),
                         IT::name_of(found.status));
 }
@@ -81,9 +81,8 @@ std::string fill(Surface& s, const std::vector<std::vector<Place>>& sets, Method
   if ((out.flags() & py::array::c_style) == 0 || !out.writeable())
     throw py::value_error("out must be a writable array in C order");
   const std::span<Number> numbers(out.mutable_data(), static_cast<std::size_t>(out.size()));
-  return IT::name_of(with_distances(s, method, threads, watch, [&](auto& find) {
-    return find.columns(sets, numbers, method);
-  }));
+  return IT::name_of(with_distances(
+      s, method, threads, watch, [&](auto& find) { return find.columns(sets, numbers, method); }));
 }
 
 std::string distances(Surface& s, const Place_arrays& sources, const std::vector<std::size_t>& ends,
@@ -130,9 +129,8 @@ Drawn_cells cells(IT::Distances<T>& find, const T& t, const std::vector<std::vec
     drawn.boundaries.push_back({IT::trace_boundary(t, b), b.is_closed});
   }
   for (const IT::Cell_junction& j : drawn.found.cells.junctions)
-    drawn.junctions.push_back(find.exact_search().is_on_faces()
-                                  ? j.point
-                                  : IT::locate_on_input(t, j.point).value());
+    drawn.junctions.push_back(
+        find.exact_search().is_on_faces() ? j.point : IT::locate_on_input(t, j.point).value());
   find.forget_exact_search();
   return drawn;
 }

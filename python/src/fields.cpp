@@ -110,10 +110,11 @@ py::array_t<double> vectors_in_space(Surface& s, const Field& field, double angl
 template <class T, class Vector>
 Field field_of_rows(const T& t, const Vector& at) {
   Field field;
-  field.of_row = IT::Vertex_copies(t).first_of_rows();
+  const IT::Vertex_copies copies(t);
+  field.of_row = copies.first_of_rows();
   if (t.input().names().is_cloud()) // a cloud of points has a vector for each of them
     std::iota(field.of_row.begin(), field.of_row.end(), 0U);
-  field.vectors.assign(std::max(field.of_row.size(), IT::Vertex_copies(t).size()), 0);
+  field.vectors.assign(std::max(field.of_row.size(), copies.size()), 0);
   for (std::size_t r = 0; r < field.of_row.size(); ++r) {
     if (field.of_row[r] == IT::Gluing::none) continue;
     const Complex z = at(r);

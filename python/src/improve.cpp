@@ -220,8 +220,7 @@ Surface_ptr adapt(Surface& s, std::uint32_t source, double heat_time, double tol
 
 py::object statistics_of(Surface& s) {
   Watch watch;
-  return object_of(
-      with_triangulation(s, watch, [&](auto& t) { return statistics(s, t, watch); }));
+  return object_of(with_triangulation(s, watch, [&](auto& t) { return statistics(s, t, watch); }));
 }
 
 py::object report_of_input(Surface& s) {

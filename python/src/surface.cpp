@@ -234,8 +234,8 @@ std::shared_ptr<Surface> surface_of_triangles(IT::Intrinsic_input input, const s
                                               bool is_exact) {
   IT::Read_surface surface{std::move(input)};
   const std::vector<std::uint32_t>& polygons = surface.input.names.polygon_of_triangle;
-  surface.facts.polygons = polygons.empty() ? surface.input.mesh.number_of_faces()
-                                            : std::size_t{polygons.back()} + 1;
+  surface.facts.polygons =
+      polygons.empty() ? surface.input.mesh.number_of_faces() : std::size_t{polygons.back()} + 1;
   surface.facts.domain.sheets = surface.input.names.sheets;
   return surface_of(std::move(surface), name, is_exact);
 }

@@ -35,8 +35,8 @@ double peak_rss_mib();
 template <class Triangulation>
 Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
   Json json = {{"version", INTRINSIC_TRIANGULATIONS_VERSION}};
-  json.update(json_of(
-      IT::surface_report(as_utf8(options.input), loaded.triangulation, loaded.facts)));
+  json.update(
+      json_of(IT::surface_report(as_utf8(options.input), loaded.triangulation, loaded.facts)));
   const Json seconds = json["seconds"];
   json.erase("seconds"); // which come last
   if (options.polygons != "fan")

@@ -291,8 +291,8 @@ TEST(LayOutSubdivision, interpolatesProjectivelyInTheDisk) {
       is_cut[h / 2] = cut_sides[start.side[h]];
       lengths[h / 2] = start.length[start.side[h]];
     }
-    const IT::Subdivision_layout layout = IT::lay_out_subdivision(
-        {subdivision, s, is_cut, {}, m.scale_factors, lengths, true, {}});
+    const IT::Subdivision_layout layout =
+        IT::lay_out_subdivision({subdivision, s, is_cut, {}, m.scale_factors, lengths, true, {}});
     EXPECT_LE(layout.largest_side_error, 1e-7);
     EXPECT_LE(layout.pairings.largest_seam_error, 1e-8);
     EXPECT_LE(layout.pairings.largest_relation_error, 1e-8);

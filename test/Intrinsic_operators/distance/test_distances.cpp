@@ -150,8 +150,8 @@ TEST(divide_among, gives_each_vertex_of_a_square_to_the_nearest_set) {
     const IT::Found_cells found = IT::divide_among(find, sets);
     for (std::uint32_t v = 0; v < q.shape.points.size(); ++v) {
       const Place p = Place::at_vertex(v);
-      const double least = std::min({q.distance(p, sets[0]), q.distance(p, sets[1]),
-                                     q.distance(p, sets[2])});
+      const double least =
+          std::min({q.distance(p, sets[0]), q.distance(p, sets[1]), q.distance(p, sets[2])});
       EXPECT_NEAR(found.by_row[v], least, 1e-12);
       ASSERT_TRUE(found.nearest[v] >= 0 && found.nearest[v] < 3);
       EXPECT_NEAR(q.distance(p, sets[static_cast<std::size_t>(found.nearest[v])]), least, 1e-12);

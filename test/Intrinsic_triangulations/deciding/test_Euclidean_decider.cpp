@@ -52,7 +52,8 @@ std::size_t multi_precision(const IT::Predicate_statistics& s) {
   return n;
 }
 
-TEST(Euclidean_decider, find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
+TEST(Euclidean_decider,
+     find_flat_parts_so_that_quadratically_many_flips_need_no_more_than_doubles) {
   for (const double slope : {0.0, 0.5}) {
     Exact t(two_parabolas(100, slope).input());
     Counted u(two_parabolas(100, slope).input());

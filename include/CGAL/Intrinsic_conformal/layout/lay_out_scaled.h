@@ -34,7 +34,7 @@ namespace CGAL::Intrinsic_triangulations {
 \brief is a mesh on which the triangles of a `Scaled_surface` lie.
 */
 struct Scaled_mesh {
-  Surface_to_cut triangles;       ///< of the mesh, with their lengths
+  Surface_to_cut triangles;     ///< of the mesh, with their lengths and `side`
   Overlaid_subdivision overlay; ///< of the mesh, the start and the ideal Delaunay triangulation
 };
 
@@ -43,8 +43,10 @@ struct Scaled_mesh {
 `conformal_metric()` and `hyperbolic_metric()`.
 */
 struct Scaled_surface {
-  Surface_to_cut start; ///< the triangles of the start, with their lengths
-  Surface_to_cut flat;  ///< the ideal Delaunay triangulation, with scaled or hyperbolic lengths
+  /// The triangles of the start, with their lengths and `side`, as `flat_surface()` returns them.
+  Surface_to_cut start;
+  /// The ideal Delaunay triangulation, with scaled or hyperbolic lengths and `side`.
+  Surface_to_cut flat;
   Common_subdivision subdivision;    ///< of both; faces of the start by their numbers
   std::vector<std::uint32_t> row;    ///< of each vertex
   std::vector<double> factors;       ///< of each row

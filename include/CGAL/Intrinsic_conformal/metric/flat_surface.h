@@ -66,8 +66,8 @@ template <IndexedTriangulation Triangulation>
 Surface_to_cut flat_surface(const Triangulation& t) {
   std::vector<double> length(t.numbers().edge_capacity(t.mesh()), 0);
   for (const auto e : edges(t.mesh())) length[t.index(e)] = t.lambda(e);
-  Surface_to_cut s = internal::surface_to_cut(t.mesh(), t.numbers(),
-                                              [&](std::uint32_t e) { return length[e]; });
+  Surface_to_cut s =
+      internal::surface_to_cut(t.mesh(), t.numbers(), [&](std::uint32_t e) { return length[e]; });
   std::vector<Double_double> lambda; // of each side, in scaled units
   if constexpr (internal::Has_precise_lambdas<Triangulation>) {
     lambda.resize(s.length.size());

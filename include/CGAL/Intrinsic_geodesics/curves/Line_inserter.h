@@ -28,7 +28,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // flipped away or split; an edge joins the new vertex to the vertex before. There the line goes on
 // at its angle with the edge, over the changed triangulation: it may cross edges again, and earlier
 // lines. Edges of these are always split.
-// \tparam Log `Flip_log`: edges are flipped, except those of earlier lines; else all are split
+// \tparam Log `Flip_log`: edges are flipped, except those of earlier lines; `void`: all are split
 // \tparam splits whether edges may be split
 template <class Triangulation, class Log = void, bool splits = true>
 class Line_inserter {
@@ -36,6 +36,7 @@ class Line_inserter {
   using Walk = Geodesic_walk<View>;
   using Split = typename Growing_paths<Triangulation>::Split;
   static constexpr bool flips = !std::is_void_v<Log>;
+  static_assert(!flips || std::is_same_v<Log, Flip_log<Triangulation>>);
 
 public:
   // \param log remembers flips, if nothing is split
@@ -155,7 +156,8 @@ private:
   }
 
   void append(std::uint32_t h) { paths_.append(h); }
-  // A line that ends at the vertex opposite of the last edge that it crosses. One that passes
+  // A line that ends at the vertex opposite of the last edge that it crosses: without flips none
+  // crosses an edge between vertices. One that passes
   // through a face twice becomes the chain of edges on its left.
   void append_line() {
     if constexpr (flips) {
@@ -164,9 +166,8 @@ private:
       typename Triangulation::Session session(t_);
       Segment_flipper<Triangulation> flip(t_, session, log_);
       Shortening_result counts;
-      const std::uint64_t most = pass_faces_once(t_, std::array{crossed})
-                                     ? std::numeric_limits<std::uint64_t>::max()
-                                     : 0;
+      const std::uint64_t most =
+          pass_faces_once(t_, std::array{crossed}) ? std::numeric_limits<std::uint64_t>::max() : 0;
       for (const auto h : flip(crossed, most, counts, [](auto) {}))
         append_edge(t_.numbers().halfedge(h));
     }

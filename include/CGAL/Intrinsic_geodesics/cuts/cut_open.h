@@ -31,9 +31,9 @@ struct Opened_surface {
   /// The two sides of each cut edge: a side, and the entry that it had in `Gluing::glue`, which is
   /// marked if the gluing is along the direction of both.
   std::vector<std::array<std::uint32_t, 2>> seams;
-  /// The side that each halfedge of the triangulation that was cut open is, by its number;
+  /// For each halfedge of the triangulation that was cut open, by its number, the side that it is;
   /// `Gluing::none` on the border. The vertex at the source of halfedge h is
-  /// `gluing.origin[side[h]]`. Empty if arrays were cut open.
+  /// `gluing.origin[side[h]]`. Empty if a `Gluing` was cut open.
   std::vector<std::uint32_t> side{};
 };
 

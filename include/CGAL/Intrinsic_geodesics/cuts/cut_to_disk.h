@@ -45,11 +45,11 @@ struct Surface_to_cut {
   /// Each side as a vector in a frame of its triangle, for layouts: needles lose their shape if it
   /// is computed from rounded lengths, as that would be. Empty: it is.
   std::vector<std::array<double, 2>> vector{};
-  /// The side that each halfedge of the triangulation that it was made of is, by its number;
-  /// `Gluing::none` on the border. Empty: it was not made of one.
+  /// For each halfedge of the triangulation that it was made of, by its number, the side that it
+  /// is; `Gluing::none` on the border. Empty: it was not made of one.
   std::vector<std::uint32_t> side{};
 
-  /// returns a side of an edge of that triangulation.
+  /// returns a side of an edge of that triangulation. \pre `side` is not empty
   std::uint32_t side_of_edge(std::uint32_t edge) const {
     return side[2 * edge] == Gluing::none ? side[2 * edge + 1] : side[2 * edge];
   }

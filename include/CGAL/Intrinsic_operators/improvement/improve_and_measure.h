@@ -66,7 +66,7 @@ inline void append_areas(std::ostream& message, double before, double after) {
 
 [[noreturn]] inline void refuse_spoilt(const std::string& how) {
   throw Rounding_error("rounding has spoilt the triangulation: " + how +
-                         "nothing was written; use --arithmetic exact");
+                       "nothing was written; use --arithmetic exact");
 }
 
 inline void refuse_spoilt(const Inaccuracy& i) {

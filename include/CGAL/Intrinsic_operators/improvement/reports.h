@@ -69,7 +69,9 @@ inline Report report_of_input(const std::string& name, const Surface_facts& fact
 inline Report report_of_domain(const Surface_facts& facts, std::size_t vertices) {
   const Domain_report& d = facts.domain;
   const bool is_sheet = d.kind != Domain_kind::manifold && d.sheets == 1;
-  Report report = {{"kind", facts.cloud ? "points" : is_sheet ? "sheet" : name_of(d.kind)},
+  Report report = {{"kind", facts.cloud ? "points"
+                            : is_sheet  ? "sheet"
+                                        : name_of(d.kind)},
                    {"reason", d.reason},
                    {"sheets", d.sheets},
                    {"vertices", vertices},
@@ -185,8 +187,7 @@ inline Report report_of_adaptation(const Adapted_faces& adapted, const Adapt_cri
 \param name what the surface is called, such as its file
 */
 template <IntrinsicTriangulation Triangulation>
-Report surface_report(const std::string& name, const Triangulation& t,
-                      const Surface_facts& facts) {
+Report surface_report(const std::string& name, const Triangulation& t, const Surface_facts& facts) {
   const Input_report& made = t.report();
   Report report = {{"input", internal::report_of_input(name, facts, made)},
                    {"arithmetic", Triangulation::Metric::is_exact ? "exact" : "double"},

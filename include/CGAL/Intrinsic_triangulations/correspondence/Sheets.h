@@ -205,7 +205,7 @@ private:
     }
   }
 
-  // The first vertex at the point of inserted vertex `i`, which is higher than those before.
+  // The first inserted vertex at the point of number `i`; calls come with ascending `i`.
   std::uint32_t first_copy(std::uint32_t i, const Coordinates& coordinates) const {
     if (!copies_.sheets->is_cover()) return i;
     const auto name = [&](std::uint32_t n) {

@@ -17,11 +17,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // What decides for a triangulation whose metric leaves questions open.
 template <class Triangulation, class Places, class Metric = typename Triangulation::Metric>
-using Decider =
-    std::conditional_t<Scales_vertices<Metric>, Ideal_decider<Triangulation>,
-                       std::conditional_t<Stores_nothing<Metric>,
-                                          Integer_decider<Triangulation, Places>,
-                                          Euclidean_decider<Triangulation, Places>>>;
+using Decider = std::conditional_t<
+    Scales_vertices<Metric>, Ideal_decider<Triangulation>,
+    std::conditional_t<Stores_nothing<Metric>, Integer_decider<Triangulation, Places>,
+                       Euclidean_decider<Triangulation, Places>>>;
 
 // Where the vertices are on the input, if they define the metric.
 template <class Triangulation, class Metric>
@@ -30,8 +29,7 @@ using Places_of = std::conditional_t<Answers_if_certain<Metric> && !Stores_nothi
 
 // What a decider stores.
 template <class Metric>
-using Memory_of =
-    std::conditional_t<Answers_if_certain<Metric>, Exact_memory, No_exact_memory>;
+using Memory_of = std::conditional_t<Answers_if_certain<Metric>, Exact_memory, No_exact_memory>;
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

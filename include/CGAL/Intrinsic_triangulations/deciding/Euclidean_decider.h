@@ -105,9 +105,8 @@ public:
       memory_.ladder.for_each_enclosure(this->input_metric(), this->replayed(faces), bits, visit);
     } else {
       for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
-        visit(i, this->with_figure(faces.subspan(i, 1), [&](const auto& figure) {
-          return enclosure(figure, bits);
-        }));
+        visit(i, this->with_figure(faces.subspan(i, 1),
+                                   [&](const auto& figure) { return enclosure(figure, bits); }));
     }
     return bits;
   }

@@ -65,8 +65,7 @@ public:
       Diamond_values<FT> sides;
       return exact_sign_on(memory_.unfolder.wedge(view_, coordinates(), faces), *of_sides, sides);
     }
-    return with_figure(faces,
-                       [&](const auto& f) { return exact_sign_on(f, expression, better); });
+    return with_figure(faces, [&](const auto& f) { return exact_sign_on(f, expression, better); });
   }
 
   // on a figure that was found

@@ -74,12 +74,13 @@ struct Input_names {
   /// The user's vertex that each vertex, by its name, is a copy of, ascending; empty: all are
   /// vertices of the user.
   std::vector<std::uint32_t> row_of_vertex;
-  /// How many sheets of the surface lie over each face of the user: 2 if it is a double cover.
+  /// How many sheets of the surface lie over each face of the user: 2 if it is a double cover; more
+  /// over the triangles of a cloud of points, which are in several stars.
   std::uint32_t sheets = 1;
 
   /// tells whether the surface is a cover.
   bool is_cover() const { return sheets > 1; }
-  /// tells whether it is that of a cloud of points, whose triangles are in several stars.
+  /// tells whether more than two sheets lie over a face, as over a cloud of points.
   bool is_cloud() const { return sheets > 2; }
 
   /// returns the user's vertex that an input vertex is, or is a copy of: its row in matrices.

@@ -85,26 +85,33 @@ public:
   /// returns how many there are.
   std::size_t size() const { return size_ + inserted_.size(); }
 
-  /// returns the first copy of the vertex of each row; `Gluing::none` for isolated vertices.
+  /// returns the first copy of the vertex of each row: without a cover the row itself;
+  /// `Gluing::none` for rows without a copy. \complexity linear
   std::vector<std::uint32_t> first_of_rows() const {
     return of_rows([](std::uint32_t i, std::uint32_t best) { return i < best; });
   }
   /// returns the first copy of the vertex of each row with a vector that is known, or the first
-  /// one. \param field a vector per copy
+  /// one.
+  /// \param field a vector per copy, `size()` of them
+  /// \complexity linear
   std::vector<std::uint32_t> known_of_rows(const std::vector<std::complex<double>>& field) const {
-    const auto is_known = [&field](std::uint32_t i) { return std::isfinite(std::abs(field[i])); };
+    const auto is_known = [&field](std::uint32_t i) {
+      return std::isfinite(field[i].real()) && std::isfinite(field[i].imag());
+    };
     return of_rows([&](std::uint32_t i, std::uint32_t best) {
       return is_known(i) == is_known(best) ? i < best : is_known(i);
     });
   }
   /// returns the copy of the vertex of each row that has the shortest vector, such as the nearest
-  /// one in a logarithmic map. \param field a vector per copy; unknown ones count as infinite
+  /// one in a logarithmic map.
+  /// \param field a vector per copy, `size()` of them; unknown ones count as infinite
+  /// \complexity linear
   std::vector<std::uint32_t> nearest_of_rows(const std::vector<std::complex<double>>& field) const {
     return of_rows([&field](std::uint32_t i, std::uint32_t best) {
       return !std::isfinite(std::abs(field[best])) || std::abs(field[i]) < std::abs(field[best]);
     });
   }
-  /// returns the first copy of the vertex of each copy.
+  /// returns, for each copy, the first copy of the same vertex. \complexity linear
   std::vector<std::uint32_t> first_of_copies() const {
     const std::vector<std::uint32_t> of_row = first_of_rows();
     std::vector<std::uint32_t> result(size());

@@ -46,8 +46,8 @@ concept Has_flip_predicates = requires(const Metric& c, const Diamond& d) {
 };
 
 template <class Metric>
-concept Decides_flips = (Decides_expressions<Metric> || Has_flip_predicates<Metric>)&&requires(
-    const Metric& c, const Diamond& d) {
+concept Decides_flips = (Decides_expressions<Metric> ||
+                         Has_flip_predicates<Metric>)&&requires(const Metric& c, const Diamond& d) {
   { c.is_locally_delaunay(d) } -> std::same_as<bool>;
 };
 
@@ -77,8 +77,8 @@ concept Scales_vertices = requires(Metric& m, std::span<const double> factors, s
 
 // Any expressions are decided, by the metric or its decider.
 template <class Metric>
-concept Decides_signs =
-    Decides_expressions<Metric> || (Answers_if_certain<Metric> && !Scales_vertices<Metric>);
+concept Decides_signs = Decides_expressions<Metric> ||
+    (Answers_if_certain<Metric> && !Scales_vertices<Metric>);
 
 // Has no values of its own: those that flips make are none.
 template <class Metric>

@@ -35,7 +35,7 @@ struct Developed {
   Eigen::MatrixX2d rows() const {
     Eigen::MatrixX2d result(static_cast<Eigen::Index>(position.size()), 2);
     for (std::size_t v = 0; v < position.size(); ++v) {
-      const std::complex<double> z = position[v];
+      const std::complex<double> z(position[v]);
       result.row(static_cast<Eigen::Index>(v)) << z.real(), z.imag();
     }
     return result;
@@ -63,9 +63,12 @@ public:
     for (const double extent : result.extent) unit_ = std::max(unit_, extent);
   }
 
+  // The longest side.
+  double unit() const { return unit_; }
   bool is_placed(std::uint32_t piece) const { return piece_round_[piece] != 0; }
 
-  // Lays out the component of a piece, also again: breadth first within classes of size, and small
+  // Lays out the component of a piece, whether or not it has been laid out before: breadth first
+  // within classes of size, and small
   // classes first. Thus pieces between the corners of a needle follow from each other: if large
   // ones around led to them from all sides, they would have the errors of those.
   void spread_from(std::uint32_t first, const Frame& start) {
@@ -87,8 +90,7 @@ public:
       const std::uint32_t c = least->second.front(), j = piece_[p_.glue[c]];
       least->second.pop();
       if (least->second.empty()) sides.erase(least);
-      if (piece_round_[j] != round_)
-        reach(j, p_.glue[c], p_.across(result.frame[piece_[c]], c));
+      if (piece_round_[j] != round_) reach(j, p_.glue[c], p_.across(result.frame[piece_[c]], c));
     }
   }
 
@@ -104,9 +106,9 @@ public:
     double largest = 0;
     for (std::uint32_t i = 0; i < p_.size(); ++i)
       for (std::uint32_t c = p_.begin[i]; c < p_.begin[i + 1] && result.extent[i] > 0; ++c)
-        largest = std::max(largest, p_.error(result.frame[i], i, c, z[p_.vertex[c]],
-                                             z[p_.vertex[p_.next(i, c)]]) /
-                                        result.extent[i]);
+        largest = std::max(
+            largest, p_.error(result.frame[i], i, c, z[p_.vertex[c]], z[p_.vertex[p_.next(i, c)]]) /
+                         result.extent[i]);
     return largest;
   }
 

@@ -39,7 +39,7 @@ struct Disk_point {
   double gap = 1;
 
   static Disk_point at(std::complex<double> z) { return {z, 1 - std::norm(z)}; }
-  operator std::complex<double>() const { return z; }
+  explicit operator std::complex<double>() const { return z; }
   double distance(const Disk_point& p) const;
   Disk_point moved(const Disk_motion& m) const;
 };
@@ -56,7 +56,7 @@ struct Disk_pieces : Glued_pieces {
   double length(std::uint32_t i, std::uint32_t c) const {
     return place[c].distance(place[next(i, c)]);
   }
-  static int size_class(double) { return 0; }
+  static int size_class(double) { return 0; } // one class: breadth first
   Frame across(const Frame& frame, std::uint32_t c) const;
   Point start(const Frame& frame, std::uint32_t c) const { return place[c].moved(frame); }
   Point end(const Frame& frame, std::uint32_t i, std::uint32_t c, const Point&) const {

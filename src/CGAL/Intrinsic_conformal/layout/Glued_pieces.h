@@ -56,8 +56,9 @@ std::vector<char> copies_of(const Opened_surface& s, std::span<const std::uint32
 // \throws Invalid_input naming two faces that are not oriented alike
 void expect_oriented(const Gluing& g);
 
-// \throws Invalid_input if a surface is not closed, connected, oriented and of a genus, as one of
-//   this name is
+// \param handles the genus that a surface must have
+// \param name what such a surface is called
+// \throws Invalid_input if it is not closed, connected, oriented and of this genus
 void expect_closed(const Gluing& g, std::size_t handles, const std::string& name);
 
 // The side on the border that starts at each vertex, or `Gluing::none`.

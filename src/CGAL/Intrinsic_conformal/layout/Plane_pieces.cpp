@@ -38,9 +38,8 @@ public:
   // \param fixed a vertex of each component
   Place_improver(const Plane_pieces& pieces, const std::vector<std::uint32_t>& fixed,
                  Developer<Plane_pieces>& developer)
-      : p_(pieces), fixed_(fixed), developer_(developer), d_(developer.result) {
-    for (const double extent : d_.extent) unit_ = std::max(unit_, extent);
-  }
+      : p_(pieces), fixed_(fixed), developer_(developer), d_(developer.result),
+        unit_(developer.unit()) {}
 
   // Solves for changes of the places, until the largest error does not fall.
   void run() {
@@ -118,10 +117,10 @@ private:
 
   const Plane_pieces& p_;
   const std::vector<std::uint32_t>& fixed_;
-  double unit_ = 0;            // the longest side
-  std::vector<double> weight_; // of each side between two vertices
   const Developer<Plane_pieces>& developer_;
   Developed<Plane_pieces>& d_;
+  double unit_;                // the longest side
+  std::vector<double> weight_; // of each side between two vertices
 };
 
 } // namespace

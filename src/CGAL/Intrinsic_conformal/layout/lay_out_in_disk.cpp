@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
+#include <CGAL/Intrinsic_conformal/layout/turn_back.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_round_disk.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
@@ -80,11 +81,10 @@ Disk_layout lay_out_in_disk(const Surface_to_cut& s, std::span<const std::uint32
   const std::vector<char> is_cone = internal::copies_of(result.surface, cones);
   result.pairings = internal::side_pairings(
       pieces, developed, internal::seams_of(result.surface, pieces, is_cone), is_cone);
-  for (std::uint32_t f = 0; f < pieces.size(); ++f) {
-    std::array<std::complex<double>, 3> z;
-    for (std::size_t k = 0; k < 3; ++k) z[k] = developed.position[pieces.vertex[3 * f + k]].z;
-    if (orientation_in_disk(z[0], z[1], z[2]) <= 0) ++result.flipped_faces;
-  }
+  const std::vector<std::uint32_t>& v = pieces.vertex;
+  for (std::uint32_t f = 0; f < pieces.size(); ++f)
+    if (internal::is_turned_in_disk(result.positions, {v[3 * f], v[3 * f + 1], v[3 * f + 2]}))
+      ++result.flipped_faces;
   return result;
 }
 

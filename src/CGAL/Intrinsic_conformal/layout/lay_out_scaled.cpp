@@ -37,6 +37,11 @@ public:
         opened_(mesh_) {}
 
   Scaled_layout run(const Flat_torus* torus) {
+    for (const Surface_to_cut* surface : {&in_.start, &in_.flat, &mesh_})
+      if (surface->side.empty())
+        throw Invalid_input(Element_kind::none, 0,
+                            "a surface does not tell the sides of its halfedges; make it with "
+                            "flat_surface()");
     find_front();
     const std::vector<char> is_cut = edges_to_cut();
     const Flat_subdivision in = arrays(is_cut);
@@ -213,9 +218,10 @@ private:
     const Common_subdivision& s = layout_.subdivision;
     std::complex<double> turn = 0;
     for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
-      std::uint32_t before = places.pieces().face_begin[layout_.original_face[f]]; // the cut
+      // the corner before the cut
+      std::uint32_t uncut = places.pieces().face_begin[layout_.original_face[f]];
       for (std::uint32_t c = s.face_begin[f] + 1; c < s.face_begin[f + 1]; ++c)
-        if (const std::uint32_t side = places.side(before++); side != Gluing::none)
+        if (const std::uint32_t side = places.side(uncut++); side != Gluing::none)
           turn += std::conj(point_of_row(layout_.positions, s.corner[c]) -
                             point_of_row(layout_.positions, s.corner[c - 1])) *
                   vector_on_torus(side, torus.layout);

@@ -68,6 +68,10 @@ private:
                                 " are needed; give one for each");
     };
     check(in.flat.length.size(), in.flat.gluing.origin.size(), " sides have lengths");
+    std::size_t halfedges = 0;
+    for (const std::uint32_t h : in.subdivision.intrinsic_halfedge)
+      if (h != none) halfedges = std::max(halfedges, std::size_t{h} + 1);
+    check(in.flat.side.size(), halfedges, " halfedges have sides");
     if (!in.is_cone.empty())
       check(in.is_cone.size(), in.flat.gluing.number_of_vertices, " vertices are marked");
     if (!in.factors.empty())

@@ -17,9 +17,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Polygons divided from their first corners.
 std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdivision& s);
 
-// Whether a triangle is not counterclockwise, exactly; the latter with geodesics of Poincaré's disk
-// as sides.
+// Whether a triangle is not counterclockwise, exactly.
 bool is_turned(const Eigen::MatrixX2d& positions, const std::array<std::uint32_t, 3>& triangle);
+// The same with geodesics of Poincaré's disk as sides.
 bool is_turned_in_disk(const Eigen::MatrixX2d& positions,
                        const std::array<std::uint32_t, 3>& triangle);
 

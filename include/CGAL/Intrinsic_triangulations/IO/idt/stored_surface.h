@@ -49,12 +49,11 @@ Built_surface<Triangulation> built_surface(Triangulation stored) {
   Built_surface<Triangulation> built{std::move(stored)};
   const Triangulation& t = built.triangulation;
   if (const auto& scaled = t.input().metric().points(); !scaled.empty())
-    built.points =
-        internal::points_by_rows(scaled.size(), t.input().names(), [&](std::uint32_t v) {
-          std::array<double, 3> p = scaled[v];
-          for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
-          return p;
-        });
+    built.points = internal::points_by_rows(scaled.size(), t.input().names(), [&](std::uint32_t v) {
+      std::array<double, 3> p = scaled[v];
+      for (double& x : p) x = std::ldexp(x, -t.metric().scale_exponent());
+      return p;
+    });
   built.facts.polygons = number_of_polygons(t.input());
   built.facts.triangulated_polygons = t.report().triangulated_polygons;
   internal::count_elements_of(built);
@@ -79,16 +78,17 @@ Built_surface<Triangulation> read_stored_surface(const std::string& path) {
 \return which one cannot be restored, in words; empty: all are edges again
 */
 template <NumberedTriangulation Triangulation>
-  requires CurveCoordinates<typename Triangulation::Correspondence>
-std::string restore_kept_edges(Triangulation& t, const std::vector<char>& is_kept) {
-  const std::uint32_t e = restore_input_edges(t, is_kept).missing;
-  if (e == Gluing::none) return {};
-  const auto row = [&](std::uint32_t v) { return std::to_string(t.input().names().row(v)); };
-  return "the edge between vertices " + row(t.input().source(2 * e)) + " and " +
-         row(t.input().target(2 * e)) +
-         " of the input, which is to be kept, has been flipped away and does not come back; start "
-         "from the mesh";
-}
+  requires CurveCoordinates<typename Triangulation::Correspondence> std::string
+  restore_kept_edges(Triangulation& t, const std::vector<char>& is_kept) {
+    const std::uint32_t e = restore_input_edges(t, is_kept).missing;
+    if (e == Gluing::none) return {};
+    const auto row = [&](std::uint32_t v) { return std::to_string(t.input().names().row(v)); };
+    return "the edge between vertices " + row(t.input().source(2 * e)) + " and " +
+           row(t.input().target(2 * e)) +
+           " of the input, which is to be kept, has been flipped away and does not come back; "
+           "start "
+           "from the mesh";
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 
