@@ -13,11 +13,11 @@ function(embed_three_js target)
     PATHS ${directories} PATH_SUFFIXES examples/js/controls NO_DEFAULT_PATH)
   mark_as_advanced(INTRINSIC_TRIANGULATIONS_THREE_JS INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS)
   if(NOT INTRINSIC_TRIANGULATIONS_THREE_JS OR NOT INTRINSIC_TRIANGULATIONS_TRACKBALL_CONTROLS_JS)
-    message(STATUS "The program `intrinsic` is built without --view: it needs three.js "
-      "(Debian: libjs-three)")
+    message(STATUS "Pages need three.js (Debian: libjs-three): ${target} is built without it")
   endif()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/three_js.cpp")
-  set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties("${source}" PROPERTIES
+    SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
   add_custom_command(OUTPUT "${source}"
     COMMAND "${CMAKE_COMMAND}"
       "-DTHREE=${INTRINSIC_TRIANGULATIONS_THREE_JS}"

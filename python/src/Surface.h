@@ -96,13 +96,16 @@ struct Surface {
   }
 };
 
-/// calls a function, and puts the name of what is wrong before its errors.
+/// calls a function, and puts the name of what is wrong before its errors, which become
+/// `Invalid_input`.
 template <class Function>
 auto naming(const std::string& name, const Function& function) {
   try {
     return function();
   } catch (const IT::Invalid_input& e) {
     throw IT::Invalid_input(e.kind(), e.index(), name + ": " + e.what());
+  } catch (const std::invalid_argument& e) {
+    throw IT::Invalid_input(IT::Element_kind::none, 0, name + ": " + e.what());
   }
 }
 

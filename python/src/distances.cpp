@@ -51,6 +51,7 @@ void watch_steps(Method& method, Watch& watch) {
   method.progress = [&watch](IT::Distance_step step, std::uint64_t done, std::uint64_t) {
     return watch(step == IT::Distance_step::windows    ? "windows"
                  : step == IT::Distance_step::matrices ? "matrices"
+                 : step == IT::Distance_step::cells    ? "cells"
                                                        : "parts",
                  done);
   };

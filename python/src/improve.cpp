@@ -27,7 +27,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -227,23 +226,36 @@ py::object report_of_input(Surface& s) {
   return object_of(with_triangulation(s, [&](auto& t) { return report_of(s, t); }));
 }
 
+// The scripts of pages: those that were compiled in, or those of this machine.
+IT::Three_js scripts() {
+  IT::Three_js all{std::string(embedded::three_js()),
+                   std::string(embedded::trackball_controls_js())};
+  if (all.three.empty() || all.trackball_controls.empty()) all = IT::find_three_js();
+  if (all.three.empty() || all.trackball_controls.empty())
+    refuse("the page needs three.js; install Debian's package libjs-three");
+  return all;
+}
+
 // A page that shows the triangulation.
 std::string page(Surface& s, double megabytes) {
   Watch watch;
+  // as Python has it, which is UTF-8 whatever bytes the file's name has
+  const auto title = py::cast<std::string>(
+      object_of(IT::Report(std::filesystem::path(s.name).filename().string())));
   return with_triangulation(s, watch, [&](auto& t) {
     if (s.points.empty())
       refuse("the surface has lengths and no points, so that nothing can be drawn");
+    const IT::Three_js three = scripts();
     IT::Common_subdivision d = IT::common_subdivision(t);
     IT::label_with_polygons(d, t.input().names().polygon_of_triangle);
     const IT::Element_counts& n = s.facts.counts;
-    const std::string title = std::filesystem::path(s.name).filename().string(),
-                      text = std::to_string(n.vertices) + " vertices, " + std::to_string(n.faces) +
+    const std::string text = std::to_string(n.vertices) + " vertices, " + std::to_string(n.faces) +
                              " faces; " + IT::describe_delaunay(statistics(s, t, watch));
     IT::Html_view view;
     view.title = title;
     view.description = text;
-    view.three = embedded::three_js();
-    view.trackball_controls = embedded::trackball_controls_js();
+    view.three = three.three;
+    view.trackball_controls = three.trackball_controls;
     view.marks_name = {};
     view.maximum_size = static_cast<std::size_t>(1e6 * megabytes);
     std::ostringstream out;

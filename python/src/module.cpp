@@ -16,13 +16,14 @@ namespace {
 
 // Options in messages of the program, as Python has them.
 std::string in_python(std::string message) {
-  static constexpr std::array<std::array<std::string_view, 2>, 7> names{
+  static constexpr std::array<std::array<std::string_view, 2>, 8> names{
       {{"--arithmetic exact", "arithmetic=\"exact\""},
        {"--domain points", "intrinsic.points(V)"},
        {"--arithmetic", "arithmetic"},
        {"--mollification", "mollification"},
        {"--domain", "domain"},
        {"--neighbors", "neighbors"},
+       {"--polygons", "polygons"},
        {"--source", "source"}}};
   for (const auto& [option, name] : names)
     for (std::size_t i; (i = message.find(option)) != std::string::npos;)

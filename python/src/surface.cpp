@@ -218,7 +218,7 @@ Surface_ptr restore(const std::string& contents, bool exact, const std::string& 
   Surface_ptr s = without_interpreter(watch, [&] {
     std::istringstream in(contents);
     const auto restored = [&](auto t) {
-      return std::make_shared<Surface>(IT::built_surface(std::move(t)), name);
+      return std::make_shared<Surface>(IT::stored_surface(std::move(t)), name);
     };
     return exact ? restored(IT::read_intrinsic_triangulation<Exact>(in, name))
                  : restored(IT::read_intrinsic_triangulation<Double>(in, name));

@@ -30,7 +30,7 @@ void run_delaunay(const Options& options) {
 }
 
 void run_info(const Options& options) {
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded(options, progress, [&](auto& loaded) {
     Options as_it_is = options;
     as_it_is.no_flip = true;

@@ -175,7 +175,7 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
 /// runs the command with a correspondence
 template <class Correspondence>
 void run_delaunay_with(const Options& options) {
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded<Correspondence>(options, progress,
                               [&](auto& loaded) { delaunay(loaded, options, progress); });
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "metric.h"
-#include "constraints.h"
 #include "support/text_lines.h"
 
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/scale_metric.h>
@@ -10,9 +9,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -22,7 +24,7 @@ namespace {
 using Tensor = std::span<const double>;
 
 // |v|^2 = v^T M v
-double squared_norm(const Tensor& m, const Point& v) {
+double squared_norm(const Tensor& m, const std::array<double, 3>& v) {
   return m[0] * v[0] * v[0] + m[3] * v[1] * v[1] + m[5] * v[2] * v[2] +
          2 * (m[1] * v[0] * v[1] + m[2] * v[0] * v[2] + m[4] * v[1] * v[2]);
 }
@@ -56,7 +58,7 @@ IT::Scaled_metric scaled_by_tensors(const IT::Read_surface& file, const Number_t
       table.refuse(f, "the tensor xx xy xz yy yz zz is not positive definite; correct it");
   return IT::scale_by_norm_in_space(
       file.input,
-      [&](IT::Gluing_map::Face f, const Point& v) {
+      [&](IT::Gluing_map::Face f, const std::array<double, 3>& v) {
         const std::vector<std::uint32_t>& polygon = file.input.names.polygon_of_triangle;
         return std::sqrt(squared_norm(tensor(polygon.empty() ? f.index : polygon[f.index]), v));
       },

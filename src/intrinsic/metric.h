@@ -12,6 +12,8 @@
 
 namespace program {
 
+namespace IT = CGAL::Intrinsic_triangulations;
+
 /// What was done about new lengths that violate the triangle inequality.
 struct Metric_report {
   std::size_t violating_faces = 0, changed_edges = 0;
@@ -23,8 +25,7 @@ struct Metric_report {
 \throws std::runtime_error naming the line of the file that is wrong
 \throws Invalid_input naming an edge whose new length is out of range
 */
-Metric_report change_metric(CGAL::Intrinsic_triangulations::Read_surface& file,
-                            const Options& options);
+Metric_report change_metric(IT::Read_surface& file, const Options& options);
 
 } // namespace program
 

@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <ostream>
-#include <string>
 
 namespace program {
 

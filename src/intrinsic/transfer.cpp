@@ -124,7 +124,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
 } // namespace
 
 void run_transfer(const Options& options) {
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { transfer(loaded, options, progress); });
 }

@@ -125,7 +125,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
 void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,
                      const Solver<IT::Euclidean_traits<double>>& approximate) {
   expect_writable_results(options);
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(
       options, progress,
       [&](auto& loaded) {

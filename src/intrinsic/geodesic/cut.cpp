@@ -151,7 +151,7 @@ void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progre
 } // namespace
 
 void run_cut(const Options& options) {
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { cut(loaded, options, progress); });
 }

@@ -84,7 +84,7 @@ void print_geodesic_summary_on_terminal(const Json& json) {
 }
 
 void run_geodesic(const Options& options) {
-  Progress_line progress(options.logs_progress);
+  Progress progress(options.logs_progress);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { geodesic(loaded, options, progress); });
 }

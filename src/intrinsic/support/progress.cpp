@@ -20,14 +20,14 @@ static_assert(std::atomic<const char*>::is_always_lock_free, "a signal handler r
 
 const char* current_stage() { return stage_now; }
 
-Progress_line::Progress_line(bool logs)
+Progress::Progress(bool logs)
     : logs_(logs), is_terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
 
-Progress_line::~Progress_line() {
+Progress::~Progress() {
   if (is_shown_) std::cerr << "\r\033[K" << std::flush;
 }
 
-bool Progress_line::show(const char* stage, const std::string& detail) {
+bool Progress::show(const char* stage, const std::string& detail) {
   using namespace std::chrono_literals;
   const auto now = Clock::now();
   if (logs_) log(stage, detail, now);
@@ -40,9 +40,9 @@ bool Progress_line::show(const char* stage, const std::string& detail) {
   return true;
 }
 
-void Progress_line::warn(const std::string& message) { std::cerr << message << '\n'; }
+void Progress::warn(const std::string& message) { std::cerr << message << '\n'; }
 
-void Progress_line::log(const char* stage, const std::string& detail, Clock::time_point now) {
+void Progress::log(const char* stage, const std::string& detail, Clock::time_point now) {
   using namespace std::chrono_literals;
   if (stage == stage_now && now - last_ < 1s) return;
   last_ = now;

@@ -27,41 +27,29 @@ private:
 /// returns the current stage; a signal handler may call it.
 const char* current_stage();
 
-/// Is shown to whoever waits for the work.
-class Progress {
-public:
-  Progress() = default;
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  virtual ~Progress() = default;
-
-  /*!
-  \brief shows the current stage.
-  \param stage a string literal
-  \param detail how far that is: a number and of what, if there is a number
-  \return whether to go on
-  */
-  virtual bool show(const char* stage, const std::string& detail = {}) = 0;
-  /// says what the result lacks.
-  virtual void warn(const std::string& message) = 0;
-};
-
 /*!
 \brief shows the current stage on standard error: in one line of a terminal, after the first second;
 or in lines of a log, one for each stage and one for every second. Without a log, and if standard
 error is not a terminal, it shows nothing.
 */
-class Progress_line final : public Progress {
+class Progress {
 public:
   /// \param logs whether to write a log
-  explicit Progress_line(bool logs);
+  explicit Progress(bool logs);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
   /// clears the line.
-  ~Progress_line() override;
+  ~Progress();
 
-  /// shows it. \return true
-  bool show(const char* stage, const std::string& detail = {}) override;
-  /// writes a line to standard error.
-  void warn(const std::string& message) override;
+  /*!
+  \brief shows the current stage.
+  \param stage a string literal
+  \param detail how far that is: a number and of what, if there is a number
+  \return true: visitors that return it go on
+  */
+  bool show(const char* stage, const std::string& detail = {});
+  /// writes a line to standard error that says what the result lacks.
+  void warn(const std::string& message);
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -167,6 +167,32 @@ TEST(divide_among, gives_each_vertex_of_a_square_to_the_nearest_set) {
   }
 }
 
+TEST(divide_among, leaves_the_cells_of_empty_sets_empty) {
+  Square q(1);
+  const Triangulation t = q.triangulation();
+  IT::Distances<Triangulation> find(t);
+  const IT::Found_cells found = IT::divide_among(find, {{}, q.places(1), {}});
+  ASSERT_EQ(found.cells.areas.size(), 3U);
+  EXPECT_EQ(found.cells.areas[0], 0);
+  EXPECT_NEAR(found.cells.areas[1], 36, 1e-9);
+  EXPECT_EQ(found.cells.areas[2], 0);
+  EXPECT_EQ(found.vertices, (std::vector<std::size_t>{0, q.shape.points.size(), 0}));
+}
+
+TEST(divide_among, says_that_it_was_cancelled) {
+  Square q(1);
+  const Triangulation t = q.triangulation();
+  IT::Distances<Triangulation> find(t);
+  IT::Distance_options options;
+  options.progress = [](IT::Distance_step step, std::uint64_t, std::uint64_t) {
+    return step != IT::Distance_step::cells;
+  };
+  const IT::Found_cells found = IT::divide_among(find, {q.places(2)}, {}, options);
+  EXPECT_EQ(found.status, IT::Status::cancelled);
+  EXPECT_EQ(found.cells.status, IT::Status::cancelled);
+  EXPECT_TRUE(found.cells.areas.empty());
+}
+
 TEST(Distances, end_where_asked) {
   Square s(1);
   const Triangulation t = s.triangulation();

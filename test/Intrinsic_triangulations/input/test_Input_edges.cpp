@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -37,6 +38,8 @@ std::size_t count(const std::vector<char>& marks) {
   return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), char{1}));
 }
 
+static_assert(!std::is_constructible_v<IT::Input_edges, IT::Intrinsic_input>);
+
 TEST(Input_edges, finds_edges_by_their_ends_but_no_diagonals) {
   const IT::Intrinsic_input in = cube();
   IT::Input_edges edges(in);
@@ -49,6 +52,7 @@ TEST(Input_edges, finds_edges_by_their_ends_but_no_diagonals) {
   EXPECT_FALSE(edges.mark(0, 3, marks)); // across a square
   EXPECT_FALSE(edges.mark(1, 2, marks)); // the other diagonal
   EXPECT_FALSE(edges.mark(0, 7, marks)); // across the cube
+  EXPECT_FALSE(edges.mark(0, 8, marks)); // there is no vertex 8
   EXPECT_EQ(count(marks), 2U);
 }
 

@@ -29,7 +29,8 @@ enum class Distance_method : std::uint8_t {
 enum class Distance_step : std::uint8_t {
   windows,  ///< looks through the windows of exact distances; how many is counted
   matrices, ///< factors matrices, or solves with them
-  parts     ///< has found columns of distances, or pairs; how many is counted
+  parts,    ///< has found columns of distances, or pairs; how many is counted
+  cells     ///< divides the surface, see `divide_among()`
 };
 
 /// What is asked of distances.

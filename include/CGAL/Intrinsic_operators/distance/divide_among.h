@@ -28,7 +28,8 @@ namespace CGAL::Intrinsic_triangulations {
 struct Found_cells : Found_distances {
   std::vector<std::int64_t> nearest{}; ///< number of the nearest set of each row; -1: none
   std::vector<std::size_t> vertices{}; ///< number of vertices of the triangulation in each cell
-  Voronoi_cells cells{};               ///< areas of cells, and the lines between them
+  /// Areas of cells, and the lines between them; none if the search or the division was cancelled.
+  Voronoi_cells cells{};
 };
 
 /*!
@@ -36,11 +37,13 @@ struct Found_cells : Found_distances {
 nearest set.
 \tparam Triangulation see `Distances`
 \param find finds the distances; it keeps the search
-\param sets the sets of sources
+\param sets the sets of sources; a set may be empty: its cell is
 \param tolerance of the lines between cells, in the units of the input; by default see
   `voronoi_cells()`
 \param options how; all distances are exact, and searched for everywhere
+\return the cells; the status of both parts is `cancelled` if `options.progress` has ended the work
 \throws Invalid_input as `Distances::from()` does
+\throws std::invalid_argument if the search met its cap, see `voronoi_cells()`
 \complexity that of `Distances::from()` and `voronoi_cells()`
 */
 template <QueriedTriangulation Triangulation>
@@ -60,10 +63,17 @@ Found_cells divide_among(Distances<Triangulation>& find,
   options.maximum_distance = std::numeric_limits<double>::infinity();
   Found_cells found{find.from(all, options)};
   found.nearest.assign(found.by_row.size(), -1);
-  if (found.status == Status::cancelled) return found;
+  if (found.status != Status::cancelled && options.progress &&
+      !options.progress(Distance_step::cells, 0, 0))
+    found.status = Status::cancelled;
+  if (found.status == Status::cancelled) {
+    found.cells.status = Status::cancelled;
+    return found;
+  }
   found.cells = tolerance ? voronoi_cells(search, cell_of_source, parameters::tolerance(*tolerance))
                           : voronoi_cells(search, cell_of_source);
-  found.vertices.resize(found.cells.areas.size());
+  found.cells.areas.resize(sets.size()); // the last sets may be empty
+  found.vertices.resize(sets.size());
   for (const auto v : vertices(t.mesh()))
     if (const std::uint32_t i = search.nearest_source(v); i != Gluing::none) {
       found.nearest[t.input_vertex(v)] = cell_of_source[i];

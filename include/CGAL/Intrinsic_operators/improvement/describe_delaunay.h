@@ -41,7 +41,10 @@ std::string bars(const Tree& histogram) {
 /*!
 \brief says in some lines what was done to a triangulation, for people: the text of a page.
 \tparam Tree `Report`, or JSON with the same names
-\param report see `report_improvement()`
+\param report see `surface_report()` and `report_improvement()`
+\return lines without a newline at the end
+\throws std::out_of_range if a `Report` lacks a figure; JSON throws its own error
+\complexity linear in the number of figures
 */
 template <internal::Named_figures Tree>
 std::string describe_delaunay(const Tree& report) {

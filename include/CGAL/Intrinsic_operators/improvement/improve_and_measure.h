@@ -26,7 +26,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// is thrown if rounding has spoilt a triangulation: take exact traits.
+/*!
+\brief is thrown if rounding has spoilt a triangulation: take exact traits.
+
+Messages name options as the program does.
+*/
 class Rounding_error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
@@ -38,10 +42,11 @@ struct Improved_surface {
   Measurements measured{};
   double input_area = 0;           ///< see `area_of_points()`
   bool is_exact = false;           ///< whether predicates were exact
-  double seconds_of_measuring = 0; ///< that it took
+  double seconds_of_measuring = 0; ///< of `measure_improved()`
 
   /// returns how sure it is that the triangulation is Delaunay: "exact", all edges that are not
   /// kept are proven to be; "interval", the same but for probable ties; or "none".
+  /// \pre `measure_improved()` was called
   const char* certificate() const {
     const std::uint64_t probable = done.statistics.probable_zero + measured.edges.probable_zero;
     return !is_exact || measured.edges.non_delaunay > 0 ? "none"
@@ -100,8 +105,11 @@ inline void expect_area_kept(double before, double after) {
 
 /*!
 \brief labels the intrinsic edges along some edges of the input with 1, for `improve()`.
-\param t see `constrained_input_edges()`
+\tparam Triangulation see `constrained_input_edges()`
+\param t the triangulation
 \param is_kept nonzero for each edge of the input that is kept, by its number; empty: none is
+\return labels of all edges
+\complexity that of `constrained_input_edges()`, and linear in the number of edges
 */
 template <NumberedTriangulation Triangulation>
 Marked_edges<Triangulation, std::uint32_t> labelled_input_edges(const Triangulation& t,

@@ -184,7 +184,11 @@ inline Report report_of_adaptation(const Adapted_faces& adapted, const Adapt_cri
 /*!
 \brief reports what a triangulation was built of: the keys `input`, `arithmetic`, `correspondence`,
 `mollification`, `domain` and `seconds`.
+\tparam Triangulation an `Intrinsic_triangulation`
 \param name what the surface is called, such as its file
+\param t its triangulation
+\param facts what is known of it, see `build_surface()`
+\complexity constant, but for points of a cloud, which are counted
 */
 template <IntrinsicTriangulation Triangulation>
 Report surface_report(const std::string& name, const Triangulation& t, const Surface_facts& facts) {
@@ -223,6 +227,8 @@ inline Report polygon_report(const Polygon_report& report) {
 \param improved the result
 \param options what was asked for
 \param kept_input_edges how many edges of the input are kept; none: this was not asked for
+\pre `options` are those of `improve_soundly()`
+\complexity linear in the number of figures
 */
 inline void report_improvement(Report& report, const Improved_surface& improved,
                                const Improve_options& options,

@@ -11,7 +11,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Numbers of elements of triangles that are glued, and of what they make together.
+/// Numbers of elements of triangles that are glued, and of their components and borders.
 struct Element_counts {
   std::size_t vertices = 0, edges = 0, faces = 0;
   std::size_t boundary_edges = 0, boundary_loops = 0; ///< see `boundary_loops()`
@@ -20,7 +20,7 @@ struct Element_counts {
   std::size_t isolated_vertices = 0, nonmanifold_vertices = 0; ///< see `umbrellas()`
 };
 
-/// counts the elements of a mesh. \complexity linear
+/// counts the elements of a mesh, and its components and borders. \complexity linear
 Element_counts count_elements(const Gluing_map& mesh);
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -27,21 +27,28 @@ class Input_edges {
 public:
   /// reads the edges of an input, which must outlive it.
   explicit Input_edges(const Intrinsic_input& input);
+  explicit Input_edges(const Intrinsic_input&& input) = delete; ///< it would not outlive it
   /// reads those of the input of a triangulation, which must outlive it.
   explicit Input_edges(const Input& input);
+  explicit Input_edges(const Input&& input) = delete; ///< it would not outlive it
 
   /// returns marks of which none is set.
   std::vector<char> no_marks() const { return std::vector<char>(mesh_->number_of_edges(), 0); }
   /*!
   \brief marks the edges between two of the user's vertices.
-  \return whether there are any
+  \param i the number of a vertex
+  \param j that of another one, or the same
+  \param marks get 1 at these edges
+  \return whether there are any; false for a number that no vertex has
+  \pre there is a mark for each edge, see `no_marks()`
   \complexity logarithmic, after the first call, which sorts the edges
   */
   bool mark(std::uint32_t i, std::uint32_t j, std::vector<char>& marks);
   /*!
   \brief marks the edges at which the faces are folded by more than an angle.
   \param degrees between the normals of the faces
-  \pre the input has points
+  \param marks get 1 at these edges
+  \pre the input has points, and there is a mark for each edge, see `no_marks()`
   \complexity linear
   */
   void mark_sharp(double degrees, std::vector<char>& marks) const;

@@ -73,7 +73,8 @@ public:
   List::const_iterator begin() const { return get<List>().begin(); }
   /// returns the end of a list.
   List::const_iterator end() const { return get<List>().end(); }
-  /// returns the figure with a name; appends one that is nothing if there is none.
+  /// returns the figure with a name; appends one that is nothing if there is none. The reference is
+  /// valid until a figure is appended beside it.
   /// \pre it is figures, or nothing
   Report& operator[](std::string_view name);
   /// tells whether there is a figure with a name.

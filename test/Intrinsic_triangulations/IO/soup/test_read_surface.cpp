@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -87,6 +88,14 @@ TEST(read_surface, makes_the_surface_that_words_name) {
   EXPECT_EQ(options.polygons, IT::Nonplanar_polygons::planar);
 }
 
+TEST(read_surface, refuses_words_that_name_nothing) {
+  const std::string message = message_of([] { IT::surface_options("tuftd"); });
+  EXPECT_NE(message.find("tuftd"), std::string::npos);
+  EXPECT_NE(message.find("orientation-cover, tufted"), std::string::npos);
+  EXPECT_THROW(IT::surface_options("auto", "some"), IT::Invalid_input);
+  EXPECT_THROW(IT::surface_options("auto", "none", "bent"), IT::Invalid_input);
+}
+
 TEST(read_surface, gives_each_copy_on_a_cover_the_point_of_its_row) {
   const File file("square.off", square);
   const auto built = IT::build_surface<Triangulation>(
@@ -102,6 +111,17 @@ TEST(read_surface, names_the_file_and_refuses_neighbours_of_faces) {
   const std::string message = message_of([&] { IT::read_surface(file.path(), options); });
   EXPECT_EQ(message.find(file.path()), 0U);
   EXPECT_NE(message.find("this file has faces"), std::string::npos);
+}
+
+TEST(build_surface, refuses_points_that_are_too_few_or_too_many) {
+  const File file("square.off", square);
+  const auto build = [&](std::size_t points) {
+    return IT::build_surface<Triangulation>(IT::read_surface(file.path()),
+                                            std::vector<Point>(points));
+  };
+  EXPECT_THROW(build(4), IT::Invalid_input);
+  EXPECT_THROW(build(6), IT::Invalid_input);
+  EXPECT_EQ(build(5).points.size(), 5U);
 }
 
 TEST(stored_surface, knows_points_and_counts_after_a_flip) {

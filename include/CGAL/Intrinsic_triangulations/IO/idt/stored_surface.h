@@ -42,10 +42,13 @@ std::string stored_arithmetic(const std::string& path, const std::optional<std::
 
 /*!
 \brief finds out what is known of a triangulation that was stored: its file has the input.
+\tparam Triangulation an `Intrinsic_triangulation`
+\param stored the result of `read_intrinsic_triangulation()`
+\return the triangulation, the point of each row, and what is known of the surface
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>
-Built_surface<Triangulation> built_surface(Triangulation stored) {
+Built_surface<Triangulation> stored_surface(Triangulation stored) {
   Built_surface<Triangulation> built{std::move(stored)};
   const Triangulation& t = built.triangulation;
   if (const auto& scaled = t.input().metric().points(); !scaled.empty())
@@ -60,22 +63,31 @@ Built_surface<Triangulation> built_surface(Triangulation stored) {
   return built;
 }
 
-/// reads a triangulation from its file, and finds out what is known of it.
-/// \throws Invalid_input see `read_intrinsic_triangulation()`
+/*!
+\brief reads a triangulation from its file, and finds out what is known of it.
+\tparam Triangulation an `Intrinsic_triangulation`
+\param path the file
+\return what `stored_surface()` does, and how long it took to read
+\throws Invalid_input see `read_intrinsic_triangulation()`
+\complexity that of `read_intrinsic_triangulation()`
+*/
 template <NumberedTriangulation Triangulation>
 Built_surface<Triangulation> read_stored_surface(const std::string& path) {
   const auto start = std::chrono::steady_clock::now();
   auto t = read_intrinsic_triangulation<Triangulation>(std::filesystem::path(path));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  Built_surface<Triangulation> built = built_surface(std::move(t));
+  Built_surface<Triangulation> built = stored_surface(std::move(t));
   built.facts.seconds_of_reading = seconds.count();
   return built;
 }
 
 /*!
 \brief restores edges of the input that are kept from now on, see `restore_input_edges()`.
+\tparam Triangulation see `restore_input_edges()`
+\param t the triangulation
 \param is_kept nonzero for each of them, by its number in `t.input()`
 \return which one cannot be restored, in words; empty: all are edges again
+\complexity that of `restore_input_edges()`
 */
 template <NumberedTriangulation Triangulation>
   requires CurveCoordinates<typename Triangulation::Correspondence> std::string
@@ -86,8 +98,7 @@ template <NumberedTriangulation Triangulation>
     return "the edge between vertices " + row(t.input().source(2 * e)) + " and " +
            row(t.input().target(2 * e)) +
            " of the input, which is to be kept, has been flipped away and does not come back; "
-           "start "
-           "from the mesh";
+           "start from the mesh";
   }
 
 } // namespace CGAL::Intrinsic_triangulations

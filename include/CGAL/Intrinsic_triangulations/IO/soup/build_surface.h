@@ -7,12 +7,14 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/count_elements.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -45,6 +47,14 @@ std::vector<std::array<double, 3>> points_by_rows(std::size_t vertices, const In
   return points;
 }
 
+inline void expect_point_per_vertex(std::size_t points, std::size_t vertices) {
+  if (points != vertices)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(points) + " points for " +
+                            std::to_string(vertices) +
+                            " vertices of the input; give one for each vertex");
+}
+
 // Counts the elements that the triangulation has now.
 template <NumberedTriangulation Triangulation>
 void count_elements_of(Built_surface<Triangulation>& built) {
@@ -61,7 +71,9 @@ void count_elements_of(Built_surface<Triangulation>& built) {
 \tparam Triangulation an `Intrinsic_triangulation`
 \param surface the result of `read_surface()` or `make_surface()`
 \param points where its vertices are, if its input has lengths that were changed; else none
-\throws Invalid_input as the constructor of the triangulation does
+\return the triangulation, the point of each row, and what is known of the surface
+\throws Invalid_input as the constructor of the triangulation does, or if there are points, but not
+  one for each vertex of the input
 \complexity linear
 */
 template <NumberedTriangulation Triangulation>
@@ -69,9 +81,11 @@ Built_surface<Triangulation> build_surface(Read_surface surface,
                                            std::vector<std::array<double, 3>> points = {}) {
   const auto start = std::chrono::steady_clock::now();
   if (points.empty()) points = surface.input.points;
-  if (!points.empty())
+  if (!points.empty()) {
+    internal::expect_point_per_vertex(points.size(), surface.input.mesh.number_of_vertices());
     points = internal::points_by_rows(points.size(), surface.input.names,
                                       [&](std::uint32_t v) { return points[v]; });
+  }
   Built_surface<Triangulation> built{Triangulation(std::move(surface.input)), std::move(points),
                                      std::move(surface.facts)};
   built.facts.seconds_of_building =

@@ -37,6 +37,7 @@ struct Surface_options {
 \param domain `auto`, `manifold`, `orientation-cover`, `tufted`, `closed` or `points`
 \param mollification `automatic`, `none`, `lengths` or `squared`
 \param polygons `fan` or `planar`
+\throws Invalid_input naming a word that is none of these
 */
 Surface_options surface_options(const std::string& domain,
                                 const std::string& mollification = "automatic",
@@ -44,7 +45,8 @@ Surface_options surface_options(const std::string& domain,
 
 /// What is known of a surface when a triangulation of it is built.
 struct Surface_facts {
-  Element_counts counts{};                      ///< of the triangles, see `build_surface()`
+  /// Of the surface's triangles when it was built, or as it was stored.
+  Element_counts counts{};
   std::size_t polygons = 0;                     ///< faces of the user; 0: points alone
   std::size_t triangulated_polygons = 0;        ///< those with more than three sides
   std::size_t faces_with_repeated_vertices = 0; ///< see `Triangle_soup`
@@ -64,14 +66,26 @@ struct Read_surface {
 
 /*!
 \brief makes a surface of triangles, or of points if there are none.
-\throws Invalid_input as `make_domain()` and `make_point_cloud()` do, or if there are numbers of
-  neighbours of points, and faces
+
+Messages name options as the program does.
+\param soup triangles; or points without any
+\param options which surface is made
+\return the input of a triangulation, for `build_surface()`
+\throws Invalid_input as `make_domain()` and `make_point_cloud()` do, or if `neighbors` is given and
+  there are faces
+\complexity that of `make_domain()` or `make_point_cloud()`
 */
 Read_surface make_surface(Triangle_soup soup, const Surface_options& options = {});
 
 /*!
 \brief reads a file of a mesh or of points, and makes a surface of it.
+
+Messages name options as the program does.
+\param path the file, in a format that `read_triangle_soup()` reads
+\param options which surface is made
+\return the input of a triangulation, for `build_surface()`
 \throws Invalid_input naming the file, as `read_triangle_soup()` and `make_surface()` do
+\complexity that of `read_triangle_soup()` and `make_surface()`
 */
 Read_surface read_surface(const std::string& path, const Surface_options& options = {});
 

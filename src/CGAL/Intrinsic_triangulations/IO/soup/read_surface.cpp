@@ -5,27 +5,53 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// What a word names.
+template <class Value, std::size_t n>
+static Value value_of_word(const std::string& option, const std::string& word,
+                           const std::array<std::pair<std::string_view, Value>, n>& values) {
+  std::string words;
+  for (const auto& [name, value] : values) {
+    if (name == word) return value;
+    words.append(words.empty() ? "" : ", ").append(name);
+  }
+  throw Invalid_input(Element_kind::none, 0,
+                      "--" + option + " cannot be \"" + word + "\"; give one of " + words);
+}
+
+} // namespace internal
+
 Surface_options surface_options(const std::string& domain, const std::string& mollification,
                                 const std::string& polygons) {
+  constexpr std::array<std::pair<std::string_view, Domain_kind>, 6> kinds{
+      {{"auto", Domain_kind::automatic},
+       {"manifold", Domain_kind::manifold},
+       {"orientation-cover", Domain_kind::orientation_cover},
+       {"tufted", Domain_kind::tufted_cover},
+       {"closed", Domain_kind::closed},
+       {"points", Domain_kind::automatic}}};
+  constexpr std::array<std::pair<std::string_view, Mollification>, 4> mollifications{
+      {{"automatic", Mollification::automatic},
+       {"none", Mollification::none},
+       {"lengths", Mollification::lengths},
+       {"squared", Mollification::squared_lengths}}};
+  constexpr std::array<std::pair<std::string_view, Nonplanar_polygons>, 2> treatments{
+      {{"fan", Nonplanar_polygons::fan}, {"planar", Nonplanar_polygons::planar}}};
   Surface_options o;
+  o.kind = internal::value_of_word("domain", domain, kinds);
   o.is_points = domain == "points";
-  o.kind = domain == "manifold"            ? Domain_kind::manifold
-           : domain == "orientation-cover" ? Domain_kind::orientation_cover
-           : domain == "tufted"            ? Domain_kind::tufted_cover
-           : domain == "closed"            ? Domain_kind::closed
-                                           : Domain_kind::automatic;
-  o.mollification = mollification == "none"      ? Mollification::none
-                    : mollification == "lengths" ? Mollification::lengths
-                    : mollification == "squared" ? Mollification::squared_lengths
-                                                 : Mollification::automatic;
-  if (polygons == "planar") o.polygons = Nonplanar_polygons::planar;
+  o.mollification = internal::value_of_word("mollification", mollification, mollifications);
+  o.polygons = internal::value_of_word("polygons", polygons, treatments);
   return o;
 }
 
