@@ -91,7 +91,7 @@ constexpr FT right_cotangent_numerator(const Diamond_values<FT>& d) {
   return d.im + d.mj - d.ij;
 }
 
-/// returns the same two, from stored squared lengths of edges.
+/// returns the numerators of both cotangents opposite an edge, from stored squared lengths.
 template <RingNumber FT>
 BOOST_FORCEINLINE std::pair<FT, FT> cotangent_numerators(const std::vector<FT>& lengths,
                                                          const Diamond& d) {
