@@ -17,16 +17,26 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 //! [traits]
+// an exact metric: where it is not certain, the triangulation decides
+template <class Metric>
+concept Answers_if_certain = requires(const Metric& m, const IT::Diamond& d) {
+  m.certain_delaunay(d);
+};
+
 template <class Metric>
 class Counting_metric : public Metric {
 public:
   using Metric::Metric;
 
-  // the one predicate of flip_to_delaunay(); exact metrics get what decides where they cannot
-  template <class... Exact>
-  bool is_locally_delaunay(const IT::Diamond& d, const Exact&... exact) const {
+  // the one predicate of flip_to_delaunay()
+  bool is_locally_delaunay(const IT::Diamond& d) const requires(!Answers_if_certain<Metric>) {
     ++predicates;
-    return Metric::is_locally_delaunay(d, exact...);
+    return Metric::is_locally_delaunay(d);
+  }
+  // the same of an exact metric
+  auto certain_delaunay(const IT::Diamond& d) const requires Answers_if_certain<Metric> {
+    ++predicates;
+    return Metric::certain_delaunay(d);
   }
   auto compute_flip(const IT::Diamond& d) const { // its one construction
     ++constructions;

@@ -38,8 +38,8 @@ public:
 
 /// What `improve_soundly()` has done, and what `measure_improved()` has found.
 struct Improved_surface {
-  Improvement done{};
-  Measurements measured{};
+  Improvement done{};              ///< of `improve_soundly()`
+  Measurements measured{};         ///< of `measure_improved()`
   double input_area = 0;           ///< see `area_of_points()`
   bool is_exact = false;           ///< whether predicates were exact
   double seconds_of_measuring = 0; ///< of `measure_improved()`

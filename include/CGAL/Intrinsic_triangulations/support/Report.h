@@ -19,6 +19,13 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// A value with a name.
+template <class Value>
+struct Named {
+  std::string name; ///< unique among those beside it
+  Value value;      ///< what has this name
+};
+
 /*!
 \brief is a tree of figures with names, in the order in which they were set: what is reported of a
 surface, and what JSON or a dictionary may be made of.
@@ -27,7 +34,7 @@ A report is nothing, a truth value, a number, a text, a list of reports, or figu
 */
 class Report {
 public:
-  struct Figure;
+  using Figure = Named<Report>;        ///< a report with a name
   using List = std::vector<Report>;    ///< reports without names
   using Figures = std::vector<Figure>; ///< reports with names
   /// What a report may be.
@@ -58,9 +65,9 @@ public:
   template <class Known>
   Report(const std::optional<Known>& x) : Report(x ? Report(*x) : Report()) {}
   /// is figures with names.
-  Report(Figures x);
+  Report(Figures x) : value_(std::move(x)) {}
   /// is figures with names.
-  Report(std::initializer_list<Figure> figures);
+  Report(std::initializer_list<Figure> figures) : value_(Figures(figures)) {}
 
   /// returns what it is.
   const Value& value() const { return value_; }
@@ -90,15 +97,6 @@ private:
 
   Value value_;
 };
-
-/// A report with a name.
-struct Report::Figure {
-  std::string name; ///< unique among those beside it
-  Report value;     ///< may be figures again
-};
-
-inline Report::Report(Figures x) : value_(std::move(x)) {}
-inline Report::Report(std::initializer_list<Figure> figures) : value_(Figures(figures)) {}
 
 inline Report& Report::operator[](std::string_view name) {
   if (std::holds_alternative<std::monostate>(value_)) value_ = Figures();

@@ -29,11 +29,14 @@ using Point = std::array<double, 3>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
                                                   IT::Integer_coordinates>;
 
-// A file that is removed in the end.
+// A file of the test that runs, removed in the end: tests may run at once.
 class File {
 public:
   File(const std::string& name, const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / ("test_read_surface_" + name)).string()) {
+      : path_((std::filesystem::temp_directory_path() /
+               (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
+                name))
+                  .string()) {
     std::ofstream(path_) << text;
   }
   ~File() { std::filesystem::remove(path_); }

@@ -23,10 +23,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// A triangulation with what is known of the user's surface.
 template <NumberedTriangulation Triangulation>
 struct Built_surface {
-  Triangulation triangulation;
+  Triangulation triangulation; ///< of the surface
   /// Where each row is, in the order and the units of the user; empty for an abstract metric.
   std::vector<std::array<double, 3>> points{};
-  Surface_facts facts{};
+  Surface_facts facts{}; ///< what is known of the surface
 };
 
 /// returns the number of the user's faces that a surface has parts of.

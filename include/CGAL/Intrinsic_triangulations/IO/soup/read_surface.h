@@ -60,8 +60,8 @@ struct Surface_facts {
 
 /// What a triangulation is built from, and what is known of it.
 struct Read_surface {
-  Intrinsic_input input;
-  Surface_facts facts{};
+  Intrinsic_input input; ///< what a triangulation is built from
+  Surface_facts facts{}; ///< what is known of it
 };
 
 /*!
