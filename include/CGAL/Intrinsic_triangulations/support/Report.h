@@ -19,12 +19,15 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// A value with a name.
+namespace internal {
+
 template <class Value>
 struct Named {
-  std::string name; ///< unique among those beside it
-  Value value;      ///< what has this name
+  std::string name; // unique among those beside it
+  Value value;
 };
+
+} // namespace internal
 
 /*!
 \brief is a tree of figures with names, in the order in which they were set: what is reported of a
@@ -34,9 +37,9 @@ A report is nothing, a truth value, a number, a text, a list of reports, or figu
 */
 class Report {
 public:
-  using Figure = Named<Report>;        ///< a report with a name
-  using List = std::vector<Report>;    ///< reports without names
-  using Figures = std::vector<Figure>; ///< reports with names
+  using Figure = internal::Named<Report>; ///< a `name` and the report `value` that has it
+  using List = std::vector<Report>;       ///< reports without names
+  using Figures = std::vector<Figure>;    ///< reports with names
   /// What a report may be.
   using Value =
       std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Figures>;
