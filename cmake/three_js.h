@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-// What embed_three_js() compiles into a target.
+// What the target embedded_three_js has.
 
 namespace embedded {
 
