@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Sheets.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Decider.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -72,7 +71,7 @@ public:
   /// The part of the input that it keeps.
   using Kept_input = std::conditional_t<has_correspondence, Input, Input_definition>;
   using FT = typename Traits::FT;         ///< Number type of stored values.
-  using Metric = typename Traits::Metric; ///< Stores the values and decides.
+  using Metric = typename Traits::Metric; ///< Stores values; decides, or tells what is certain.
   /// Vertex of the mesh.
   using vertex_descriptor = typename boost::graph_traits<Mesh>::vertex_descriptor;
   /// Halfedge of the mesh.
@@ -207,7 +206,8 @@ public:
   }
 
   /// returns what decides predicates: the metric, or an object that asks it first and decides the
-  /// rest from the input, see `Exact_ladder`.
+  /// rest from the input, see `Exact_ladder`. Bind it to `const auto&`: it refers to the
+  /// triangulation. \pre a session is live
   decltype(auto) decider() const {
     if constexpr (internal::Answers_if_certain<Metric>)
       return internal::Decider<Intrinsic_triangulation, Places>(*this, places_, exact_memory_);

@@ -39,8 +39,9 @@ at a vertex. Values are in scaled units: lengths of the input times 2 to the pow
 | \itf{cotangent_laplacian}, \itf{measure_quality} | `cotangent_weight` |
 
 A metric that answers only what it is certain of has `certain_sign` in place of `sign`,
-`stored_weight` in place of `cotangent_weight` of a diamond, `is_narrow` and `refine`: see
-\itc{Exact_euclidean_metric}.
+`stored_weight` in place of `cotangent_weight` of a diamond, and what its decider needs:
+`enclosure`, `enclosures`, `is_narrow`, `refine`, `refine_length`, `remembered_signs` and
+`statistics`, see \itc{Exact_euclidean_metric}.
 
 \cgalHeading{Invariants}
 

@@ -9,10 +9,12 @@
 
 The concept `IntrinsicMetric` describes the store of a metric on a triangulation, as far as flips
 need it: it decides whether an edge is Delaunay and whether it can be flipped, or answers if it is
-certain, and computes and stores the values that a flip makes. \ref ::EuclideanMetric adds lengths, areas and angles.
+certain, and computes and stores the values that a flip makes. \ref ::EuclideanMetric adds lengths,
+areas and angles.
 
-Algorithms call the metric for everything that must be right, with numbers of edges and faces. So
-they depend neither on the number type nor on the geometry.
+Algorithms ask the triangulation for everything that must be right, and it asks the metric or its
+decider, with numbers of edges and faces. So they depend neither on the number type nor on the
+geometry.
 
 \cgalRefines{`DefaultConstructible`\, `MoveConstructible` and `MoveAssignable` of the C++ standard;
 also copyable\, if triangulations are to be copied}
@@ -52,14 +54,14 @@ metrics; the deciders are parts of the package, one for each kind of store.
 \cgalHeading{Invariants}
 
 - If `is_exact`, predicates decide on the exact values, and `compute_flip()` never refuses.
-- If `is_locally_delaunay()` is false, the edge can be flipped. If the flip is stored,
+- If `is_locally_delaunay()` is false, or `certain_delaunay()` is `no`, the edge can be flipped. If the flip is stored,
   `is_locally_delaunay()` is true for the flipped edge. Otherwise the test could fail after the last
   flip.
 
 \cgalHeading{Complexity}
 
-Constructors are linear. Everything else takes constant time, except that an exact
-metric may need time for a decision that depends on how many input triangles a diamond lies over.
+Constructors are linear. Everything else takes constant time. A decider may need time that depends
+on how many input triangles a diamond lies over.
 */
 class IntrinsicMetric {
 public:

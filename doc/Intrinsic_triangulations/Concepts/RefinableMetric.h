@@ -24,7 +24,8 @@ Two kinds of models differ in where the values of insertions come from:
 - A metric that is *defined by places* receives the values from the triangulation, which stores
   where all vertices are on the input: \itc{Exact_euclidean_metric}. A vertex is exactly at a point
   of an input face with barycentric coordinates that are multiples of 2^-52. So values depend on the
-  input alone, not on earlier moves. This point differs from the requested one by rounding.
+  input alone, not on earlier moves. This point differs from the requested one by rounding. These
+  are the metrics that store enclosures and have a decider; `inserted_values` is never called.
 
 \cgalHeading{Which operation needs what}
 

@@ -86,7 +86,7 @@ std::size_t check_signs(const T& t) {
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
-    const std::optional<double> weight = ladder.weight(t.input().metric(), d, statistics, 512);
+    const std::optional<double> weight = ladder.weight(t.input().metric(), d, statistics, 512, 512);
     const auto left = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 512).front(),
                wide = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 53).front();
     // by the strip under the edge alone

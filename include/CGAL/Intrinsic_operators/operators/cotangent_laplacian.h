@@ -118,7 +118,7 @@ All diagonal entries are stored, also zeros of isolated vertices. Other entries 
 weight is not zero. Exact traits certify zero weights (cocircular faces), so the pattern too depends
 only on the Delaunay tessellation. Weights have an error of at most 1e-12 times themselves or min(1,
 E), where E is the least Dirichlet energy in the two faces of functions that change by one along the
-edge (`Exact_euclidean_metric::cotangent_weight()`). So x^T L x of a Delaunay triangulation without
+edge (`Predicate_session::cotangent_weight()`). So x^T L x of a Delaunay triangulation without
 border has a relative error of at most 4e-12 for all x, also on slivers. Each diagonal entry is
 minus the sum of the others in its column, in their order.
 

@@ -104,7 +104,7 @@ private:
   std::size_t number_of_searches_ = 0;
 };
 
-// The memory of exact values, flat parts included; a copy starts anew where possible.
+// The memory of a decider, flat parts included; a copy starts anew where possible.
 struct Exact_memory : No_correspondence {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;

@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
@@ -21,7 +20,6 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,8 +43,8 @@ public:
   Figure_finder(const Triangulation& t, const Places& places, Exact_memory& memory)
       : t_(t), places_(places), memory_(memory), view_(t) {}
 
-  // The exact sign of an expression in the values of a diamond, or of faces. `better` becomes
-  // intervals that contain the values.
+  // The exact sign of an expression in the values of a diamond, or of faces. `better` are intervals
+  // that contain the values, and may become narrower: proofs without numbers leave them.
   Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression,
                   Diamond_values<FT>& better) const {
     const auto by_figure = [&](const auto& f) { return exact_sign_on(f, expression, better); };

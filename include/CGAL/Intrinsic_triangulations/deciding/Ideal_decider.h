@@ -57,9 +57,11 @@ public:
 
   // whether an edge is ideal Delaunay, which stored intervals leave open
   bool is_open_delaunay(const Diamond& d) const { return open_sign(d) != NEGATIVE; }
+  // every edge between two faces can be flipped
+  static bool is_flippable(const Diamond&) { return true; }
   // the sign of `Ideal_delaunay_expression`
   Sign delaunay_sign(const Diamond& d) const {
-    const std::optional<Sign> s = metric().certain_sign(metric().values(d));
+    const std::optional<Sign> s = metric().certain_delaunay_sign(metric().values(d));
     return s ? *s : open_sign(d);
   }
 
@@ -99,7 +101,7 @@ private:
       if (!metric().is_narrow(e)) sharpen(e);
     const Values sharp = metric().values(d);
     const double by = unit(sharp);
-    if (const std::optional<Sign> s = metric().certain_sign(multiplied(sharp, by))) {
+    if (const std::optional<Sign> s = metric().certain_delaunay_sign(multiplied(sharp, by))) {
       ++statistics.escalations[53];
       return *s;
     }

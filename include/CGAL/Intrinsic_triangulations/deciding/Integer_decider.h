@@ -42,11 +42,13 @@ public:
   // the sign of an expression in the values of a diamond, and of faces
   template <class Expression>
   Sign sign(const Diamond& d, const Expression& expression) const {
+    static_assert(DiamondExpression<Expression>);
     Diamond_values<FT> v = this->values(d);
     return sign(d, expression, v);
   }
   template <class Expression>
   Sign sign(std::span<const Indexed_face> faces, const Expression& expression) const {
+    static_assert(FaceExpression<Expression>);
     std::vector<Face_values<FT>> v = this->values(faces);
     if (const auto s = certain_sign(expression(std::span<const Face_values<FT>>(v)))) return *s;
     ++this->t_.metric().statistics().filter_failures;

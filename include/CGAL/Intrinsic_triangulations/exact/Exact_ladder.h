@@ -67,7 +67,7 @@ public:
   \param input the input, always the same
   \param figure see above; no triangle is entered by a side without length
   \param expression a `Recorded_diamond_expression` or a `Recorded_face_expression`
-  \param better set to intervals that contain the values
+  \param better intervals that contain the values, which may become narrower
   \param statistics counts how the sign was decided
   */
   template <class Figure, class Expression, class Values>
@@ -97,12 +97,13 @@ public:
   not tell it, as where it is zero.
   \param input, diamond see `sign()`
   \param statistics counts the bits that it took
-  \param most_bits with the default, it is found unless it is zero
+  \param most_bits, first_bits the most to try, and those to begin with: 106, 256 or more
+  \pre with the default, the weight is not zero: then it is always found
   */
   template <class Figure>
-  std::optional<double> weight(const Input_metric& input, const Figure& diamond,
-                               Predicate_statistics& statistics,
-                               unsigned most_bits = Mpfr_number::most_bits);
+  std::optional<double>
+  weight(const Input_metric& input, const Figure& diamond, Predicate_statistics& statistics,
+         unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
   /// returns the same where 106 bits tell it, for many diamonds, each of two faces joined along the
   /// first side of each.

@@ -34,7 +34,7 @@ doubles within.
 The middle of a wide interval is a poor approximation; doubles computed beside it, and kept within
 it, are a good one.
 
-Predicates narrow the intervals, which are a cache of the exact values; only moves change those. So
+A decider narrows the intervals, which are a cache of the exact values; only moves change those. So
 `refine()` is const; there are no locks.
 */
 class Enclosed_values {
@@ -113,11 +113,12 @@ public:
   /// returns the intervals of faces.
   std::vector<Face_values<FT>> enclosures(std::span<const Indexed_face> faces) const {
     std::vector<Face_values<FT>> result;
+    result.reserve(faces.size());
     for (const Indexed_face& f : faces) result.push_back(enclosure(f));
     return result;
   }
 
-  /// makes the intervals of a diamond smaller, by others that contain the values too.
+  /// makes the intervals of a diamond smaller. \pre `better` contains the exact values
   void refine(const Diamond& d, const Diamond_values<FT>& better) const;
   /// makes the intervals of faces smaller; see above.
   void refine(std::span<const Indexed_face> faces,

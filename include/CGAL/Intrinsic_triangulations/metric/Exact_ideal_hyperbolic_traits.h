@@ -66,12 +66,12 @@ public:
   /// tells whether an edge is ideal Delaunay, if the intervals prove it.
   BOOST_FORCEINLINE Certainty certain_delaunay(const Diamond& d) const {
     ++statistics().checks;
-    const std::optional<Sign> s = certain_sign(values(d));
+    const std::optional<Sign> s = certain_delaunay_sign(values(d));
     return !s ? Certainty::open : *s == NEGATIVE ? Certainty::no : Certainty::yes;
   }
   /// returns the sign of `Ideal_delaunay_expression`, if intervals prove it: of its two terms,
   /// which is faster.
-  static std::optional<Sign> certain_sign(const Ideal_diamond_values<FT>& v) {
+  static std::optional<Sign> certain_delaunay_sign(const Ideal_diamond_values<FT>& v) {
     const Times_nonnegative times;
     const FT outer = Ideal_delaunay_expression::outer(v, times),
              inner = Ideal_delaunay_expression::inner(v, times);
@@ -104,10 +104,10 @@ public:
   bool is_narrow(std::uint32_t e) const {
     return lambda(e).sup() - lambda(e).inf() <= 0x1p-41 * lambda(e).inf();
   }
-  /// takes narrower intervals of the lambda length of an edge.
+  /// replaces the intervals of the lambda length of an edge. \pre the new ones contain its value
   void refine(std::uint32_t e, const Flipped& better) const { store(e, better); }
   /// returns exact signs of `Ideal_delaunay_expression` for edges whose faces have not changed
-  /// since: a cache.
+  /// since: a cache for deciders. A wrong sign makes predicates wrong.
   Remembered_signs& remembered_signs() const { return signs_; }
 
 private:

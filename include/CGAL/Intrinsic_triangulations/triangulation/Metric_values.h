@@ -96,7 +96,7 @@ double accurate_squared_length(const Triangulation& t, typename Triangulation::e
 open.
 
 Functions with numbers of faces and edges require a live session.
-\tparam Triangulation derives from this class
+\tparam Triangulation derives from this class, and has `decider()`
 */
 template <class Triangulation, MutableDeltaComplex Mesh, IntrinsicMetric Metric>
 class Metric_values {
@@ -118,6 +118,9 @@ public:
   /// tells whether the angles opposite the edge of a diamond sum to at most pi.
   BOOST_FORCEINLINE bool is_locally_delaunay(const Diamond& d) const {
     if constexpr (internal::Answers_if_certain<Metric>) {
+      static_assert(
+          !requires(const Metric& m) { m.is_locally_delaunay(d); },
+          "a metric with certain_delaunay() is asked that, never is_locally_delaunay()");
       const Certainty c = metric().certain_delaunay(d);
       return c == Certainty::open ? is_open_delaunay(d) : c == Certainty::yes;
     } else {
@@ -137,7 +140,7 @@ public:
       return sign(d, Convexity_at_source_expression()) == POSITIVE &&
              sign(d, Convexity_at_target_expression()) == POSITIVE;
     else
-      return metric().is_flippable(d);
+      return self().decider().is_flippable(d);
   }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
   /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.

@@ -65,7 +65,8 @@ public:
   opposite it (Eq. 4 of the course), one of them on the border.
 
   With exact traits it is zero exactly where the opposite angles sum to pi, and never negative
-  on a locally Delaunay edge. Dimensionless.
+  on a locally Delaunay edge; where stored values are not accurate enough, it is the double
+  nearest to the exact weight. Dimensionless.
   \param e an edge
   \param tolerance with exact traits, the greatest error of the weight of an edge between two faces,
   relative to itself or to min(1, E), where E is the least Dirichlet energy in the two faces of

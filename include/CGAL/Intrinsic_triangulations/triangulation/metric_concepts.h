@@ -60,12 +60,20 @@ concept Answers_if_certain = requires(const Metric& c, const Diamond& d) {
 // Stores enclosures of lengths and areas, and takes better ones.
 template <class Metric>
 concept Has_enclosures = Answers_if_certain<Metric> &&
-    requires(const Metric& c, const Diamond& d, const Indexed_face& face,
-             const Diamond_values<Interval_nt<false>>& better) {
+    requires(const Metric& c, const Diamond& d, const Indexed_face& face, std::uint32_t edge,
+             const Diamond_values<Interval_nt<false>>& better,
+             const Face_values<Interval_nt<false>>& better_face) {
   { c.certain_sign(d, Delaunay_expression()) } -> std::same_as<std::optional<Sign>>;
-  { c.stored_weight(d) } -> std::same_as<std::optional<double>>;
+  { c.stored_weight(d, 1e-12) } -> std::same_as<std::optional<double>>;
   { c.is_narrow(face) } -> std::same_as<bool>;
+  { c.is_narrow(edge) } -> std::same_as<bool>;
+  { c.enclosure(d) } -> std::same_as<Diamond_values<Interval_nt<false>>>;
+  c.enclosures(std::span(&face, 1));
   c.refine(d, better);
+  c.refine(face, better_face);
+  c.refine_length(edge, better.ij);
+  c.remembered_signs();
+  c.statistics();
 };
 
 // Has lambda lengths, and multiplies those of edges by factors of their vertices.
@@ -73,6 +81,18 @@ template <class Metric>
 concept Scales_vertices = requires(Metric& m, std::span<const double> factors, std::uint32_t i) {
   m.set_factors(factors, factors);
   m.scale(i, i, i);
+};
+
+// Stores enclosures of lambda lengths, and takes better ones.
+template <class Metric>
+concept Has_lambda_enclosures = Answers_if_certain<Metric> && Scales_vertices<Metric> &&
+    requires(const Metric& c, const Diamond& d, std::uint32_t edge) {
+  { c.certain_delaunay_sign(c.values(d)) } -> std::same_as<std::optional<Sign>>;
+  { c.is_narrow(edge) } -> std::same_as<bool>;
+  c.refine(edge, c.before_flip(d));
+  c.input_lambdas();
+  c.remembered_signs();
+  c.statistics();
 };
 
 // Any expressions are decided, by the metric or its decider.
@@ -86,6 +106,11 @@ concept Stores_nothing = std::is_empty_v<typename Metric::Flipped> &&
     requires(const Metric& metric) {
   { metric.has_only_positive_areas() } -> std::same_as<bool>;
 };
+
+// There is a decider for what the metric leaves open.
+template <class Metric>
+concept Has_decider = Answers_if_certain<Metric> &&
+    (Has_enclosures<Metric> || Has_lambda_enclosures<Metric> || Stores_nothing<Metric>);
 
 // Measures the angles at an edge.
 template <class Metric>
@@ -103,11 +128,10 @@ Syntax of \ref ::IntrinsicMetric, which describes its meaning.
 */
 template <class Metric>
 concept IntrinsicMetric =
-    (internal::Decides_flips<Metric> ||
-     internal::Answers_if_certain<Metric>)&&std::default_initializable<Metric>&& std::
-        movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
-            constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
-                Metric& m, const Metric& c, const Diamond& d) {
+    (internal::Decides_flips<Metric> || internal::Has_decider<Metric>)&&std::default_initializable<
+        Metric>&& std::movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
+        constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
+            Metric& m, const Metric& c, const Diamond& d) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
   { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;

@@ -60,7 +60,7 @@ Sign Exact_ladder::sign(const Input_metric& input, const Figure& figure,
       // All other zeros, exactly in the field of the square roots.
       climb.ask(Field_proof{known.image_steps_left(input)});
   // Values proven not to be zero show their sign at some precision.
-  if (!is_decided)
+  if (!is_decided) // one step beyond the most bits, where it gives up
     raise_precision(512, 2 * Mpfr_number::most_bits, [&](unsigned bits) {
       return climb.gives_up(bits) || climb.ask(in_numbers(bits));
     });
@@ -146,9 +146,10 @@ std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& inp
 
 template <class Figure>
 std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figure& diamond,
-                                           Predicate_statistics& statistics, unsigned most_bits) {
+                                           Predicate_statistics& statistics, unsigned most_bits,
+                                           unsigned first_bits) {
   std::optional<double> result;
-  raise_precision(106, most_bits, [&](unsigned bits) {
+  raise_precision(first_bits, most_bits, [&](unsigned bits) {
     const auto find_nearest = [&](auto& numbers) {
       const auto weight = cotangent_weight(Memory::values(input, diamond, numbers));
       // in the end it is in the middle between two doubles, or beyond all of them
@@ -189,8 +190,8 @@ template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
                                  std::vector<Face_values<Interval_nt<false>>>&,
                                  Predicate_statistics&);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
-                                                    Predicate_statistics&, unsigned);
+                                                    Predicate_statistics&, unsigned, unsigned);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,
-                                                    Predicate_statistics&, unsigned);
+                                                    Predicate_statistics&, unsigned, unsigned);
 
 } // namespace CGAL::Intrinsic_triangulations

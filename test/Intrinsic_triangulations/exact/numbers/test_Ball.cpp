@@ -285,4 +285,19 @@ TEST(Nearest_double, is_not_told_near_the_middle_nor_of_zero) {
   EXPECT_FALSE(IT::nearest_double(Short(1) / Short(3) * Short(3) - Short(1)));
 }
 
+TEST(Raise_precision, takes_doubles_pairs_of_doubles_and_powers_of_two_until_it_is_enough) {
+  std::vector<unsigned> tried;
+  const auto until = [&tried](unsigned enough) {
+    return [&tried, enough](unsigned bits) {
+      tried.push_back(bits);
+      return bits >= enough;
+    };
+  };
+  EXPECT_TRUE(IT::raise_precision(53, 4096, until(1000)));
+  EXPECT_EQ(tried, (std::vector<unsigned>{53, 106, 256, 512, 1024}));
+  tried.clear();
+  EXPECT_FALSE(IT::narrow_enclosures(53, 4096, until(5000)));
+  EXPECT_EQ(tried, (std::vector<unsigned>{53, 106, 256, 1024, 2048, 4096}));
+}
+
 } // namespace

@@ -35,7 +35,7 @@ bool is_straight(const Triangulation& t, typename Triangulation::halfedge_descri
   const Indexed_face side = indexed_face_from(t, h);
   if (t.correspondence().normal_coordinate(side.edges[0]) <= 0)
     return true; // in one face, or along its side
-  const auto decider = t.decider();
+  const auto& decider = t.decider();
   Unfolded_diamond strip = decider.strip(side);
   const auto z = strip.positions<FT>(decider.intervals());
   const auto i = strip.position(0, z), ij = strip.position(1, z) - i;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 
@@ -159,6 +160,8 @@ constexpr bool raise_precision(unsigned first, unsigned last, const Is_done& is_
 
 /// does the same for enclosures that have to be narrow. These skip 512 bits, so that one step less
 /// leads to a face that is too thin for 256.
+/// \param first, last, is_done see `raise_precision()`
+/// \return whether the bits were enough
 template <std::predicate<unsigned> Is_done>
 constexpr bool narrow_enclosures(unsigned first, unsigned last, const Is_done& is_done) {
   return raise_precision(first, last,
