@@ -140,6 +140,25 @@ class Ties(unittest.TestCase):
 
 
 @unittest.skipUnless(program.is_there(), "the program or its meshes are missing")
+class Few_points(unittest.TestCase):
+    def test_distances_end_and_are_a_metric(self):
+        """Stars of few points glue a triangle to others that are glued to more of them: fans that
+        followed such sides had no end."""
+        for seed in range(40):
+            rng = np.random.default_rng(seed)
+            sphere = rng.normal(size=(24, 3))
+            for P in (rng.random((rng.integers(8, 24), 3)),
+                      sphere / np.linalg.norm(sphere, axis=1)[:, None]):
+                with self.subTest(seed=seed, points=len(P)):
+                    s = it.points(P)
+                    D = np.array([s.distance(k) for k in range(len(P))])
+                    chords = np.linalg.norm(P[:, None] - P, axis=2)
+                    self.assertTrue(np.all(D >= chords - 1e-12))
+                    known = np.isfinite(D)
+                    np.testing.assert_array_equal(known, known.T)
+                    np.testing.assert_allclose(D[known], D.T[known], atol=1e-12)
+
+
 class As_the_program(unittest.TestCase):
     def test_vectors_and_functions(self):
         path, points, _ = program.mesh("hand.off")

@@ -115,7 +115,12 @@ Corner_table Face_complex::table() const {
     branch[s].side = s;
     const std::vector<Branched_side::Other>& others = branch[s].others;
     std::uint32_t opposite = Gluing::none;
-    if (others.size() == 1 && !others.front().is_along) {
+    // Over clouds, where a side meets others in several stars, these may have more others than it.
+    const auto is_only_other = [&branch, s](const Branched_side::Other& o) {
+      const std::vector<Branched_side::Other>& back = branch[o.side].others;
+      return !o.is_along && back.size() == 1 && back.front().side == s;
+    };
+    if (others.size() == 1 && is_only_other(others.front())) {
       opposite = others.front().side;
     } else if (!others.empty()) {
       opposite = static_cast<std::uint32_t>(Face_corner::first_branch + table.branches.size());
