@@ -159,7 +159,10 @@ class _Distances:
         array([0, 1])
         """
         points, ends = _flat([sources] if is_point(sources) else sources)
-        cell = np.repeat(np.arange(len(ends)), np.diff(ends, prepend=0))
+        sizes = np.diff(np.array(ends, dtype=np.int64), prepend=0)
+        if len(sizes) == 0 or not sizes.all():
+            raise ValueError("each cell needs a source; give one at least")
+        cell = np.repeat(np.arange(len(sizes)), sizes)
         if tolerance is not None:
             tolerance = _arrays.number(tolerance, "tolerance")
         found = _core.voronoi(self._flipped(), self._places(points, "sources"), cell.tolist(),

@@ -154,6 +154,8 @@ class Arguments(unittest.TestCase):
                 (lambda: s.distance(point(0, (1, 0))), "barycentric"),
                 (lambda: s.distances([[0], []]), "source"),
                 (lambda: s.pair_distances([0, 1], [1, 2, 3]), "A has 2"),
+                (lambda: s.voronoi([]), "each cell needs a source"),
+                (lambda: s.voronoi([0, []]), "each cell needs a source"),
                 (lambda: s.voronoi([0], tolerance=0), "tolerance"),
                 (lambda: s.farthest_points(1, start=[0, 1]), "start")]:
             with self.assertRaisesRegex(ValueError, words):
