@@ -20,12 +20,12 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +55,7 @@ public:
     result_.area_before = stored_area(t_);
     t_.metric().statistics() = {};
     if (options_.flips) flip();
-    result_.seconds_of_flips = seconds();
+    result_.seconds_of_flips = watch_.lap();
     if (result_.flips.status == Status::cap) return result_;
     bool is_adapted = false;
     if constexpr (std::is_same_v<typename Triangulation::Correspondence, Integer_coordinates>)
@@ -101,13 +101,6 @@ private:
     return v;
   }
 
-  double seconds() {
-    const auto now = std::chrono::steady_clock::now();
-    const double result = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return result;
-  }
-
   void flip() {
     Visitor visitor = visitor_of();
     visitor.tell(Improve_step::flipping, 0);
@@ -142,14 +135,14 @@ private:
                               "; give another --source, or a connected part of the mesh");
     }
     result_.inaccuracy = adapted.result.inaccuracy;
-    adapted.seconds = seconds();
+    adapted.seconds = watch_.lap();
   }
 
   void refine() {
     const Refine_criteria& criteria = *options_.refine;
     Refined_faces& refined = result_.refined.emplace();
     refined.quality_before = measure_quality(t_, test_edges(t_, constrained_));
-    seconds();
+    watch_.lap();
     Visitor visitor = visitor_of();
     visitor.lengths = Wanted_lengths(criteria.lengths);
     visitor.tell(Improve_step::refining, 0);
@@ -163,7 +156,7 @@ private:
                                                 .visitor(std::ref(visitor)));
     result_.inaccuracy = result.inaccuracy;
     if (result.inaccuracy) return;
-    refined.seconds = seconds();
+    refined.seconds = watch_.lap();
     refined.status = result.status;
     refined.counts = result.counts;
     refined.points = t_.number_of_vertices() - t_.input().number_of_rows();
@@ -187,7 +180,7 @@ private:
                                    std::int64_t(refined.counts.inserted_vertices()), 0)));
     else
       expect_few_vertices(criteria.odt_length);
-    seconds();
+    watch_.lap();
     Visitor visitor = visitor_of();
     visitor.tell(Improve_step::moving, 0);
     refined.odt = odt_optimize(t_, parameters::maximum_edge_length(criteria.odt_length)
@@ -196,7 +189,7 @@ private:
                                        .edge_is_constrained_map(constrained_)
                                        .visitor(std::ref(visitor)));
     result_.inaccuracy = refined.odt->inaccuracy;
-    refined.seconds_of_odt = seconds();
+    refined.seconds_of_odt = watch_.lap();
   }
 
   // Refuses edges so short that the default cap on insertions would only end hours of work.
@@ -238,7 +231,7 @@ private:
   const Improve_options& options_;
   const Constrained& constrained_;
   Improvement result_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 } // namespace internal

@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <ostream>
@@ -162,7 +162,7 @@ template <RefinableTriangulation Triangulation>
 void measure_improved(Triangulation& t, const std::vector<std::array<double, 3>>& points,
                       const Marked_edges<Triangulation, std::uint32_t>& constrained,
                       bool are_lengths_changed, Improved_surface& improved) {
-  const auto start = std::chrono::steady_clock::now();
+  internal::Stopwatch watch;
   // the metric does not know coordinates of inserted vertices
   const bool has_points = num_vertices(t.mesh()) == t.input().number_of_vertices();
   improved.measured =
@@ -173,8 +173,7 @@ void measure_improved(Triangulation& t, const std::vector<std::array<double, 3>>
   if (!improved.is_exact)
     internal::expect_area_kept(is_area_known ? area : improved.done.area_before,
                                improved.measured.area);
-  improved.seconds_of_measuring =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  improved.seconds_of_measuring = watch.lap();
 }
 
 } // namespace CGAL::Intrinsic_triangulations

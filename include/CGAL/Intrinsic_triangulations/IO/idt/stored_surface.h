@@ -9,10 +9,10 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -73,11 +73,11 @@ Built_surface<Triangulation> stored_surface(Triangulation stored) {
 */
 template <NumberedTriangulation Triangulation>
 Built_surface<Triangulation> read_stored_surface(const std::string& path) {
-  const auto start = std::chrono::steady_clock::now();
+  internal::Stopwatch watch;
   auto t = read_intrinsic_triangulation<Triangulation>(std::filesystem::path(path));
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = watch.lap();
   Built_surface<Triangulation> built = stored_surface(std::move(t));
-  built.facts.seconds_of_reading = seconds.count();
+  built.facts.seconds_of_reading = seconds;
   return built;
 }
 

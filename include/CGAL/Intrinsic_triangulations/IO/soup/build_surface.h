@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/count_elements.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -58,10 +58,9 @@ inline void expect_point_per_vertex(std::size_t points, std::size_t vertices) {
 // Counts the elements that the triangulation has now.
 template <NumberedTriangulation Triangulation>
 void count_elements_of(Built_surface<Triangulation>& built) {
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   built.facts.counts = count_elements(built.triangulation.mesh());
-  built.facts.seconds_of_counting =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  built.facts.seconds_of_counting = watch.lap();
 }
 
 } // namespace internal
@@ -79,7 +78,7 @@ void count_elements_of(Built_surface<Triangulation>& built) {
 template <NumberedTriangulation Triangulation>
 Built_surface<Triangulation> build_surface(Read_surface surface,
                                            std::vector<std::array<double, 3>> points = {}) {
-  const auto start = std::chrono::steady_clock::now();
+  internal::Stopwatch watch;
   if (points.empty()) points = surface.input.points;
   if (!points.empty()) {
     internal::expect_point_per_vertex(points.size(), surface.input.mesh.number_of_vertices());
@@ -88,8 +87,7 @@ Built_surface<Triangulation> build_surface(Read_surface surface,
   }
   Built_surface<Triangulation> built{Triangulation(std::move(surface.input)), std::move(points),
                                      std::move(surface.facts)};
-  built.facts.seconds_of_building =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  built.facts.seconds_of_building = watch.lap();
   internal::count_elements_of(built);
   return built;
 }

@@ -4,9 +4,9 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -85,12 +85,12 @@ Read_surface read_surface(const std::string& path, const Surface_options& option
   const File_faces faces = options.is_points                        ? File_faces::ignored
                            : options.kind == Domain_kind::automatic ? File_faces::optional
                                                                     : File_faces::needed;
-  const auto start = std::chrono::steady_clock::now();
+  internal::Stopwatch watch;
   Triangle_soup soup = read_triangle_soup(path, options.polygons, faces);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = watch.lap();
   try {
     Read_surface made = make_surface(std::move(soup), options);
-    made.facts.seconds_of_reading = seconds.count();
+    made.facts.seconds_of_reading = seconds;
     return made;
   } catch (const Invalid_input& e) {
     throw Invalid_input(e.kind(), e.index(), path + ": " + e.what());
