@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes what the search box of the manual finds: the texts of all pages and names, as a script.
 
-    make_text_index.py searchdata.xml FOLDER    # writes FOLDER/text_index.js
+    make_text_index.py searchdata.xml FOLDER PAGES    # writes FOLDER/text_index.js
 
-Doxygen lists names and their comments in searchdata.xml for search engines. Its pages are one entry
-each there, so their sections are read from the generated pages in FOLDER. An entry is
-[kind, title, address, text]; search.js looks entries up.
+Doxygen lists names in searchdata.xml for search engines, and texts without punctuation. So texts are
+read from the generated pages in FOLDER: those of manual pages by section. The Markdown of such a page,
+in PAGES, has a comment `<!-- found by: words, more words -->` below its label. An entry is
+[kind, title, address, text, words]; search.js looks entries up.
 """
 
 import argparse
@@ -22,6 +23,7 @@ NAMESPACE = "CGAL::Intrinsic_triangulations::"
 LEFT_OUT = ("dir", "namespace", "source")
 KINDS = {"page": "manual", "group": "topic", "file": "header", "struct": "class"}
 LICENCE = re.compile(r"// Copyright.*\n// SPDX.*\n")
+FOUND_BY = re.compile(r'#.*\n<a id="(\w+)"></a>\n<!-- found by: (.+) -->\n')
 EMPTY = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "param", "wbr"}
 
 
@@ -66,6 +68,46 @@ class Sections(html.parser.HTMLParser):
             self.sections[-1][1 if self.heading else 2] += data
 
 
+class Comments(html.parser.HTMLParser):
+    """The comments on a page by their anchors: of members, and without an anchor of a class."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.texts, self.anchor, self.open, self.into = {}, "", [], None
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        if tag in EMPTY:
+            return
+        attrs = dict(attrs)
+        classes = set((attrs.get("class") or "").split())
+        self.open.append((tag, self.into))
+        if tag == "a" and attrs.get("id") and self.into is None:
+            self.anchor = attrs["id"]
+        brief = re.fullmatch(r"memdesc:(\w+)", attrs.get("class") or "")
+        if "compoundTemplParams" in classes or "memTemplParams" in classes:
+            self.into = None
+        elif brief:
+            self.into = brief[1]
+        elif "memdoc" in classes: # contains what is brief, too
+            self.into = self.anchor
+            self.texts.pop(self.into, None)
+        elif "textblock" in classes and self.into is None:
+            self.into = ""
+
+    def handle_endtag(self, tag):
+        if tag not in (entry[0] for entry in self.open):
+            return
+        while True:
+            name, self.into = self.open.pop()
+            if name == tag:
+                return
+
+    def handle_data(self, data):
+        if self.into is not None:
+            self.texts[self.into] = self.texts.get(self.into, "") + data
+
+
 def words(text):
     return re.sub(r"\s+", " ", LICENCE.sub("", text)).strip()
 
@@ -78,7 +120,27 @@ def page_entries(kind, address, text):
         yield [kind, name, f"{address}#{anchor}" if anchor else address, words(body)]
 
 
-def entries(data, folder):
+def words_of_pages(pages):
+    """What each page of the manual is found by, by its address."""
+    found = {}
+    for page in pages.glob("*.md"):
+        match = FOUND_BY.match(page.read_text(encoding="utf-8"))
+        if match:
+            found[match[1] + ".html"] = [" ".join(re.findall(r"[^\W_]+", phrase.lower()))
+                                         for phrase in match[2].split(",")]
+    return found
+
+
+def entries(data, folder, pages):
+    found_by, comments = words_of_pages(pages), {}
+
+    def comment(address):
+        name, _, anchor = address.partition("#")
+        if name not in comments:
+            page = folder / name
+            comments[name] = Comments(page.read_text(encoding="utf-8")).texts if page.exists() else {}
+        return words(comments[name].get(anchor, ""))
+
     for doc in xml.etree.ElementTree.parse(data).getroot():
         field = {entry.get("name"): entry.text or "" for entry in reversed(doc.findall("field"))}
         kind, address = KINDS.get(field["type"], field["type"]), field["url"]
@@ -86,21 +148,27 @@ def entries(data, folder):
         if kind in LEFT_OUT or (kind == "enumvalue" and not field.get("text")):
             continue
         if kind == "manual":
-            kind = "example" if address.endswith("-example.html") else kind
-            yield from page_entries(kind, address, (folder / address).read_text(encoding="utf-8"))
+            if address.startswith("py_"):
+                kind = "Python"
+            elif address.endswith("-example.html"):
+                kind = "example"
+            for entry in page_entries(kind, address, (folder / address).read_text(encoding="utf-8")):
+                yield [*entry, found_by.get(entry[2], [])]
             continue
         is_topic = kind == "topic"
         title = field.get("keywords", "") if is_topic else field["name"].removeprefix(NAMESPACE)
         suffix = "()" if kind == "function" else ""
-        yield [kind, title + suffix, address, words(field.get("text", ""))]
+        text = comment(address) or words(field.get("text", ""))
+        yield [kind, title + suffix, address, text, []]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("data", metavar="searchdata.xml", type=pathlib.Path)
     parser.add_argument("folder", metavar="FOLDER", type=pathlib.Path)
+    parser.add_argument("pages", metavar="PAGES", type=pathlib.Path)
     options = parser.parse_args()
-    found = sorted(entries(options.data, options.folder))
+    found = sorted(entries(options.data, options.folder, options.pages))
     lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in found)
     index = f"var textIndex = [\n{lines}\n];\n"
     (options.folder / "text_index.js").write_text(index, encoding="utf-8")

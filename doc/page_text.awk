@@ -3,7 +3,7 @@
 
 # Doxygen's input filter for pages: what is written for git hosts becomes what doxygen shows instead.
 #
-#     awk -f page_text.awk PAGE > what doxygen reads
+#     awk -v folder=FOLDER_OF_PAGES -f page_text.awk PAGE > what doxygen reads
 #
 # - A heading and a line `<a id="label"></a>` below it become a heading with that label.
 # - Links to labels, `[text](page.md#label)`, and to the pages that doxygen makes of other files become references.
@@ -11,18 +11,17 @@
 # - Links to headers, [`name()`](path/header.h), and to concepts, [Name](Concepts/Name.h), become references to what they name.
 # - Links to sources, [source.cpp](path/source.cpp), become their text.
 # - Links to headers by the name of the file, [header.h](path/header.h), become that name.
-# - Links of user_manual.md to pages, not to sections, and those of command_line.md to commands, make them parts of it,
-#   which the tree at the side shows below it.
+# - Chapters of user_manual.md become links to their own pages, see chapter_pages.cmake. Links of these to pages, not to
+#   sections, and those of command_line.md to commands, make them parts of it, which the tree at the side shows below it.
 # - Formulas, $`x`$ and blocks of `math`, become those of doxygen; a comment becomes the table of contents.
 #
 # Lines keep their numbers.
 
 # whether a link, file.md#label, is to a part of this page: its label is on the second line there
 function is_part(target,    file, label, line) {
-  if (!(FILENAME ~ /\/user_manual\.md$/ && target ~ /^[a-z_]+\.md#/) &&
+  if (!(FILENAME ~ /\/chapter_[a-z_]+\.md$/ && target ~ /^[a-z_]+\.md#/) &&
       !(FILENAME ~ /\/command_line\.md$/ && target ~ /^command_[a-z]+\.md#/)) return 0
-  file = FILENAME
-  sub(/[a-z_]+\.md$/, target, file)
+  file = folder "/" target
   label = file
   sub(/#.*$/, "", file)
   sub(/^.*#/, "", label)
@@ -120,6 +119,19 @@ is_math && /^```$/ {
 is_code || is_math || /^    / {
   flush()
   print
+  next
+}
+/^## / { is_chapter = 0 }
+is_held && /^<a id="manual_[a-z_]+"><\/a>$/ && FILENAME ~ /\/user_manual\.md$/ {
+  label = $0
+  gsub(/^<a id="|"><\/a>$/, "", label)
+  sub(/^## /, "", held)
+  print "- \\subpage " label " \"" held "\""
+  is_held = 0
+  is_chapter = 1
+}
+is_chapter {
+  print ""
   next
 }
 is_held && /^<a id="[a-z0-9_]+"><\/a>$/ {

@@ -6,8 +6,9 @@
 
 "use strict";
 
-const KIND_WEIGHT = { manual: 1.5, topic: 1.3, class: 1.2, concept: 1.2, function: 1.1, example: 0.7, header: 0.6, enumvalue: 0.6,
+const KIND_WEIGHT = { manual: 1.5, Python: 1.4, topic: 1.3, class: 1.2, concept: 1.2, function: 1.1, example: 0.7, header: 0.6, enumvalue: 0.6,
   variable: 0.5, friend: 0.4, typedef: 0.6 };
+const FOUND_BY = 1e6; // more than any sum of the other weights
 const MOST_SHOWN = 200, MOST_SUGGESTED = 12;
 
 function wordsOf(text) {
@@ -22,8 +23,11 @@ function occurrences(text, word) {
   return places;
 }
 
-// How well an entry [kind, title, address, text] answers the words; 0 if one of them is missing.
+// How well an entry [kind, title, address, text, found by] answers the words; 0 if one of them is missing.
 function score(entry, words) {
+  const phrase = words.join(" ");
+  if (entry[4].includes(phrase)) return FOUND_BY; // what the page says itself
+  if (phrase.length > 3 && entry[4].some(words => words.startsWith(phrase))) return FOUND_BY / 2; // while one types
   // The name of its class is a word of the text of a member, and the title of its page a word of the text of a section.
   const title = entry[1].toLowerCase().replace(/^.*(::|: )/, ""), text = (entry[3] + " " + entry[1]).toLowerCase();
   const titleWords = wordsOf(title);
@@ -37,7 +41,6 @@ function score(entry, words) {
     sum += best;
   }
   if (title.replace("()", "") === words.join("_")) sum += 60;
-  const phrase = words.join(" ");
   if (words.length > 1 && (title.includes(phrase) || text.includes(phrase))) sum += 30;
   return sum * (KIND_WEIGHT[entry[0]] ?? 1) * (entry[1].includes("::") ? 0.8 : 1);
 }

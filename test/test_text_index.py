@@ -19,6 +19,7 @@ import unittest
 DOC = pathlib.Path(__file__).resolve().parent.parent / "doc"
 sys.path.insert(0, str(DOC))
 import make_text_index  # noqa: E402
+import python_pages  # noqa: E402
 
 PAGE = """<html><body><div class="header"><div class="title">Curves<br/> </div></div>
 <div class="contents"><div class="toc"><ul><li>not this</li></ul></div>
@@ -37,6 +38,13 @@ DATA = """<?xml version="1.0"?><add>
   <field name="url">a.html#c</field></doc>
 <doc><field name="type">dir</field><field name="name">include</field>
   <field name="url">d.html</field></doc></add>"""
+MEMBERS = """<div class="textblock">A class.</div><a id="b"></a><h2>no heading</h2>
+<div class="memitem"><div class="memproto">no types</div><div class="memdoc">
+<p>Adds a <a id="x"></a>loop (2002).</p></div></div>"""
+SOURCE = """# Curves
+<a id="c"></a>
+<!-- found by: Geodesic curve, Heat_method_3 -->
+"""
 # Words, and a page of the manual that is among the first five with them.
 QUERIES = {"loop": "geodesic_curves.html", "poisson": "operators.html",
            "heat method": "page_distance.html", "signed distance": "page_distance.html"}
@@ -50,10 +58,14 @@ class Index(unittest.TestCase):
             folder = pathlib.Path(directory)
             (folder / "c.html").write_text(PAGE, encoding="utf-8")
             (folder / "data.xml").write_text(DATA, encoding="utf-8")
-            self.assertEqual([["function", "A::add_loop()", "a.html#b", "adds a loop"],
-                              ["manual", "Curves", "c.html", "Straight & short. flip()"],
-                              ["manual", "Curves: Closed ones", "c.html#loops", "They end too."]],
-                             sorted(make_text_index.entries(folder / "data.xml", folder)))
+            (folder / "a.html").write_text(MEMBERS, encoding="utf-8")
+            (folder / "curves.md").write_text(SOURCE, encoding="utf-8")
+            found = sorted(make_text_index.entries(folder / "data.xml", folder, folder))
+            self.assertEqual([["function", "A::add_loop()", "a.html#b", "Adds a loop (2002).", []],
+                              ["manual", "Curves", "c.html", "Straight & short. flip()",
+                               ["geodesic curve", "heat method 3"]],
+                              ["manual", "Curves: Closed ones", "c.html#loops", "They end too.",
+                               []]], found)
 
     def index(self):
         if self.folder is None:
@@ -76,15 +88,34 @@ class Index(unittest.TestCase):
                    "const {index, queries} = JSON.parse(read);"
                    f"const {{ findTexts }} = require({json.dumps(str(DOC / 'search.js'))});"
                    "console.log(JSON.stringify(queries.map(query => findTexts(index, query))))")
-        queries = [*QUERIES, "", "qqq", "Gluing"]
+        declared = [(words, e) for e in index for words in e[4]]
+        self.assertGreater(len(declared), 100)
+        first = [words for words, _ in declared]
+        queries = [*QUERIES, "", "qqq", "Gluing", *first]
         output = subprocess.run([node, "-e", program], capture_output=True, text=True, check=True,
                                 input=json.dumps({"index": index, "queries": queries})).stdout
-        *found, nothing, unknown, name = json.loads(output)
+        found = json.loads(output)
+        for (words, entry), entries in zip(declared, found[-len(first):]):
+            self.assertEqual(entry[2], entries[0][2], words)
+        *found, nothing, unknown, name = found[:-len(first)]
         for query, page, entries in zip(QUERIES, QUERIES.values(), found):
             guide = dict.fromkeys(e[2].split("#")[0] for e in entries if e[0] == "manual")
             self.assertIn(page, list(guide)[:5], query)
         self.assertEqual(([], []), (nothing, unknown))
         self.assertEqual("Gluing", name[0][1])
+
+    def test_each_function_of_the_module_has_a_page(self):
+        titles = {entry[1] for entry in self.index() if entry[0] == "Python"}
+        module = DOC.parent / "python" / "intrinsic"
+        names = python_pages.parsed(module)
+        for name in python_pages.members(names["Surface"], names):
+            self.assertTrue({f"Python: {name}", f"Python: {name}()"} & titles, name)
+        self.assertIn("Python: read()", titles)
+
+    def test_texts_are_whole(self):
+        texts = " ".join(entry[3] for entry in self.index())
+        self.assertTrue("Xue and Ye 2002)" in texts)
+        self.assertFalse("2 0 0 2" in texts)
 
 
 if __name__ == "__main__":

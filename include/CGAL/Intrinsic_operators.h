@@ -15,6 +15,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/distance/Distances.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.h>
+#include <CGAL/Intrinsic_operators/distance/distances_on_mesh.h>
 #include <CGAL/Intrinsic_operators/distance/divide_among.h>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.h>
 #include <CGAL/Intrinsic_operators/editing/Heat_flow.h>

@@ -50,6 +50,7 @@ show them (`write_html_view.h`) from `CGAL/Intrinsic_triangulations/IO/`.
 #include <CGAL/Intrinsic_triangulations/retriangulation/covers/restore_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>

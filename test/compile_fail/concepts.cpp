@@ -4,7 +4,7 @@
 // A case per concept: arguments that are no model of it, and a message that names it.
 
 #include <CGAL/Integer_only_triangulation.h>
-#include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
+#include <CGAL/Intrinsic_conformal/layout/conformal_sphere.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -141,8 +141,8 @@ namespace case_Has_horocycles {
 // Euclid's lengths have no factors of vertices.
 // error: satisfaction of .Has_horocycles<
 void misuse(Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>>& t,
-            const Prescribed_angles& angles) {
-  conformal_metric(t, angles);
+            const Sphere_layout& layout) {
+  logarithmic_scale(t, layout);
 }
 } // namespace case_Has_horocycles
 

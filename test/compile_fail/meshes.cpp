@@ -3,6 +3,9 @@
 
 // Meshes, files and elements of meshes where something else is needed: messages say what to do.
 
+#include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
+#include <CGAL/Intrinsic_conformal/layout/conformal_sphere.h>
+#include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_operators/distance/Heat_distance.h>
 #include <CGAL/Intrinsic_operators/editing/interpolate_harmonically.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
@@ -98,3 +101,14 @@ void misuse(const IT::Corresponding_triangulation& t) {
   IT::Heat_distance(t).distances(Mesh::Vertex_index(0));
 }
 } // namespace case_source_is_no_vertex_of_triangulation
+
+namespace case_conformal_sphere_of_euclidean_triangulation {
+// Conformal maps scale horocycles, which triangulations with Euclid's metric do not have.
+// error at once: build one of ideal_start\(t\), or call uniformize\(\)
+void misuse(IT::Corresponding_triangulation& t) { IT::conformal_sphere(t); }
+} // namespace case_conformal_sphere_of_euclidean_triangulation
+
+namespace case_conformal_metric_of_mesh {
+// error at once: build one of ideal_start\(t\), or call uniformize\(\)
+void misuse(const Mesh& mesh) { IT::conformal_metric(mesh, IT::Prescribed_angles(0)); }
+} // namespace case_conformal_metric_of_mesh

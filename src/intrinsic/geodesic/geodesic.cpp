@@ -52,7 +52,7 @@ Json curves_json(const IT::Found_curves& found) {
   Json curves = Json::array();
   for (const IT::Found_curve& c : found.curves) curves.push_back(curve_json(c));
   const IT::Shortening_result& s = found.shortening;
-  Json json = {{"status", word_for(found.status())},
+  Json json = {{"status", word_for(found.status)},
                {"length", found.length},
                {"initial_length", found.initial_length},
                {"joints", found.joints},

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Ideal_surface_of.h>
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <cstddef>
 #include <vector>
@@ -96,6 +97,12 @@ template <IndexedTriangulation Triangulation>
     internal::place_cones_within(surface, ratio, angles);
     return angles;
   }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(flat_angles, "uniformize()")
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(place_cones, "uniformize()")
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(place_cones_within, "uniformize()")
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

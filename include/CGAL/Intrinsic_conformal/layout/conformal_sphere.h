@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -39,14 +40,9 @@ struct Conformal_sphere {
   /// triangulation. Else the number of rounds was limited, or a round found no metric and was
   /// undone.
   bool is_convex = false;
-
-  /// returns `stalled` if it is not convex, `inaccurate` if rounding has turned faces over though
-  /// the metric was found, else the status of the metric.
-  Status status() const {
-    if (!is_convex) return Status::stalled;
-    const bool is_spoilt = metric.status == Status::done && layout.flipped_faces != 0;
-    return is_spoilt ? Status::inaccurate : metric.status;
-  }
+  /// `stalled` if it is not convex, `inaccurate` if rounding has turned faces over though the
+  /// metric was found, else the status of the metric.
+  Status status = Status::done;
 };
 
 namespace internal {
@@ -80,7 +76,7 @@ hyperbolic space puts the mean of the vertices, weighted by their areas, to the 
   neighbours, and if the map has a fault with it, up to eleven others, of which the best is taken.
   Long limbs become small on a sphere; a pole in one of them makes others smaller than rounding,
   one in the thickest part does not
-\return the map; `metric.status` tells whether a metric was found
+\return the map
 \throws Invalid_input if the surface is not a closed sphere, or the triangles without the pole are
   not a disk; see `lay_out_on_sphere()`
 \complexity that of `conformal_metric()` for each of at most 21 rounds, usually two to five, and of
@@ -127,6 +123,10 @@ template <IndexedTriangulation Triangulation>
     }
     return u;
   }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(conformal_sphere, "uniformize()")
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -24,8 +24,10 @@
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <complex>
 #include <cstddef>
@@ -263,6 +265,14 @@ Uniformization uniformize(const Triangulation& t, const Uniformize_options& opti
   flip_to_delaunay(closed);
   return internal::uniformize_closed(closed, options);
 }
+
+/// maps the Delaunay triangulation of a mesh, see there.
+/// \tparam FaceGraph a model of `FaceListGraph` with a point map of its own, or `Triangle_soup`
+template <class FaceGraph>
+  requires internal::Surface_in_space<FaceGraph> Uniformization
+  uniformize(const FaceGraph& mesh, const Uniformize_options& options = {}) {
+    return uniformize(delaunay_triangulation(mesh), options);
+  }
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <cstddef>
 #include <functional>
@@ -127,6 +128,10 @@ template <IndexedTriangulation Triangulation, NamedParameters Parameters = param
     return internal::conformal_metric(
         surface, angles, internal::conformal_options(np, internal::Geometry::euclidean));
   }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(conformal_metric, "uniformize()")
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 
 #include <cmath>
 
@@ -79,6 +80,10 @@ template <IndexedTriangulation Triangulation>
     s.vector.clear(); // in Euclid's plane
     return s;
   }
+
+/// \cond
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(hyperbolic_metric, "uniformize()")
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

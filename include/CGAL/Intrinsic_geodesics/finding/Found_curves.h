@@ -84,14 +84,25 @@ struct Found_curves {
   Shortening_result shortening; ///< what was done; `cancelled`: there are no curves
   bool is_certified = false;    ///< whether all are proven to be geodesic
   std::string obstacle;         ///< why paths on faces are not certified; empty: they are
-
-  /// returns how it ended: `contracted` if all curves have shrunk to points.
-  Status status() const {
-    const bool are_points = std::ranges::all_of(
-        curves, [](const Found_curve& c) { return c.way.status == Status::contracted; });
-    return are_points && shortening.status == Status::done ? Status::contracted : shortening.status;
-  }
+  /// How it ended: that of `shortening`, or `contracted` if all curves have shrunk to points.
+  Status status = Status::done;
 };
+
+namespace internal {
+
+// Says how a search for curves ended; nothing is kept of one that was cancelled.
+inline void finish(Found_curves& found, bool is_cancelled) {
+  Status& status = found.shortening.status;
+  if (is_cancelled) {
+    status = Status::cancelled;
+    found.curves.clear();
+  }
+  const bool are_points = std::ranges::all_of(
+      found.curves, [](const Found_curve& c) { return c.way.status == Status::contracted; });
+  found.status = are_points && status == Status::done ? Status::contracted : status;
+}
+
+} // namespace internal
 
 /*!
 \brief is the result of `find_curves()`: curves, and the edges along them.

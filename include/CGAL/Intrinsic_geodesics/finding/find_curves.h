@@ -68,10 +68,7 @@ public:
     if (!is_cancelled_) shorten();
     if (!is_cancelled_) measure();
     if (!is_cancelled_) certify();
-    if (is_cancelled_) {
-      found_.shortening.status = Status::cancelled;
-      found_.curves.clear();
-    }
+    finish(found_, is_cancelled_);
     return std::move(found_);
   }
 

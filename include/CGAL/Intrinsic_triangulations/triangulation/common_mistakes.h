@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <cstdint>
 #include <type_traits>
 
 /*!
@@ -29,6 +30,15 @@ failures of all candidates.
                 "Corresponding_triangulation t(mesh), and pass t")                                 \
   internal::Refused_call                                                                           \
   function(const Mesh&, const Options&...);
+
+/// refuses Euclid's metric, or a mesh, for a function of ideal triangulations; `call` does all.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_EUCLIDEAN(function, call)                             \
+  template <internal::Has_no_horocycles Other, class... Options>                                   \
+  CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
+      #function "() takes an ideal triangulation, with the traits Exact_ideal_hyperbolic_traits: " \
+                "build one of ideal_start(t), or call " call)                                      \
+  internal::Refused_call                                                                           \
+  function(const Other&, const Options&...);
 
 /// refuses a mesh, a const triangulation and an option without name, for a function that changes a
 /// triangulation. `example` is one of its options.
@@ -74,6 +84,14 @@ concept Lacks_adaptor = requires {
   typename Mesh::Facet_handle;
   requires Mesh_adaptor<Mesh>::is_primary;
 };
+
+// meshes, and triangulations without lambda lengths
+template <class Other>
+concept Has_no_horocycles = Mesh_without_metric<Other> || (requires(const Other& t) {
+  t.metric();
+} && !requires(const Other& t) {
+  t.metric().approximate_lambda(std::uint32_t());
+});
 
 // inputs of triangulations, except an `Intrinsic_input`
 template <class Surface>

@@ -280,12 +280,16 @@ Conformal_sphere projected(const Ideal_surface& surface, Punctured_sphere found,
     if (row[v] == found.pole) pole_vertex = v;
   }
   Conformal_sphere result{std::move(found.metric), project(pole_vertex, areas), found.rounds,
-                          found.is_convex};
+                          found.is_convex, Status::done};
   std::vector<std::array<double, 3>> by_row(surface.number_of_rows());
   for (std::uint32_t v = 0; v < row.size(); ++v)
     if (row[v] != Gluing::none) by_row[row[v]] = result.layout.positions[v];
   result.layout.positions = std::move(by_row);
   result.layout.pole = found.pole;
+  const bool is_turned = result.metric.status == Status::done && result.layout.flipped_faces != 0;
+  result.status = !result.is_convex ? Status::stalled
+                  : is_turned       ? Status::inaccurate
+                                    : result.metric.status;
   return result;
 }
 

@@ -120,7 +120,7 @@ void take_sphere(Uniformization& result, Conformal_sphere sphere, std::vector<do
     throw Invalid_input(Element_kind::none, 0,
                         "vertices fall together on the sphere in doubles; map it to the plane, "
                         "with cones");
-  result.status = sphere.status();
+  result.status = sphere.status;
   result.metric = sphere.metric;
   for (const double x : u) result.scale_factors.push_back(std::exp(x / 2));
   result.u = std::move(u);

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Finds distances from a point in a face of the mesh, in one statement.
+
+#include <CGAL/Intrinsic_operators/distance/distances_on_mesh.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+int main() {
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh("data/part.off", mesh)) return 1;
+  //! [place]
+  // the point in face 12 with these weights of its corners; a vertex is Place::at_vertex(7)
+  const IT::Found_distances found = IT::distances(mesh, {IT::Place::in_face(12, {0.2, 0.3, 0.5})});
+  //! [place]
+
+  // A segment in a face is the shortest path in space, so it is the shortest on the surface.
+  const auto corners = vertices_around_face(mesh.halfedge(Mesh::Face_index(12)), mesh);
+  const double weights[] = {0.2, 0.3, 0.5};
+  CGAL::Simple_cartesian<double>::Vector_3 p(0, 0, 0);
+  int k = 0;
+  for (const auto v : corners) p = p + weights[k++] * (mesh.point(v) - CGAL::ORIGIN);
+  double error = 0;
+  for (const auto v : corners)
+    error = std::max(error, std::abs(found.by_row[v] - std::sqrt(CGAL::squared_distance(
+                                                           CGAL::ORIGIN + p, mesh.point(v)))));
+  std::cout << "farthest vertex: " << *std::max_element(found.by_row.begin(), found.by_row.end())
+            << "; the corners of the face are right up to " << error << '\n';
+  return error < 1e-12 ? 0 : 1;
+}
