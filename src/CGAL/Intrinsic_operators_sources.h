@@ -38,5 +38,6 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.cpp>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.cpp>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.cpp>
+#include <CGAL/Intrinsic_operators/vectors/principal_directions.cpp>
 
 #endif // CGAL_INTRINSIC_OPERATORS_SOURCES_H

@@ -7,20 +7,13 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <complex>
-#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -30,36 +23,19 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The angle between the normals of the faces at an edge, positive where the surface is convex,
-// times the length of the edge.
-template <class Place>
-double bending(const Input& input, std::uint32_t h, const Place& at) {
-  const Eigen::Vector3d i = at(h), j = at(h ^ 1U), k = at(input.next(input.next(h))),
-                        m = at(input.next(input.next(h ^ 1U)));
-  const Eigen::Vector3d e = j - i, normal = e.cross(k - i), other = (m - i).cross(e);
-  const double length = e.norm();
-  if (!(length > 0)) return 0;
-  return std::atan2(e.dot(normal.cross(other)) / length, normal.dot(other)) * length;
-}
+// The directions in the frames of the vertices of an input.
+// \param points a point per vertex of the input
+Tangent_field curvature_directions(const Input& input,
+                                   const std::vector<std::array<double, 3>>& points);
 
+// The same on the triangulation, zero at inserted vertices.
 // \param at the position in space of the source of a halfedge of the input
 template <class Triangulation, class Place>
 Tangent_field principal_directions_at(const Triangulation& t, const Place& at) {
   const Input& input = kept_input(t);
-  const Vertex_frames frames = input_frames(input);
-  std::vector<double> areas(input.number_of_vertices(), 0);
-  Tangent_field squares(input.number_of_vertices(), 0);
-  for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
-    if (input.is_border(h)) continue;
-    const std::uint32_t v = input.names().vertices.user(input.source(h));
-    areas[v] += (at(input.next(h)) - at(h)).cross(at(input.next(input.next(h))) - at(h)).norm() / 6;
-    if (input.is_border(h ^ 1U)) continue;
-    squares[v] -= bending(input, h, at) / 4 * std::polar(1., 2 * frames.polar_angle(h));
-  }
-  for (std::size_t i = 0; i < squares.size(); ++i)
-    squares[i] =
-        areas[i] > 0 ? std::polar(std::abs(squares[i]) / areas[i], std::arg(squares[i]) / 2) : 0;
-  Tangent_field result = tangent_field_to_intrinsic(t, squares);
+  std::vector<std::array<double, 3>> points(input.number_of_vertices());
+  for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) points[input.source(h)] = at(h);
+  Tangent_field result = tangent_field_to_intrinsic(t, curvature_directions(input, points));
   std::fill(result.begin() + input.number_of_vertices(), result.end(), 0);
   return result;
 }
@@ -86,12 +62,11 @@ template <QueriedTriangulation Triangulation, ReadableFaceGraph Mesh>
 Tangent_field principal_directions(const Triangulation& t, const Mesh& mesh) {
   const Input& input = internal::kept_input(t);
   return internal::principal_directions_at(t, [&](std::uint32_t h) {
-    const auto p = Mesh_adaptor<Mesh>::coordinates(point_in_space(
+    return Mesh_adaptor<Mesh>::coordinates(point_in_space(
         t,
         Surface_point{input.is_border(h) ? h ^ 1U : h,
                       {input.is_border(h) ? 0. : 1., input.is_border(h) ? 1. : 0., 0}},
         mesh));
-    return Eigen::Vector3d(p[0], p[1], p[2]);
   });
 }
 
@@ -110,8 +85,7 @@ Tangent_field principal_directions(const Triangulation& t,
                                 std::to_string(input.number_of_rows()) + ", not " +
                                 std::to_string(points.size()));
   return internal::principal_directions_at(t, [&](std::uint32_t h) {
-    const std::array<double, 3>& p = points[input.names().row(input.source(h))];
-    return Eigen::Vector3d(p[0], p[1], p[2]);
+    return points[input.names().row(input.source(h))];
   });
 }
 
