@@ -9,6 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #ifdef DOWNSTREAM_INCLUDES_SOURCES // does not link the library
 #include <CGAL/Intrinsic_triangulations_sources.h>
+#ifdef DOWNSTREAM_HAS_operators
+#include <CGAL/Intrinsic_conformal_sources.h> // those of all packages
+#endif
 #endif
 
 #include <iostream>

@@ -90,8 +90,7 @@ public:
   Source_places read(const Sources& sources) {
     add(sources);
     std::ranges::sort(places_.rows); // copies of a vertex are one source
-    const auto repeated = std::ranges::unique(places_.rows);
-    places_.rows.erase(repeated.begin(), repeated.end());
+    places_.rows.erase(std::unique(places_.rows.begin(), places_.rows.end()), places_.rows.end());
     return std::move(places_);
   }
 

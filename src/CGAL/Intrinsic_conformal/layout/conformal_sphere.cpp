@@ -186,8 +186,7 @@ private:
         rows.push_back(static_cast<std::uint32_t>(f.rows[(k + i) % 3]));
     });
     std::ranges::sort(rows);
-    const auto [first, last] = std::ranges::unique(rows);
-    rows.erase(first, last);
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
   }
 

@@ -156,8 +156,8 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of_pieces(const Common_subdi
 }
 
 bool is_turned(const Eigen::MatrixX2d& z, const std::array<std::uint32_t, 3>& triangle) {
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  const auto point = [&z](std::uint32_t v) { return Point(z(v, 0), z(v, 1)); };
+  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  const auto point = [&z](std::uint32_t v) { return Point_2(z(v, 0), z(v, 1)); };
   const auto& [a, b, c] = triangle;
   return CGAL::orientation(point(a), point(b), point(c)) != CGAL::LEFT_TURN;
 }

@@ -18,8 +18,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double longest = 8; // larger changes of u than by this make needles of good triangles
+constexpr double longest_step = 8; // larger changes of u make needles of good triangles
 
 // The factors exp(u/2) at rows. Doubles have too few digits: beside a needle of 1e-9 of the edges
 // around it, a unit in the last place changes angles by 1e-7.
@@ -100,8 +99,9 @@ private:
   std::optional<Angle_system> system_;
   Factors factors_;
   Eigen::VectorXd excess_;
-  double least_ = infinity; // norm of the excess up to now
-  double reach_ = longest;  // a change of u up to which the next step is tried
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least_ = infinity;     // norm of the excess up to now
+  double reach_ = longest_step; // a change of u up to which the next step is tried
   std::size_t flips_ = 0;
 };
 
@@ -196,7 +196,7 @@ double Conformal_newton::step() {
     std::optional<Eigen::VectorXd> excess = excess_at(factors);
     if (excess && -direction.dot(*excess) <= -slope / 10 && excess->norm() <= slack * least_) {
       least_ = std::min(least_, excess->norm());
-      reach_ = std::min(longest, 4 * part * largest);
+      reach_ = std::min(longest_step, 4 * part * largest);
       factors_ = std::move(factors);
       excess_ = *std::move(excess);
       return part;
@@ -240,7 +240,7 @@ bool Conformal_newton::is_rounding() const {
 void Conformal_newton::iterate(Conformal_metric& result) {
   result.residual = residual(excess_);
   least_ = excess_.norm();
-  reach_ = longest;
+  reach_ = longest_step;
   result.status = Status::cap;
   while (result.residual > options_.tolerance && result.iterations < options_.maximum_iterations) {
     const Factors before = factors_;

@@ -47,7 +47,6 @@ std::array<std::complex<double>, 3> side_frames(const Table_face& f) {
 
 Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_table& table,
                                                                     double factor) {
-  using Complex = std::complex<double>;
   std::vector<Hermitian_entry> entries;
   entries.reserve(3 * table.faces.size());
   Eigen::VectorXd diagonal =
@@ -63,7 +62,7 @@ Eigen::SparseMatrix<std::complex<double>> edge_connection_laplacian(const Face_t
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       const auto i = static_cast<int>(f.halfedges[a] / 2), j = static_cast<int>(f.halfedges[b] / 2);
       const double w = 4 * weights[k];
-      const Complex turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
+      const std::complex<double> turn = std::conj(frames[a]) * frames[b]; // from frame b to frame a
       if (i == j)
         diagonal[i] -= 2 * w * turn.real();
       else

@@ -143,7 +143,8 @@ static void drop_those_behind(std::vector<Delaunay_star::Neighbour>& neighbours)
   std::size_t first = 0, kept = 0;
   while (first < n && P::is_same_direction(neighbours[(first + n - 1) % n], neighbours[first]))
     ++first;
-  if (first < n) std::ranges::rotate(neighbours, neighbours.begin() + std::ptrdiff_t(first));
+  if (first < n)
+    std::rotate(neighbours.begin(), neighbours.begin() + std::ptrdiff_t(first), neighbours.end());
   bool is_alone = true;
   for (std::size_t i = 0; i < n; ++i) {
     const Delaunay_star::Neighbour& here = neighbours[i];
@@ -213,7 +214,7 @@ static bool open_at_border(std::vector<Delaunay_star::Neighbour>& neighbours) {
     least = P::cosine(a, b);
   }
   if (first == n) return false;
-  std::ranges::rotate(neighbours, neighbours.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(neighbours.begin(), neighbours.begin() + std::ptrdiff_t(first), neighbours.end());
   neighbours.resize(n - dropped);
   return true;
 }
@@ -230,7 +231,8 @@ Delaunay_star::Extent Delaunay_star::find(std::vector<Neighbour>& neighbours) {
   for (std::size_t i = 0; i < n; ++i)
     if (P::turn(neighbours[i], neighbours[(i + 1) % n]) != CGAL::POSITIVE) first = (i + 1) % n;
   const bool is_closed = first == n;
-  if (!is_closed) std::ranges::rotate(neighbours, neighbours.begin() + std::ptrdiff_t(first));
+  if (!is_closed)
+    std::rotate(neighbours.begin(), neighbours.begin() + std::ptrdiff_t(first), neighbours.end());
   drop_those_in_front(neighbours, is_closed);
   if (neighbours.size() == 2 && P::turn(neighbours[0], neighbours[1]) != CGAL::POSITIVE)
     neighbours.clear(); // on a line

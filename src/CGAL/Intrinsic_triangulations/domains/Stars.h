@@ -42,7 +42,7 @@ inline std::vector<std::array<std::uint32_t, 3>> triangles_of(Stars stars) {
     if (star.empty()) continue;
     const bool is_open = stars.is_open[center] != 0;
     if (!is_open) {
-      std::ranges::rotate(star, std::ranges::min_element(star, is_before));
+      std::rotate(star.begin(), std::ranges::min_element(star, is_before), star.end());
       if (is_before(star.back(), star[1])) std::ranges::reverse(star.subspan(1));
     } else if (is_before(star.back(), star.front())) {
       std::ranges::reverse(star);
@@ -87,9 +87,9 @@ private:
     Polygon polygon;
     std::vector<std::size_t> tied;
     for (const auto& [signature, center] : stars_.order) {
-      const auto [from, to] = stars_.range[center];
+      const std::size_t from = stars_.range[center][0], to = stars_.range[center][1];
       for (std::size_t i = from; i < to; ++i) {
-        const auto after = [&, n = to - from](std::size_t k) { return from + (i - from + k) % n; };
+        const auto after = [=](std::size_t k) { return from + (i - from + k) % (to - from); };
         if (stars_.is_tied[i] || !stars_.is_tied[after(1)]) continue;
         polygon = {center, stars_.corners[i]};
         tied.clear();

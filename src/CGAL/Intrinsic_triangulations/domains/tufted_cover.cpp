@@ -189,7 +189,8 @@ static void ignore_rounding(const std::vector<std::array<double, 3>>& points, st
   };
   std::size_t last = order.size(); // those before the first are next to it, too
   while (last > 1 && is_same(order[last - 1], order[last % order.size()])) --last;
-  std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(last % order.size()));
+  std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(last % order.size()),
+              order.end());
   for (auto from = order.begin(); from != order.end();) {
     auto to = from + 1;
     while (to != order.end() && is_same(*(to - 1), *to)) ++to;
