@@ -8,7 +8,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
@@ -27,15 +26,14 @@ int main() {
   //! [place]
 
   // A segment in a face is the shortest path in space, so it is the shortest on the surface.
-  const auto corners = vertices_around_face(mesh.halfedge(Mesh::Face_index(12)), mesh);
-  const double weights[] = {0.2, 0.3, 0.5};
-  CGAL::Simple_cartesian<double>::Vector_3 p(0, 0, 0);
-  int k = 0;
-  for (const auto v : corners) p = p + weights[k++] * (mesh.point(v) - CGAL::ORIGIN);
+  const auto h = mesh.halfedge(Mesh::Face_index(12)); // corners are listed from its source on
+  const Mesh::Vertex_index corners[] = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+  const auto p = CGAL::barycenter(mesh.point(corners[0]), 0.2, mesh.point(corners[1]), 0.3,
+                                  mesh.point(corners[2]), 0.5);
   double error = 0;
   for (const auto v : corners)
-    error = std::max(error, std::abs(found.by_row[v] - std::sqrt(CGAL::squared_distance(
-                                                           CGAL::ORIGIN + p, mesh.point(v)))));
+    error = std::max(
+        error, std::abs(found.by_row[v] - std::sqrt(CGAL::squared_distance(p, mesh.point(v)))));
   std::cout << "farthest vertex: " << *std::max_element(found.by_row.begin(), found.by_row.end())
             << "; the corners of the face are right up to " << error << '\n';
   return error < 1e-12 ? 0 : 1;

@@ -31,7 +31,8 @@ struct Place {
   std::uint32_t vertex = Gluing::none;
   /// The user's face in which the point was named; `Gluing::none` if it was named as a vertex.
   std::uint32_t face = Gluing::none;
-  /// Weights of the corners of the face, in the order in which it lists them; they sum to 1.
+  /// Weights of the corners of the face, in the order in which it lists them; they sum to 1. Faces
+  /// of a BGL mesh begin with the source of their halfedge, as in CGAL's `Face_location`.
   std::array<double, 3> weights{1, 0, 0};
 
   /// returns the place at a vertex.
