@@ -40,7 +40,7 @@ BGL). *An instance of* a class template is that template with any arguments.
 */
 
 // Headers: support/Invalid_input.h support/Status.h support/parameters.h
-// Headers: triangulation/Session.h triangulation/Surface_point.h
+// Headers: triangulation/Flip_log.h triangulation/Session.h triangulation/Surface_point.h
 /*!
 \defgroup ref_owner Triangulations
 \ingroup page_reference

@@ -44,6 +44,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signpost_queries.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_sectors.cpp>

@@ -45,7 +45,7 @@ struct Flips {
   bool is_locally_delaunay(const IT::Diamond&) const { return true; }
   struct Flipped {};
   std::optional<Flipped> compute_flip(const IT::Diamond&) const { return Flipped(); }
-  void store_flip(const IT::Diamond&, const Flipped&) {}
+  void store_flip(const IT::Diamond&, const Flipped&) noexcept {}
   int scale_exponent() const { return 0; }
 };
 
@@ -106,7 +106,9 @@ struct Correspondence {
     return true;
   }
   template <class Triangulation, Documented_move Move>
-  void after(const Triangulation&, const Move&) {
+  void make_room(const Triangulation&, const Move&) {}
+  template <class Triangulation, Documented_move Move>
+  void after(const Triangulation&, const Move&) noexcept {
     ++done;
   }
   mutable int announced = 0;

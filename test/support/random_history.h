@@ -98,6 +98,7 @@ public:
     is_counted_ = is_counted_ && coordinates_.before(*this, move);
     CGAL::Euler::flip_edge(h, mesh);
     if (is_counted_) coordinates_.after(*this, move);
+    flips.make_room(h.index);
     flips.add(h.index);
   }
 

@@ -48,8 +48,8 @@ public:
     Move_status flip_convex_edge(halfedge_descriptor h);
     /// returns what a flip of an edge will replace.
     Before_flip before_flip(halfedge_descriptor h) const;
-    /// takes back the flip of `h`, the last move.
+    /// takes back the flip of `h`, the last move; must not throw.
     /// \pre `before` is what `before_flip(h)` returned before it
-    void undo_flip(halfedge_descriptor h, const Before_flip& before);
+    void undo_flip(halfedge_descriptor h, Before_flip before) noexcept;
   };
 };

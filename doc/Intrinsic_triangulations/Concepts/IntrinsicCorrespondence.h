@@ -36,17 +36,22 @@ insertion uses the numbers of removed elements again, or the next ones.
 
 Every move is planned, then made. The triangulation makes a record of it, and computes the values of
 a flip. It passes the record to `before()`, which may refuse, and is const: what it finds out for
-`after()` is in mutable members. If no observer refuses, and the arithmetic can hold the result,
-connectivity and metric change, and the triangulation passes the record to `after()`. Otherwise the
-next call announces another move. Both calls get the same record, except that new elements are
-`Gluing::none` before an insertion. The triangulation does not announce a move that connectivity or
-convexity forbids. With exact traits the record of an insertion names the place on the input that defines the
+`after()` is in mutable members. If no observer refuses, and the arithmetic can hold the result, it
+passes the record to `make_room()`, which allocates the memory that `after()` needs, and changes
+nothing else. Until then any function may throw, for instance `std::bad_alloc`. Then connectivity
+and metric change, and the triangulation passes the record to `after()`, which cannot fail. All
+calls get the same record, except that new elements are `Gluing::none` before an insertion; their
+numbers will be below `vertex_capacity()`, `edge_capacity()` and `face_capacity()` of `t.numbers()`
+plus one, three and two. The triangulation does not announce a move that connectivity or convexity
+forbids. With exact traits the record of an insertion names the place on the input that defines the
 vertex, unless the correspondence finds this place, as \itc{Integer_coordinates} does.
 
 To insert a vertex on an inner edge, the triangulation inserts it in a face, at distance zero from
 the side, and then flips the side. To remove it, it goes in the opposite order. If a later move of
-such a sequence is refused, the triangulation takes back those before, with the old values of the
-metric; no observer can refuse that.
+such a sequence is refused, or a function throws, the triangulation takes back the moves before,
+with the old values of the metric. This cannot fail: it calls `after()` only. A model whose data of
+an edge are rounded returns those that a flip will replace from `before_flip(move)`, of type
+`Flipped`, and puts them back in `store_flip(move, values) noexcept`, as \itc{Signposts} do.
 
 \cgalHeading{Which operation makes which moves}
 
@@ -54,9 +59,9 @@ metric; no observer can refuse that.
 |---|---|
 | constructors of \itc{Intrinsic_triangulation} | none: `start()` |
 | `flip_edge()`, \itf{flip_to_delaunay} | \itc{Flip} |
-| `undo_flip()`, \itc{Flip_log}, \itc{Geodesic_finder} | \itc{Flip}, whose `km` is the opposite of `ij` when it is taken back; the answer of `before()` does not matter |
+| `undo_flip()`, \itc{Flip_log}, \itc{Geodesic_finder} | \itc{Flip} with `is_taken_back()`, only to `after()` |
 | `insert_vertex()`, in a face | \itc{Insertion_in_face} |
-| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, if the flip is refused; its answer does not matter then |
+| `insert_vertex()`, `split_edge()`, on an inner edge | \itc{Insertion_in_face} and \itc{Flip}; also \itc{Removal_from_face}, only to `after()`, if the flip is refused |
 | the same on the border | \itc{Insertion_on_border} |
 | `remove_vertex()` | \itc{Flip} until three edges are left, then \itc{Removal_from_face} or \itc{Removal_from_border}; if one is refused, flips are taken back |
 | `reposition_vertex()`, \itf{delaunay_refine}, \itf{adaptive_refine}, \itf{odt_optimize} | all five; the first and the last of these also \itc{Move_in_star}, see \ref ::RepositioningCorrespondence |
@@ -72,10 +77,10 @@ A model can do more: \ref ::RestorableCorrespondence, \ref ::IntegerCorresponden
 
 - After `start()` and after every `after()` the model describes the triangulation that it was called
   with.
-- If a `before()` returns false, nothing has changed but caches, not in the model either. If a move
-  of a sequence is refused, connectivity, places and the doubles of inexact metrics are as they were
-  before the sequence, and directions of signposts up to rounding. The next inserted elements may
-  have other numbers.
+- If a `before()` returns false, or a `before()` or `make_room()` throws, nothing has changed but
+  caches, not in the model either. The same holds for a sequence of moves: connectivity, places, the
+  doubles of inexact metrics and directions of signposts are as they were before it. Only the next
+  inserted elements may have other numbers.
 
 \cgalHeading{Complexity}
 
@@ -96,9 +101,15 @@ public:
   */
   template <class Triangulation>
   bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move) const;
+  /*!
+  \brief is called before a move that nobody refuses: allocates the memory that it needs; may throw.
+  \tparam Move each of the five records
+  */
+  template <class Triangulation, class Move>
+  void make_room(const Triangulation& t, const Move& move);
   /// is called after a flip: mesh and metric of `t` are as after it.
   template <class Triangulation>
-  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move);
+  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move) noexcept;
   /*!
   \brief is called before the insertion of a vertex in a face; may call the metric of `t` for signs.
   \return whether it may be inserted; if not, nothing has changed
@@ -108,7 +119,8 @@ public:
               const CGAL::Intrinsic_triangulations::Insertion_in_face& move) const;
   /// is called after the insertion; the record names the new elements.
   template <class Triangulation>
-  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Insertion_in_face& move);
+  void after(const Triangulation& t,
+             const CGAL::Intrinsic_triangulations::Insertion_in_face& move) noexcept;
   /*!
   \brief is called before the insertion of a vertex on the border.
   \return whether it may be inserted; if not, nothing has changed
@@ -119,7 +131,7 @@ public:
   /// is called after the insertion; the record names the new elements.
   template <class Triangulation>
   void after(const Triangulation& t,
-             const CGAL::Intrinsic_triangulations::Insertion_on_border& move);
+             const CGAL::Intrinsic_triangulations::Insertion_on_border& move) noexcept;
   /*!
   \brief is called before the removal of a vertex with three edges.
   \return whether it may be removed; if not, nothing has changed
@@ -129,7 +141,8 @@ public:
               const CGAL::Intrinsic_triangulations::Removal_from_face& move) const;
   /// is called after the removal: the first face of the record is the whole one.
   template <class Triangulation>
-  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Removal_from_face& move);
+  void after(const Triangulation& t,
+             const CGAL::Intrinsic_triangulations::Removal_from_face& move) noexcept;
   /*!
   \brief is called before the removal of a vertex with three edges from the border.
   \return whether it may be removed; if not, nothing has changed
@@ -140,5 +153,5 @@ public:
   /// is called after the removal: `ip` and `f` of the record are the whole edge and face.
   template <class Triangulation>
   void after(const Triangulation& t,
-             const CGAL::Intrinsic_triangulations::Removal_from_border& move);
+             const CGAL::Intrinsic_triangulations::Removal_from_border& move) noexcept;
 };

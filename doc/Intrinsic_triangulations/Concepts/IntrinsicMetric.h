@@ -101,8 +101,8 @@ public:
   \pre the edge can be flipped
   */
   std::optional<Flipped> compute_flip(const CGAL::Intrinsic_triangulations::Diamond& d) const;
-  /// stores the values that a flip makes, under the numbers that were there before.
-  void store_flip(const CGAL::Intrinsic_triangulations::Diamond& d, const Flipped& values);
+  /// stores the values that a flip makes, under the numbers that were there before; cannot fail.
+  void store_flip(const CGAL::Intrinsic_triangulations::Diamond& d, Flipped&& values) noexcept;
   /// returns the exponent of the power of two that lengths of the input are scaled by.
   int scale_exponent() const;
 };

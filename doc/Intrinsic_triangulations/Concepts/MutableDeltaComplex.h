@@ -78,6 +78,11 @@ of the adaptor are the sizes of arrays by number. If `add_vertex()`, ... of a me
 removed elements again, its adaptor may do so in `reuse_vertex()`, `reuse_edge()` and
 `reuse_face()`, which return a null descriptor if no removed element is left.
 
+Before an insertion or a removal the triangulation calls `make_room(mesh)` of the adaptor: after
+that, adding or removing one vertex, three edges and two faces must not fail. The default calls
+`reserve()` of the mesh. `CGAL::Polyhedron_3` cannot reserve memory: if that is exhausted during an
+insertion, the program ends.
+
 \cgalHeading{Complexity}
 
 All functions take constant time (amortised, for those that add elements), except that `num_`

@@ -31,9 +31,12 @@ Two kinds of models differ in where the values of insertions come from:
 
 | operation | needs |
 |---|---|
-| `insert_vertex()`, `split_edge()` | `insert_in_face`, `insert_in_border_edge`; `inserted_values`, if the metric measures insertions; the others, to take them back |
-| `remove_vertex()` | `remove_from_face`, `remove_from_border_edge`; `before_flip`, to take flips back |
-| `reposition_vertex()` | all of these; `move_in_star`, if the metric has it, as \itc{Euclidean_metric} does, and the correspondence is a \ref ::RepositioningCorrespondence |
+| `insert_vertex()`, `split_edge()` | `make_room`, `insert_in_face`, `insert_in_border_edge`; `inserted_values`, if the metric measures insertions; `before_flip` and `store_flip`, to take them back |
+| `remove_vertex()` | `removed_values`, `store_flip`; `before_flip`, to take flips back |
+| `reposition_vertex()` | all of these; `moved_values` and `store_star`, if the metric has them, as \itc{Euclidean_metric} does, and the correspondence is a \ref ::RepositioningCorrespondence |
+
+Functions that compute are const and may fail. Those that store cannot: `make_room` has allocated
+the memory.
 
 \cgalHeading{Invariants}
 
@@ -66,21 +69,28 @@ public:
   */
   std::optional<CGAL::Intrinsic_triangulations::Vertex_move_values<FT>>
   inserted_values(const CGAL::Intrinsic_triangulations::Border_star& s, double parameter) const;
-  /// stores the values of a face from which a vertex is removed, in place of the first face of the
-  /// star.
-  void remove_from_face(const CGAL::Intrinsic_triangulations::Vertex_star& s);
-  /// stores the values of a border edge and its face from which a vertex is removed.
-  void remove_from_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s);
+  /// The values that a flip makes, see \ref ::IntrinsicMetric.
+  typedef unspecified_type Flipped;
+  /// returns what a flip of the edge will replace; storing it takes the flip back.
+  Flipped before_flip(const CGAL::Intrinsic_triangulations::Diamond& d) const;
+  /// returns the values of a face from which a vertex is removed: `store_flip()` stores them for the
+  /// diamond `without_vertex(s)`.
+  Flipped removed_values(const CGAL::Intrinsic_triangulations::Vertex_star& s) const;
+  /// returns the values of a border edge and its face from which a vertex is removed; see above.
+  Flipped removed_values(const CGAL::Intrinsic_triangulations::Border_star& s) const;
+  /// allocates memory for values of so many edges and faces; changes nothing else.
+  void make_room(std::uint32_t edges, std::uint32_t faces);
   /// stores the values at a vertex inserted in a face; values of its sides and, in place of the
   /// first face, of the whole one are stored.
   void insert_in_face(const CGAL::Intrinsic_triangulations::Vertex_star& s,
-                      const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+                      CGAL::Intrinsic_triangulations::Vertex_move_values<FT>&& values) noexcept;
   /*!
   \brief stores the values at a vertex inserted on a border edge.
   \param s the star of the vertex; values of `ip`, `jk`, `ki` and `f` are stored, those of the whole
     edge and face
   \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
   */
-  void insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
-                             const CGAL::Intrinsic_triangulations::Vertex_move_values<FT>& values);
+  void
+  insert_in_border_edge(const CGAL::Intrinsic_triangulations::Border_star& s,
+                        CGAL::Intrinsic_triangulations::Vertex_move_values<FT>&& values) noexcept;
 };

@@ -19,7 +19,7 @@ is removed.
 
 | operation | needs |
 |---|---|
-| `reposition_vertex()`, \itf{odt_optimize} | both, if the metric has `move_in_star`; the metric may refuse after `before()` has agreed |
+| `reposition_vertex()`, \itf{odt_optimize} | both, if the metric has `moved_values` and `store_star`; the metric may refuse after `before()` has agreed |
 
 \cgalHeading{Invariants and complexity}
 
@@ -34,7 +34,11 @@ public:
   template <class Triangulation>
   bool before(const Triangulation& t,
               const CGAL::Intrinsic_triangulations::Move_in_star& move) const;
+  /// is called before it if nobody refuses: allocates the memory that `after()` needs; may throw.
+  template <class Triangulation>
+  void make_room(const Triangulation& t, const CGAL::Intrinsic_triangulations::Move_in_star& move);
   /// is called after it: the metric of `t` is as after the move.
   template <class Triangulation>
-  void after(const Triangulation& t, const CGAL::Intrinsic_triangulations::Move_in_star& move);
+  void after(const Triangulation& t,
+             const CGAL::Intrinsic_triangulations::Move_in_star& move) noexcept;
 };

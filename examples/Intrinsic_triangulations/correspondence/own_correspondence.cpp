@@ -28,11 +28,16 @@ struct Flip_recorder : IT::No_correspondence {
     return true; // false refuses the flip
   }
   template <class Triangulation>
-  void after(const Triangulation&, const IT::Flip& flip) {
+  void make_room(const Triangulation&, const IT::Flip&) {
+    IT::reserve_at_least(edges, edges.size() + 1); // the last function that may throw
+  }
+  template <class Triangulation>
+  void after(const Triangulation&, const IT::Flip& flip) noexcept {
     edges.push_back(flip.ij / 2); // halfedges 2e and 2e + 1 are those of edge e
   }
   using IT::No_correspondence::after;
   using IT::No_correspondence::before;
+  using IT::No_correspondence::make_room;
   std::vector<std::uint32_t> edges;
 };
 

@@ -50,6 +50,7 @@ sources of the library, see `src/instances/`.
   prefix class Predicate_session<__VA_ARGS__>;                                                     \
   prefix class Move_session<__VA_ARGS__>;                                                          \
   prefix class internal::Mover<__VA_ARGS__>;                                                       \
+  prefix class internal::Vertex_inserter<__VA_ARGS__>;                                             \
   prefix class internal::Vertex_remover<__VA_ARGS__>
 // instantiates what decides for an exact triangulation, and where its vertices are.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PLACES(prefix, ...)                                          \

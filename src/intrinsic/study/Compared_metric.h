@@ -40,8 +40,8 @@ public:
     return answer;
   }
 
-  void store_flip(const IT::Diamond& d, const typename Metric::Flipped& n) {
-    Metric::store_flip(d, n);
+  void store_flip(const IT::Diamond& d, typename Metric::Flipped&& n) noexcept {
+    Metric::store_flip(d, std::move(n));
     if (is_following_ && !follow(d)) {
       ++nonconvex_flips_;
       is_following_ = false;

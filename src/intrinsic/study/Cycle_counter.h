@@ -32,7 +32,7 @@ public:
   using IT::Integer_coordinates::after;
 
   template <class Triangulation>
-  void after(const Triangulation& t, const IT::Flip& move) {
+  void after(const Triangulation& t, const IT::Flip& move) noexcept {
     IT::Integer_coordinates::after(t, move);
     std::uint64_t last_nearby = 0;
     for (const std::uint32_t side : {move.jk, move.ki, move.im, move.mj})

@@ -157,7 +157,7 @@ TEST(Diamond, formulas_use_no_more_than_their_concepts_ask_for) {
   EXPECT_EQ(cotangent_weight(square).value, 0);
   EXPECT_EQ(apex(x, diagonal, x, a).y.value, 1);
   EXPECT_EQ(squared_distance_from_corner(x, diagonal, x, a, x, Field_number(0)).value, 1);
-  EXPECT_EQ(removed_from_border_edge(square).squared_lengths[0].value, 2);
+  EXPECT_EQ(removed_from_border_edge(square).km.value, 2);
   const std::vector<Field_number> ones(4, x), diagonals(4, diagonal), areas(4, a);
   const Whole_star_values<Field_number> star{ones, diagonals, areas};
   EXPECT_EQ(moved_in_star(star, Field_number(0.5), Field_number(0)).spokes[2].value, 2.25);

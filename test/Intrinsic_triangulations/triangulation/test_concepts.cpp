@@ -7,19 +7,28 @@
 #include "gallery.h"
 #include "mesh_types.h"
 
+#include <CGAL/Integer_only_triangulation.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_ideal_hyperbolic_traits.h>
 #include <CGAL/Intrinsic_triangulations/metric/Ideal_hyperbolic_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Integer_only_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Interval_traits.h>
+#include <CGAL/Intrinsic_triangulations/metric/Tolerant_traits.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
+#include <CGAL/Gmpq.h>
+
 #include <gtest/gtest.h>
 
+#include <ratio>
 #include <string>
 #include <vector>
 
@@ -44,6 +53,10 @@ struct Metric_that_cannot_flip : archetypes::Metric {
   using archetypes::Metric::Metric;
   void store_flip(const IT::Diamond&, const Flipped&) = delete;
 };
+struct Metric_that_may_fail : archetypes::Metric {
+  using archetypes::Metric::Metric;
+  void store_flip(const IT::Diamond&, const Flipped&) {}
+};
 struct Metric_without_scope : archetypes::Metric {
   using archetypes::Metric::Metric;
 
@@ -57,7 +70,13 @@ static_assert(IT::IntrinsicMetric<archetypes::Metric>);
 static_assert(IT::IntrinsicMetric<IT::Ideal_hyperbolic_metric<double>>);
 static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<double>>);
 static_assert(IT::IntrinsicMetric<IT::Euclidean_metric<long double>>);
-static_assert(IT::IntrinsicMetric<IT::Exact_euclidean_metric>);
+static_assert(IT::RefinableMetric<IT::Exact_euclidean_metric>);
+static_assert(IT::RefinableMetric<IT::Interval_metric>);
+static_assert(IT::RefinableMetric<IT::Tolerant_traits<double, std::micro>::Metric>);
+static_assert(IT::RefinableMetric<IT::Euclidean_metric<CGAL::Gmpq>>);
+static_assert(IT::IntrinsicMetric<IT::Exact_ideal_hyperbolic_metric>);
+static_assert(IT::IntrinsicMetric<IT::Integer_only_metric>);
+static_assert(!IT::IntrinsicMetric<Metric_that_may_fail>);
 static_assert(!IT::IntrinsicMetric<Metric_that_cannot_flip>);
 static_assert(!IT::IntrinsicMetric<Metric_without_scope>);
 static_assert(!IT::IntrinsicMetric<Metric_without_input>);
@@ -130,6 +149,15 @@ struct Correspondence_that_changes_when_asked : archetypes::Correspondence {
   }
 };
 
+struct Correspondence_that_may_fail : archetypes::Correspondence {
+  template <class Triangulation, class Move>
+  void after(const Triangulation&, const Move&) {}
+};
+struct Correspondence_without_room : archetypes::Correspondence {
+  template <class Triangulation, class Move>
+  void make_room(const Triangulation&, const Move&) = delete;
+};
+
 static_assert(IT::IntrinsicCorrespondence<archetypes::Correspondence, archetypes::Triangulation>);
 static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, archetypes::Triangulation>);
 static_assert(IT::IntrinsicCorrespondence<IT::No_correspondence, IT::Intrinsic_triangulation<>>);
@@ -137,6 +165,17 @@ static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_nothing, Ar
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_hears_too_late, Archetypical>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_cannot_refuse, Archetypical>);
 static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_changes_when_asked, Archetypical>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_that_may_fail, Archetypical>);
+static_assert(!IT::IntrinsicCorrespondence<Correspondence_without_room, Archetypical>);
+// what is noexcept in the concepts is so in all models of the package
+template <class Correspondence>
+constexpr bool follows_moves = IT::IntrinsicCorrespondence<
+    Correspondence,
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>>;
+static_assert(follows_moves<IT::Integer_coordinates>);
+static_assert(follows_moves<IT::Explicit_crossings>);
+static_assert(follows_moves<IT::Signposts>);
+static_assert(follows_moves<IT::Unfoldable_coordinates>);
 
 // ---- what a correspondence can do besides
 

@@ -16,11 +16,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -98,8 +95,12 @@ void add_edge(Checksum& s, const IT::Explicit_crossings& c, std::uint32_t e) {
 }
 // no more than has been added
 void add_edge(Checksum&, const IT::Integer_coordinates&, std::uint32_t) {}
-// directions are compared one by one
-void add_edge(Checksum&, const IT::Signposts&, std::uint32_t) {}
+void add_edge(Checksum& s, const IT::Signposts& c, std::uint32_t e) {
+  for (const std::uint32_t h : {2 * e, 2 * e + 1}) {
+    s.add(c.angle(h));
+    s.add(c.fan(h).angle);
+  }
+}
 void add_edge(Checksum&, const IT::No_correspondence&, std::uint32_t) {}
 
 std::uint64_t checksum(const auto& t) {
@@ -134,30 +135,6 @@ TEST(Refused_moves, leave_the_places_of_vertices_that_are_not_removed) {
     ASSERT_TRUE(coordinates(t) == before);
   }
   EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);
-}
-
-// Directions of halfedges. A flip that is taken back finds them anew, from those beside them: they
-// differ by what rounding has added up at the vertex since the start, in angles of faces that
-// random moves make thin. After 200 moves 4e-13 was seen, after 1000 moves 6e-9.
-constexpr double rounding_of_turns = 1e-11;
-
-std::vector<std::pair<double, double>> directions(const auto& t) {
-  std::vector<std::pair<double, double>> result; // and the angle of all about the source
-  if constexpr (requires { t.correspondence().angle(0U); })
-    for (const auto h : halfedges(t.mesh())) {
-      const std::uint32_t n = t.numbers().halfedge(h);
-      result.emplace_back(t.correspondence().angle(n), t.correspondence().fan(n).angle);
-    }
-  return result;
-}
-
-void expect_same_directions(const std::vector<std::pair<double, double>>& now,
-                            const std::vector<std::pair<double, double>>& before) {
-  ASSERT_EQ(now.size(), before.size());
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const double turn = std::abs(now[i].first - before[i].first);
-    ASSERT_LE(std::min(turn, std::abs(turn - now[i].second)), rounding_of_turns);
-  }
 }
 
 // makes one move at random; what it was, and what came of it
@@ -205,19 +182,14 @@ TYPED_TEST(Refused_moves_of, any_kind_change_nothing) {
   for (int start = 0; start < 70; ++start) {
     TypeParam t(start % 2 == 0 ? meshes::rough_grid(3, 1).input() : meshes::box(2, 2, 1).input());
     std::uint64_t before = checksum(t);
-    auto directions_before = directions(t);
     for (int i = 0; i < 200; ++i) {
       const auto [kind, status] = move_at_random(t, random);
       const std::uint64_t now = checksum(t);
-      auto directions_now = directions(t);
       if (status != Move_status::done) {
         ASSERT_EQ(now, before) << kind << " " << i;
-        ASSERT_NO_FATAL_FAILURE(expect_same_directions(directions_now, directions_before))
-            << kind << " " << i;
       }
       ++(status == Move_status::done ? done : refused)[kind];
       before = now;
-      directions_before = std::move(directions_now);
     }
     if constexpr (TypeParam::Metric::is_exact) {
       EXPECT_EQ(IT::flip_to_delaunay(t).status, IT::Status::done);

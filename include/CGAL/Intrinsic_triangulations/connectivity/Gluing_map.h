@@ -162,6 +162,9 @@ public:
   /// sets the halfedge of `f`.
   void set_halfedge(Face f, Halfedge h) { face_[f.index] = h.index; }
 
+  /// makes room so that adding or removing one vertex, three edges and two faces, as an insertion
+  /// or a removal does, allocates no memory. \complexity constant, amortized
+  void make_room();
   /// adds an isolated vertex, with the number of a removed one if there is one.
   Vertex add_vertex() { return {add(vertex_, free_vertices_)}; }
   /// adds an unconnected edge.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -123,7 +124,12 @@ public:
     return true;
   }
   template <class Triangulation, class Move>
-  void after(const Triangulation&, const Move& move) {
+  void make_room(const Triangulation& t, const Move&) {
+    if constexpr (!std::is_same_v<Move, Flip>)
+      reserve_at_least(is_there_, t.numbers().vertex_capacity(t.mesh()) + std::size_t{1} - first_);
+  }
+  template <class Triangulation, class Move>
+  void after(const Triangulation&, const Move& move) noexcept {
     constexpr bool is_insertion =
         std::is_same_v<Move, Insertion_in_face> || std::is_same_v<Move, Insertion_on_border>;
     if constexpr (is_insertion || std::is_same_v<Move, Removal_from_face> ||
@@ -154,7 +160,7 @@ private:
     First_copies() = default;
     First_copies(const First_copies&) {}
     First_copies(First_copies&&) = default;
-    First_copies& operator=(First_copies other) {
+    First_copies& operator=(First_copies other) noexcept {
       sheets = std::move(other.sheets);
       by_place = std::move(other.by_place);
       return *this;

@@ -119,18 +119,18 @@ struct Exact_memory : No_correspondence {
 
   // follows moves: forgets what queries stored, so that they cannot change later results
   template <class Triangulation>
-  void after(const Triangulation&, const Flip& move) {
+  void after(const Triangulation&, const Flip& move) noexcept {
     forget();
     if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
   }
   template <class Triangulation>
-  void after(const Triangulation&, const Star_of_vertex& move) {
+  void after(const Triangulation&, const Star_of_vertex& move) noexcept {
     forget();
     if (flat_parts)
       for (const std::uint32_t f : move.faces) flat_parts->change(f);
   }
   template <class Triangulation>
-  void after(const Triangulation&, const Star_on_border& move) {
+  void after(const Triangulation&, const Star_on_border& move) noexcept {
     forget();
     if (flat_parts)
       for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);

@@ -33,6 +33,13 @@ struct Vertex_star {
   std::array<std::uint32_t, 3> faces;  ///< the faces ijp, jkp, kip; the first one is ijk without p
 };
 
+/// returns the edges and the face of the face ijk without p, as if its first edge were flipped
+/// between two such faces: a removal stores values there.
+inline Diamond without_vertex(const Vertex_star& s) {
+  const auto [ij, jk, ki] = s.sides;
+  return {ij, jk, ki, jk, ki, s.faces[0], s.faces[0]};
+}
+
 /*!
 \brief indexes the edges and faces at a vertex p on the border edge ij of a face ijk.
 */
@@ -45,6 +52,11 @@ struct Border_star {
   std::uint32_t f;  ///< the face ipk, which is ijk without p
   std::uint32_t g;  ///< the face pjk
 };
+
+/// returns the edges and the face of the face ijk without p, see above.
+inline Diamond without_vertex(const Border_star& s) {
+  return {s.ip, s.jk, s.ki, s.jk, s.ki, s.f, s.f};
+}
 
 /*!
 \brief rounds barycentric coordinates (down, the first one up) so that they are multiples of 2^-52
@@ -94,32 +106,25 @@ FT squared_distance_from_corner(const FT& ij, const FT& jk, const FT& ki, const 
 }
 
 /*!
-\brief holds the squared lengths of new edges and the quadruple areas of new faces, as far as there
-are any, in the order of `Vertex_star` or `Border_star`.
+\brief holds the squared lengths of new edges and the quadruple areas of new faces, in the order of
+`Vertex_star` or `Border_star`.
 \tparam FT a model of `FieldNumber`
 */
 template <FieldNumber FT>
 struct Vertex_move_values {
-  std::array<FT, 3> squared_lengths; ///< of ip, jp, kp; of ip, pj, pk; of ij
-  std::array<FT, 3> quadruple_areas; ///< of ijp, jkp, kip; of ipk, pjk; of ijk
+  std::array<FT, 3> squared_lengths; ///< of ip, jp, kp; of ip, pj, pk
+  std::array<FT, 3> quadruple_areas; ///< of ijp, jkp, kip; of ipk, pjk
 };
 
 /*!
-\brief computes the values of the face that three faces at a vertex make together, which has their
-outer sides.
-*/
-template <FieldNumber FT>
-Vertex_move_values<FT> removed_from_face(const FT& area_f, const FT& area_g, const FT& area_h) {
-  return {{FT(0), FT(0), FT(0)}, {area_f + area_g + area_h, FT(0), FT(0)}};
-}
-
-/*!
-\brief computes the values of the border edge and face that remain after removal of a border vertex.
+\brief computes the values of the border edge ij and face ijk that remain after removal of a border
+vertex p: as of a flip, for the edge and its only face.
 \param d the diamond of pk, with face kip on its left
 */
 template <FieldNumber FT>
-Vertex_move_values<FT> removed_from_border_edge(const Diamond_values<FT>& d) {
-  return {{flipped(d).km, FT(0), FT(0)}, {d.area_f + d.area_g, FT(0), FT(0)}};
+Flipped_values<FT> removed_from_border_edge(const Diamond_values<FT>& d) {
+  const FT area = d.area_f + d.area_g;
+  return {flipped(d).km, area, area};
 }
 
 // ---- a flat vertex that moves among the faces about it (Eq. 8 of the course)
@@ -143,6 +148,23 @@ struct Whole_star_values {
   std::vector<FT> rim;    ///< squared lengths of the edges opposite it
   std::vector<FT> areas;  ///< quadruple areas of the faces
 };
+
+/*!
+\brief returns the values of a star.
+\param lengths, areas those of all edges and faces, by number
+\param s the star
+*/
+template <FieldNumber FT>
+Whole_star_values<FT> gather(const std::vector<FT>& lengths, const std::vector<FT>& areas,
+                             const Whole_star& s) {
+  Whole_star_values<FT> v;
+  for (std::size_t k = 0; k < s.faces.size(); ++k) {
+    v.spokes.push_back(lengths[s.spokes[k]]);
+    v.rim.push_back(lengths[s.rim[k]]);
+    v.areas.push_back(areas[s.faces[k]]);
+  }
+  return v;
+}
 
 /*!
 \brief computes what a star becomes when its vertex moves by b s_0 + c s_1, with s_k the vectors

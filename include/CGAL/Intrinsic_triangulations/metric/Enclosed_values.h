@@ -48,7 +48,7 @@ public:
     Flipped_values<double> approximation; ///< values in floating point
   };
 
-  /// New values of an insertion or a removal of a vertex: intervals and doubles.
+  /// New values of an insertion of a vertex: intervals and doubles.
   using New_values = std::pair<Vertex_move_values<FT>, Vertex_move_values<double>>;
 
   /// constructs no values.
@@ -117,6 +117,9 @@ public:
     for (const Indexed_face& f : faces) result.push_back(enclosure(f));
     return result;
   }
+
+  /// makes room for values of so many edges and faces.
+  void make_room(std::uint32_t edges, std::uint32_t faces);
 
   /// makes the intervals of a diamond smaller. \pre `better` contains the exact values
   void refine(const Diamond& d, const Diamond_values<FT>& better) const;
@@ -192,7 +195,7 @@ protected:
   }
 
   /// stores the new values of a flip.
-  BOOST_FORCEINLINE void store(const Diamond& d, const Flipped& n) {
+  BOOST_FORCEINLINE void store(const Diamond& d, const Flipped& n) noexcept {
     const auto& [enclosure, approximation] = n;
     squared_length_[d.ij] = positive_part(enclosure.km);
     quadruple_area_[d.f] = positive_part(enclosure.area_f);
@@ -202,9 +205,9 @@ protected:
     area_[d.g] = nearest(approximation.area_g, quadruple_area_[d.g]);
   }
 
-  /// stores the new values of an insertion or a removal, also for new edges and faces.
+  /// stores the new values of an insertion, also for new edges and faces. \pre there is room
   void store(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> faces,
-             const New_values& n);
+             const New_values& n) noexcept;
 
 private:
   // a bound on |q - 2 w a|; rounding is upwards

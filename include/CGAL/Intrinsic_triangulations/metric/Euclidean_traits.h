@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Uncertain.h>
@@ -146,10 +147,10 @@ public:
   }
 
   /// stores a flip. \param d the diamond \param n what `compute_flip()` returned for it
-  void store_flip(const Diamond& d, const Flipped& n) {
-    squared_length_[d.ij] = n.km;
-    quadruple_area_[d.f] = n.area_f;
-    quadruple_area_[d.g] = n.area_g;
+  void store_flip(const Diamond& d, Flipped&& n) noexcept {
+    squared_length_[d.ij] = std::move(n.km);
+    quadruple_area_[d.f] = std::move(n.area_f);
+    quadruple_area_[d.g] = std::move(n.area_g);
   }
 
   /// returns what a flip of the edge will replace; storing it takes the flip back.
@@ -177,18 +178,26 @@ public:
     return n;
   }
 
+  /// makes room for values of so many edges and faces.
+  void make_room(std::uint32_t edges, std::uint32_t faces) {
+    reserve_at_least(squared_length_, edges);
+    reserve_at_least(quadruple_area_, faces);
+  }
+
   /// stores the values at a vertex inserted in a face. \param s its star \param n the values
-  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& n) {
+  void insert_in_face(const Vertex_star& s, Vertex_move_values<FT>&& n) noexcept {
     for (std::size_t k = 0; k < 3; ++k) {
-      store(squared_length_, s.spokes[k], n.squared_lengths[k]);
-      store(quadruple_area_, s.faces[k], n.quadruple_areas[k]);
+      store(squared_length_, s.spokes[k], std::move(n.squared_lengths[k]));
+      store(quadruple_area_, s.faces[k], std::move(n.quadruple_areas[k]));
     }
   }
 
-  /// stores the values of a face from which a vertex is removed.
-  void remove_from_face(const Vertex_star& s) {
-    quadruple_area_[s.faces[0]] =
+  /// returns the values that the removal of the vertex of a star makes, to be stored as those of a
+  /// flip of the diamond `without_vertex(s)`.
+  Flipped removed_values(const Vertex_star& s) const {
+    const FT area =
         quadruple_area_[s.faces[0]] + quadruple_area_[s.faces[1]] + quadruple_area_[s.faces[2]];
+    return {squared_length_[s.sides[0]], area, area};
   }
 
   /*!
@@ -209,42 +218,33 @@ public:
 
   /// stores the values at a vertex inserted on a border edge. \param s its star \param n the values
   /// as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
-  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& n) {
-    const auto& [ip, jp, kp] = n.squared_lengths;
-    store(squared_length_, s.ip, ip);
-    store(squared_length_, s.pj, jp);
-    store(squared_length_, s.pk, kp);
-    store(quadruple_area_, s.f, n.quadruple_areas[2]);
-    store(quadruple_area_, s.g, n.quadruple_areas[1]);
+  void insert_in_border_edge(const Border_star& s, Vertex_move_values<FT>&& n) noexcept {
+    const std::array edges{s.ip, s.pj, s.pk};
+    for (std::size_t k = 0; k < 3; ++k)
+      store(squared_length_, edges[k], std::move(n.squared_lengths[k]));
+    store(quadruple_area_, s.f, std::move(n.quadruple_areas[2]));
+    store(quadruple_area_, s.g, std::move(n.quadruple_areas[1]));
   }
 
-  /// stores the values of a border edge and its face from which a vertex is removed.
-  void remove_from_border_edge(const Border_star& s) {
-    const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
-    squared_length_[s.ip] = flipped(values(d)).km;
-    quadruple_area_[s.f] = quadruple_area_[s.f] + quadruple_area_[s.g];
+  /// returns the values that the removal of a vertex from the border makes; see above.
+  Flipped removed_values(const Border_star& s) const {
+    return removed_from_border_edge(values(Diamond{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g}));
   }
 
-  /*!
-  \brief moves a flat vertex among the faces about it (Eq. 8 of the course), see `moved_in_star()`.
-  \return whether it was done: refused if an area would not be positive, or a length be zero or
-  infinite
-  */
-  bool move_in_star(const Whole_star& s, double b, double c) {
-    Whole_star_values<FT> v;
-    for (std::size_t k = 0; k < s.faces.size(); ++k) {
-      v.spokes.push_back(squared_length_[s.spokes[k]]);
-      v.rim.push_back(squared_length_[s.rim[k]]);
-      v.areas.push_back(quadruple_area_[s.faces[k]]);
-    }
-    v = moved_in_star(v, FT(b), FT(c));
+  /// computes the values of a star whose vertex moves in it, see `moved_in_star()`; nothing if an
+  /// area would not be positive, or a length be zero or infinite
+  std::optional<Whole_star_values<FT>> moved_values(const Whole_star& s, double b, double c) const {
+    auto v = moved_in_star(gather(squared_length_, quadruple_area_, s), FT(b), FT(c));
     for (std::size_t k = 0; k < s.faces.size(); ++k)
-      if (!certainly(v.areas[k] > FT(0)) || !is_length(v.spokes[k])) return false;
+      if (!certainly(v.areas[k] > FT(0)) || !is_length(v.spokes[k])) return std::nullopt;
+    return v;
+  }
+  /// stores them.
+  void store_star(const Whole_star& s, Whole_star_values<FT>&& v) noexcept {
     for (std::size_t k = 0; k < s.faces.size(); ++k) {
-      squared_length_[s.spokes[k]] = v.spokes[k];
-      quadruple_area_[s.faces[k]] = v.areas[k];
+      squared_length_[s.spokes[k]] = std::move(v.spokes[k]);
+      quadruple_area_[s.faces[k]] = std::move(v.areas[k]);
     }
-    return true;
   }
 
   /// tells whether the area of a face is zero.
@@ -321,9 +321,9 @@ private:
     return certainly(squared > FT(0));
   }
 
-  static void store(std::vector<FT>& values, std::uint32_t i, const FT& value) {
-    if (i >= values.size()) values.resize(i + 1, FT(0));
-    values[i] = value;
+  // numbers of new elements have no gaps
+  static void store(std::vector<FT>& values, std::uint32_t i, FT&& value) noexcept {
+    i < values.size() ? void(values[i] = std::move(value)) : values.push_back(std::move(value));
   }
 
   int scale_exponent_ = 0;

@@ -108,7 +108,7 @@ public:
   std::optional<Flipped> compute_flip_to_zero_area(const Diamond& d) const;
 
   /// stores what `compute_flip()` returned for a diamond.
-  BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) {
+  BOOST_FORCEINLINE void store_flip(const Diamond& d, const Flipped& n) noexcept {
     store(d, n);
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }
@@ -122,10 +122,11 @@ public:
   one are stored
   \param values of its spokes and faces, narrow
   */
-  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values);
+  void insert_in_face(const Vertex_star& s, const Vertex_move_values<FT>& values) noexcept;
 
-  /// stores the values of a face from which a vertex is removed.
-  void remove_from_face(const Vertex_star& s);
+  /// returns the values that the removal of the vertex of a star makes, to be stored as those of a
+  /// flip of the diamond `without_vertex(s)`.
+  Flipped removed_values(const Vertex_star& s) const;
 
   /*!
   \brief stores the values at a vertex inserted on a border edge.
@@ -133,10 +134,10 @@ public:
   edge and face
   \param values those at the vertex as if it were in the face: of ip, jp, kp, and of ijp, jkp, kip
   */
-  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values);
+  void insert_in_border_edge(const Border_star& s, const Vertex_move_values<FT>& values) noexcept;
 
-  /// stores the values of a border edge and its face from which a vertex is removed.
-  void remove_from_border_edge(const Border_star& s);
+  /// returns the values that the removal of a vertex from the border makes; see above.
+  Flipped removed_values(const Border_star& s) const;
 
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }
@@ -144,9 +145,6 @@ public:
   Predicate_statistics& statistics() const { return statistics_; }
 
 private:
-  void forget_signs(const Vertex_star& s);
-  void forget_signs(const Border_star& s);
-
   int scale_exponent_ = 0;
   mutable Remembered_signs signs_; // of `Delaunay_expression`
   mutable Predicate_statistics statistics_;

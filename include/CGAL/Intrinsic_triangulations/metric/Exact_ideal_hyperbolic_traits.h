@@ -86,7 +86,7 @@ public:
     return Flipped{lambda, is_scaled() ? ptolemy_flip(unscaled_values(d), times) : lambda};
   }
   /// stores what `compute_flip()` returned for a diamond.
-  void store_flip(const Diamond& d, const Flipped& n) {
+  void store_flip(const Diamond& d, const Flipped& n) noexcept {
     store(d.ij, n);
     signs_.forget(std::array{d.ij, d.jk, d.ki, d.im, d.mj});
   }

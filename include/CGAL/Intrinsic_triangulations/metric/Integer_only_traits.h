@@ -56,7 +56,7 @@ public:
   /// computes nothing: flips of strictly convex diamonds are always done.
   static std::optional<Flipped> compute_flip(const Diamond&) { return Flipped(); }
   /// stores nothing.
-  void store_flip(const Diamond&, const Flipped&) {}
+  void store_flip(const Diamond&, const Flipped&) noexcept {}
 
   /// returns s, where coordinates are scaled by 2^s.
   int scale_exponent() const { return scale_exponent_; }

@@ -43,7 +43,7 @@ public:
     return known && known->sign == ZERO;
   }
   /// forgets the signs of edges.
-  void forget(std::span<const std::uint32_t> edges) {
+  void forget(std::span<const std::uint32_t> edges) noexcept {
     for (const std::uint32_t e : edges)
       if (e < codes_.size()) codes_[e] = unknown;
   }

@@ -25,6 +25,7 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -59,15 +60,35 @@ BOOST_FORCEINLINE Flip flip_record(typename boost::graph_traits<Mesh>::halfedge_
           diamond_of(h, mesh, number)};
 }
 
+// What a flip replaces in a correspondence that rounds its data; nothing in others.
+template <class Correspondence>
+struct Rounded_by {
+  struct Flipped {};
+};
+template <Remembers_rounded_flips Correspondence>
+struct Rounded_by<Correspondence> {
+  using Flipped = typename Correspondence::Flipped;
+};
+
+// What a flip replaces, from which it is taken back.
+template <class Triangulation>
+struct Before_flip {
+  typename Triangulation::Metric::Flipped values;
+  [[no_unique_address]]
+  typename Rounded_by<typename Triangulation::Correspondence>::Flipped rounded;
+};
+
 // The elementary moves of a triangulation. Each is planned: it makes its record, asks all
 // observers, which change nothing but caches, and computes the new values. Either may refuse. Then
-// it is made, and nothing is refused any more: connectivity, metric and observers follow. Moves
-// that take others back are not refused.
+// all make room for what is new. Until here exceptions, such as for memory that is exhausted, leave
+// everything as it was. Then the move is made, where nothing fails: connectivity, metric and
+// observers follow. So do moves that take others back.
 template <class Triangulation>
 class Mover {
   using Mesh = typename Triangulation::Mesh;
   using Graph_traits = boost::graph_traits<Mesh>;
   using Metric = typename Triangulation::Metric;
+  using Vertex = typename Graph_traits::vertex_descriptor;
   using Halfedge = typename Graph_traits::halfedge_descriptor;
   using Weights = std::array<double, 3>;
   using Wanted = std::optional<Surface_point>;
@@ -132,49 +153,63 @@ public:
   template <class Compute>
   BOOST_FORCEINLINE Move_status flip(Halfedge h, const Compute& compute_values) {
     const Flip move = flip_record(h, mesh_, number_);
-    const auto values = compute_values(move.diamond);
+    auto values = compute_values(move.diamond);
     if (!values) return Move_status::arithmetic;
     if (!ask(move)) return Move_status::crossings;
-    CGAL::Euler::flip_edge(h, mesh_);
-    metric_.store_flip(move.diamond, *values);
-    tell(move);
+    make_room(move);
+    make_flip(h, move, std::move(*values));
     return Move_status::done;
   }
 
+  Before_flip<Triangulation> before_flip(Halfedge h) const {
+    const Flip move = flip_record(h, mesh_, number_);
+    if constexpr (Remembers_rounded_flips<typename Triangulation::Correspondence>)
+      return {metric_.before_flip(move.diamond), t_.correspondence_.before_flip(move)};
+    else
+      return {metric_.before_flip(move.diamond), {}};
+  }
   // Takes back the flip of h, the last one; observers follow.
-  void undo_flip(Halfedge h, const typename Metric::Flipped& before) {
+  void undo_flip(Halfedge h, Before_flip<Triangulation>&& before) noexcept {
     Flip move = flip_record(h, mesh_, number_);
     move.km = move.ij ^ 1U;
-    ask(move, false);
     flip_edge_back(h, mesh_);
-    metric_.store_flip(move.diamond, before);
+    metric_.store_flip(move.diamond, std::move(before.values));
     tell(move);
+    if constexpr (Remembers_rounded_flips<typename Triangulation::Correspondence>)
+      t_.correspondence_.store_flip(move, before.rounded);
   }
 
-  // Not a move of the correspondence. Metrics allocate memory for the first factors only.
+  // Not a move of the correspondence. A copy is scaled, since memory may be exhausted.
   void scale_vertices(std::span<const double> factors,
                       std::span<const double> rests) requires Scales_vertices<Metric> {
     check_vertex_factors(factors, t_.number_of_vertices());
     [[maybe_unused]] const typename Metric::Scope scope;
-    metric_.set_factors(factors, rests);
+    Metric scaled = metric_;
+    scaled.set_factors(factors, rests);
     for (const typename Graph_traits::edge_descriptor e : edges(mesh_))
-      metric_.scale(t_.index(e), t_.input_vertex(source(e, mesh_)),
-                    t_.input_vertex(target(e, mesh_)));
+      scaled.scale(t_.index(e), t_.input_vertex(source(e, mesh_)),
+                   t_.input_vertex(target(e, mesh_)));
+    metric_ = std::move(scaled);
   }
 
   // \param place on the input, if known; the weights approximate it
-  Insertion insert(Halfedge h, const Weights& weights, const Wanted& place = {}) {
-    if (weights[2] != 0) return insert_in_face(h, weights, place);
-    if (!is_on_border(h)) return insert_on_edge(h, weights, place);
-    return make(h, Insertion_on_border{star_of_border_edge(h), weights[1], place}, weights[1]);
+  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
+    return insert(h, Insertion_in_face{star_of_face(h), weights, place}, weights);
   }
-
-  // Takes back what `insert()` of this object did last.
-  void undo_insertion(Halfedge h, const Weights& weights) {
-    const bool is_on_edge = weights[2] == 0;
-    if (is_on_edge && is_on_border(h)) return take_back(h, Removal_from_border{star_on_border(h)});
-    if (is_on_edge) undo_flip(h, *before_flip_);
-    take_back(h, Removal_from_face{star_of_vertex(h)});
+  // \param weights the last one is zero
+  Insertion insert_on_border(Halfedge h, const Weights& weights, const Wanted& place) {
+    return insert(h, Insertion_on_border{star_of_border_edge(h), weights[1], place}, weights[1]);
+  }
+  // the values of a side and its face, which an insertion there changes
+  typename Metric::Flipped before_insertion(Halfedge h) const {
+    return metric_.before_flip(without_vertex(star_of_face(h).edges_and_faces()));
+  }
+  // Takes back an insertion, the last move.
+  void undo_insertion_in_face(Halfedge h, typename Metric::Flipped&& before) noexcept {
+    make_removal(h, Removal_from_face{star_of_vertex(h)}, std::move(before));
+  }
+  void undo_insertion_on_border(Halfedge h, typename Metric::Flipped&& before) noexcept {
+    make_removal(h, Removal_from_border{star_on_border(h)}, std::move(before));
   }
 
   Move_status remove_from_face(Halfedge h) {
@@ -187,11 +222,19 @@ public:
   // whether a vertex can move within its star
   static constexpr bool moves_in_star =
       RepositioningCorrespondence<typename Triangulation::Correspondence, Triangulation> &&
-      requires(Metric & m, const Whole_star& star) { m.move_in_star(star, 0., 0.); };
+      requires(Metric & m, const Whole_star& star) {
+    m.store_star(star, *m.moved_values(star, 0., 0.));
+  };
   // of the source of the first spoke; edges and faces stay
   bool move_in_star(const Whole_star& star, const Move_in_star& move) requires(moves_in_star) {
-    if (!ask(move) || !metric_.move_in_star(star, move.weights[1], move.weights[2])) return false;
-    tell(move);
+    if (!ask(move)) return false;
+    auto values = metric_.moved_values(star, move.weights[1], move.weights[2]);
+    if (!values) return false;
+    make_room(move);
+    [&]() noexcept {
+      metric_.store_star(star, std::move(*values));
+      tell(move);
+    }();
     return true;
   }
 
@@ -199,13 +242,20 @@ private:
   // All are asked in their order; the first may complete the record of an insertion. They are
   // const: a refused move changes nothing.
   template <class Move>
-  BOOST_FORCEINLINE bool ask(Move& move, bool can_be_refused = true) const {
-    return t_.with_observers([&](const auto&... observers) {
-      return ((observers.before(t_, move) || !can_be_refused) && ...);
-    });
+  BOOST_FORCEINLINE bool ask(Move& move) const {
+    return t_.with_observers(
+        [&](const auto&... observers) { return (observers.before(t_, move) && ...); });
   }
   template <class Move>
-  BOOST_FORCEINLINE void tell(const Move& move) {
+  BOOST_FORCEINLINE void make_room(const Move& move) {
+    t_.with_observers([&](auto&... observers) { (observers.make_room(t_, move), ...); });
+    if constexpr (!std::is_same_v<Move, Flip> && !std::is_same_v<Move, Move_in_star>) {
+      metric_.make_room(number_.edge_capacity(mesh_) + 3, number_.face_capacity(mesh_) + 2);
+      number_.make_room(mesh_);
+    }
+  }
+  template <class Move>
+  BOOST_FORCEINLINE void tell(const Move& move) noexcept {
     t_.with_observers([&](auto&... observers) { (observers.after(t_, move), ...); });
   }
 
@@ -218,88 +268,63 @@ private:
       return metric_.inserted_values(star, where);
   }
 
-  Insertion insert_in_face(Halfedge h, const Weights& weights, const Wanted& place) {
-    return make(h, Insertion_in_face{star_of_face(h), weights, place}, weights);
-  }
   template <class Move, class Where>
-  Insertion make(Halfedge h, Move move, const Where& where) {
+  Insertion insert(Halfedge h, Move move, const Where& where) {
     if (!ask(move)) return {Move_status::not_traceable};
-    const auto values = values_of_insertion(move.edges_and_faces(), where);
+    auto values = values_of_insertion(move.edges_and_faces(), where);
     if (!values) return {Move_status::arithmetic};
-    before_insertion_ = metric_.before_flip(side_and_face(h));
-    Insertion result{Move_status::done};
-    if constexpr (std::is_same_v<Move, Insertion_in_face>) {
-      result.vertex = split_face(h, mesh_, number_);
-      static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
-      metric_.insert_in_face(move.edges_and_faces(), *values);
-    } else {
-      result.vertex = split_border_edge(h, mesh_, number_);
-      static_cast<Star_on_border&>(move) = star_on_border(h);
-      metric_.insert_in_border_edge(move.edges_and_faces(), *values);
-    }
-    tell(move);
-    return result;
+    make_room(move);
+    return {Move_status::done, make_insertion(h, move, std::move(*values))};
   }
-
   template <class Removal>
-  Move_status remove(Halfedge h, const Removal& move, bool can_be_refused = true) {
-    if (!ask(move, can_be_refused)) return Move_status::not_removable;
-    if constexpr (std::is_same_v<Removal, Removal_from_face>) {
-      metric_.remove_from_face(move.edges_and_faces());
-      remove_degree_3_vertex(h, mesh_, number_);
-    } else {
-      metric_.remove_from_border_edge(move.edges_and_faces());
-      remove_border_vertex(h, mesh_, number_);
-    }
-    tell(move);
+  Move_status remove(Halfedge h, const Removal& move) {
+    if (!ask(move)) return Move_status::not_removable;
+    typename Metric::Flipped values = metric_.removed_values(move.edges_and_faces());
+    make_room(move);
+    make_removal(h, move, std::move(values));
     return Move_status::done;
   }
 
-  // the last insertion
+  // ---- nothing fails here
+
+  BOOST_FORCEINLINE void make_flip(Halfedge h, const Flip& move,
+                                   typename Metric::Flipped&& values) noexcept {
+    CGAL::Euler::flip_edge(h, mesh_);
+    metric_.store_flip(move.diamond, std::move(values));
+    tell(move);
+  }
+  template <class Values>
+  Vertex make_insertion(Halfedge h, Insertion_in_face& move, Values&& values) noexcept {
+    const Vertex v = split_face(h, mesh_, number_);
+    static_cast<Star_of_vertex&>(move) = star_of_vertex(h);
+    metric_.insert_in_face(move.edges_and_faces(), std::move(values));
+    tell(move);
+    return v;
+  }
+  template <class Values>
+  Vertex make_insertion(Halfedge h, Insertion_on_border& move, Values&& values) noexcept {
+    const Vertex v = split_border_edge(h, mesh_, number_);
+    static_cast<Star_on_border&>(move) = star_on_border(h);
+    metric_.insert_in_border_edge(move.edges_and_faces(), std::move(values));
+    tell(move);
+    return v;
+  }
   template <class Removal>
-  void take_back(Halfedge h, const Removal& move) {
-    remove(h, move, false);
-    metric_.store_flip(side_and_face(h), *before_insertion_);
+  void make_removal(Halfedge h, const Removal& move, typename Metric::Flipped&& values) noexcept {
+    metric_.store_flip(without_vertex(move.edges_and_faces()), std::move(values));
+    if constexpr (std::is_same_v<Removal, Removal_from_face>)
+      remove_degree_3_vertex(h, mesh_, number_);
+    else
+      remove_border_vertex(h, mesh_, number_);
+    tell(move);
   }
 
-  // what an insertion changes of a face, as if an edge between two were flipped
-  Diamond side_and_face(Halfedge h) const {
-    const std::uint32_t e = number_.halfedge(h) / 2, f = face_number(h);
-    return {e, e, e, e, e, f, f};
-  }
-
-  // Whether the edge that a vertex was inserted on, or within rounding of, can be flipped.
-  bool is_convex(Halfedge h) const {
-    if constexpr (Has_enclosures<Metric>) {
-      const Diamond d = diamond_of(h, mesh_, number_);
-      return metric_.is_degenerate(d.f) || t_.is_flippable(d);
-    } else {
-      return true;
-    }
-  }
-
-  // a vertex in the face, at distance zero from the edge, which is flipped away
-  Insertion insert_on_edge(Halfedge h, const Weights& weights, const Wanted& place) {
-    const Insertion n = insert_in_face(h, weights, place);
-    if (n.status != Move_status::done) return n;
-    before_flip_ = metric_.before_flip(diamond_of(h, mesh_, number_));
-    const Move_status s = is_convex(h) ? flip(h) : Move_status::not_convex;
-    if (s == Move_status::done) return n;
-    take_back(h, Removal_from_face{star_of_vertex(h)});
-    return {s};
-  }
-
-  bool is_on_border(Halfedge h) const {
-    return face(opposite(h, mesh_), mesh_) == Graph_traits::null_face();
-  }
   std::uint32_t face_number(Halfedge h) const { return number_.face(face(h, mesh_)); }
 
   Triangulation& t_;
   Mesh& mesh_;
   Mesh_adaptor<Mesh>& number_;
   Metric& metric_;
-  // of the last insertion, to take it back: a side and its face, and the edge that the vertex is on
-  std::optional<typename Metric::Flipped> before_insertion_, before_flip_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

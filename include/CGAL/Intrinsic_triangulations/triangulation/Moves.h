@@ -44,6 +44,9 @@ struct Flip {
   std::uint32_t mj; ///< the halfedge from m to j
   std::uint32_t km; ///< the halfedge that runs from k to m afterwards: ij or its opposite
   Diamond diamond;  ///< the edges and faces, from which the metric reads
+
+  /// tells whether this takes the last flip of the edge back.
+  bool is_taken_back() const { return km != ij; }
 };
 
 /*!

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_inserter.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/remove_vertex.h>
 
@@ -24,6 +25,7 @@
 #include <array>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -170,22 +172,21 @@ public:
   /// flips a flippable edge. \pre `flip_status(h)` is `done`
   Move_status flip_convex_edge(halfedge_descriptor h) { return Mover(t_).flip_consistently(h); }
   /// The old values of a flip, see `undo_flip()`.
-  using Before_flip = typename Triangulation::Metric::Flipped;
+  using Before_flip = internal::Before_flip<Triangulation>;
   /// returns what a flip of an edge with two faces will replace.
   Before_flip before_flip(halfedge_descriptor h)
       const requires internal::Remembers_flips<typename Triangulation::Metric> {
-    return t_.metric().before_flip(t_.diamond(h));
+    return Mover(t_).before_flip(h);
   }
   /*!
-  \brief takes back a flip: restores connectivity, metric and correspondence, directions of
-  signposts up to rounding.
+  \brief takes back a flip, which cannot fail: restores connectivity, metric and correspondence.
   \param h the halfedge that was flipped
   \param before what `before_flip(h)` returned before that
   \pre all moves since have been taken back
   */
-  void undo_flip(halfedge_descriptor h, const Before_flip& before) requires
+  void undo_flip(halfedge_descriptor h, Before_flip before) noexcept requires
       internal::Remembers_flips<typename Triangulation::Metric> {
-    Mover(t_).undo_flip(h, before);
+    Mover(t_).undo_flip(h, std::move(before));
   }
   /// flips an edge that is not locally Delaunay and therefore flippable; if the metric stores
   /// nothing, rounding may have turned faces over: these are refused, so that algorithms end.
@@ -202,7 +203,7 @@ public:
   Insertion insert_vertex(halfedge_descriptor h, const std::array<double, 3>& weights) requires
       RefinableMetric<typename Triangulation::Metric> {
     const std::optional<Place> p = place(h, weights);
-    return p ? Mover(t_).insert(p->h, p->weights) : Insertion{Move_status::weights};
+    return p ? insert(*p) : Insertion{Move_status::weights};
   }
   /*!
   \brief inserts a vertex at a known place of the input, such as a copy of another place on a cover.
@@ -215,7 +216,7 @@ public:
                         const Surface_point& on_input) requires
       RefinableMetric<typename Triangulation::Metric> {
     const std::optional<Place> p = place(h, weights);
-    return p ? Mover(t_).insert(p->h, p->weights, on_input) : Insertion{Move_status::weights};
+    return p ? insert(*p, on_input) : Insertion{Move_status::weights};
   }
   /// see `Intrinsic_triangulation::split_edge()`
   Insertion split_edge(halfedge_descriptor h,
@@ -238,13 +239,13 @@ public:
     const std::optional<Place> p = place(h, weights);
     if (!p) return {Move_status::weights};
     if (move_in_star(v, *p)) return {Move_status::done, v};
-    Mover mover(t_);
-    const Insertion n = mover.insert(p->h, p->weights);
+    internal::Vertex_inserter<Triangulation> inserter(t_);
+    const Insertion n = inserter.insert(p->h, p->weights, std::nullopt);
     if (n.status != Move_status::done) return n;
     const Move_status s = remove_vertex(v);
-    if (s == Move_status::done) return n;
-    mover.undo_insertion(p->h, p->weights);
-    return {s};
+    if (s != Move_status::done) return {s};
+    inserter.keep();
+    return n;
   }
   /*!
   \brief flips the edge from a vertex with a straight angle, which leaves a face of zero area there.
@@ -282,10 +283,10 @@ public:
   \param values its squared length and the quadruple areas of its left and right face, in scaled
   units
   */
-  void correct_values(halfedge_descriptor h,
-                      const typename Triangulation::Metric::Flipped&
-                          values) requires(!Triangulation::Metric::is_exact) {
-    t_.metric_.store_flip(t_.diamond(h), values);
+  void correct_values(
+      halfedge_descriptor h,
+      typename Triangulation::Metric::Flipped values) requires(!Triangulation::Metric::is_exact) {
+    t_.metric_.store_flip(t_.diamond(h), std::move(values));
   }
 
 private:
@@ -302,6 +303,13 @@ private:
     while (p.weights[2] != 0 && (p.weights[0] == 0 || p.weights[1] == 0))
       p = {next(p.h, t_.mesh()), {p.weights[1], p.weights[2], p.weights[0]}};
     return p;
+  }
+
+  Insertion insert(const Place& p, const std::optional<Surface_point>& on_input = {}) {
+    internal::Vertex_inserter<Triangulation> inserter(t_);
+    const Insertion n = inserter.insert(p.h, p.weights, on_input);
+    if (n.status == Move_status::done) inserter.keep();
+    return n;
   }
 
   // Moves a vertex to a place in one of its faces from which all corners of its star are visible;

@@ -30,12 +30,25 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Is asked before a move, when it must not change, and follows it.
+// Is asked before a move, when it must not change, makes room for it, and follows it, which cannot
+// fail.
 template <class Correspondence, class Triangulation, class Move>
 concept Observes = requires(const Correspondence& asked, Correspondence& follows,
                             const Triangulation& t, const Move& move) {
   { asked.before(t, move) } -> std::same_as<bool>;
-  follows.after(t, move);
+  follows.make_room(t, move);
+  { follows.after(t, move) }
+  noexcept;
+};
+
+// Stores rounded data of edges, which come back exactly when a flip is taken back.
+template <class Correspondence>
+concept Remembers_rounded_flips = requires(const Correspondence& c, Correspondence& follows,
+                                           const Flip& move,
+                                           const typename Correspondence::Flipped& values) {
+  { c.before_flip(move) } -> std::same_as<typename Correspondence::Flipped>;
+  { follows.store_flip(move, values) }
+  noexcept;
 };
 
 } // namespace internal
@@ -71,8 +84,9 @@ template <class Correspondence, class Triangulation>
 constexpr void expect_correspondence() {
   static_assert(IntrinsicCorrespondence<Correspondence, Triangulation>,
                 "the third argument of Intrinsic_triangulation is a model of "
-                "IntrinsicCorrespondence: it has start(), and before() const and after() each of "
-                "the five moves; derive it from No_correspondence, which does nothing");
+                "IntrinsicCorrespondence: it has start(), and before() const, make_room() and "
+                "after() noexcept for each of the five moves; derive it from No_correspondence, "
+                "which does nothing");
 }
 
 // Has a mesh, and numbers for its edges.

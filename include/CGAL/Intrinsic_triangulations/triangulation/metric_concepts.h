@@ -20,6 +20,7 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 /*!
 \file
@@ -131,11 +132,12 @@ concept IntrinsicMetric =
     (internal::Decides_flips<Metric> || internal::Has_decider<Metric>)&&std::default_initializable<
         Metric>&& std::movable<Metric>&& std::default_initializable<typename Metric::Scope>&& std::
         constructible_from<Metric, const Gluing_map&, const Input_metric&>&& requires(
-            Metric& m, const Metric& c, const Diamond& d) {
+            Metric& m, const Metric& c, const Diamond& d, typename Metric::Flipped values) {
   typename Metric::FT;
   { Metric::is_exact } -> std::convertible_to<bool>;
   { c.compute_flip(d) } -> std::same_as<std::optional<typename Metric::Flipped>>;
-  m.store_flip(d, *c.compute_flip(d));
+  { m.store_flip(d, std::move(values)) }
+  noexcept;
   { c.scale_exponent() } -> std::same_as<int>;
 };
 
@@ -183,9 +185,13 @@ concept Measures_insertions = requires(const Metric& c, const Vertex_star& star,
 // Stores the values of an insertion.
 template <class Metric>
 concept Stores_insertions = requires(Metric& m, const Vertex_star& star, const Border_star& border,
-                                     const Vertex_move_values<typename Metric::FT>& values) {
-  m.insert_in_face(star, values);
-  m.insert_in_border_edge(border, values);
+                                     Vertex_move_values<typename Metric::FT> values,
+                                     std::uint32_t count) {
+  m.make_room(count, count);
+  { m.insert_in_face(star, std::move(values)) }
+  noexcept;
+  { m.insert_in_border_edge(border, std::move(values)) }
+  noexcept;
 };
 
 } // namespace internal
@@ -199,10 +205,10 @@ template <class Metric>
 concept RefinableMetric = EuclideanMetric<Metric> && internal::Remembers_flips<Metric> &&
     internal::Stores_insertions<Metric> &&
     (internal::Measures_insertions<Metric> ||
-     internal::Has_enclosures<Metric>)&&requires(Metric& m, const Vertex_star& star,
+     internal::Has_enclosures<Metric>)&&requires(const Metric& c, const Vertex_star& star,
                                                  const Border_star& border) {
-  m.remove_from_face(star);
-  m.remove_from_border_edge(border);
+  { c.removed_values(star) } -> std::same_as<typename Metric::Flipped>;
+  { c.removed_values(border) } -> std::same_as<typename Metric::Flipped>;
 };
 
 /*!

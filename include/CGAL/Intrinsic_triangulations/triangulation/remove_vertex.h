@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
 
 #include <CGAL/enum.h>
 
@@ -19,7 +20,6 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -41,7 +41,6 @@ template <class Triangulation>
 class Vertex_remover {
   using Mesh = typename Triangulation::Mesh;
   using Session = typename Triangulation::Session;
-  using Flipped = typename Session::Before_flip;
   using Traits = boost::graph_traits<Mesh>;
   using Vertex = typename Triangulation::vertex_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
@@ -49,6 +48,10 @@ class Vertex_remover {
 public:
   Vertex_remover(Triangulation& t, Session& session, Vertex v)
       : t_(t), session_(session), mesh_(t.mesh()), v_(v) {}
+  Vertex_remover(const Vertex_remover&) = delete;
+  Vertex_remover& operator=(const Vertex_remover&) = delete;
+  // takes flips back if the vertex was not removed
+  ~Vertex_remover() { log_.undo(session_); }
 
   Move_status remove() {
     find_edges();
@@ -57,21 +60,15 @@ public:
       if (edges_.size() == 3 && !has_loop()) break;
       if (flip_an_edge()) continue;
       const Halfedge straight = edges_.size() == 4 ? straight_edge() : Traits::null_halfedge();
-      if (straight == Traits::null_halfedge()) {
-        undo();
+      if (straight == Traits::null_halfedge() || log_.flip_by(session_, straight, [&] {
+            return session_.flip_to_zero_area(straight);
+          }) != Move_status::done)
         return Move_status::not_removable;
-      }
-      const Flipped before = session_.before_flip(straight);
-      if (session_.flip_to_zero_area(straight) != Move_status::done) {
-        undo();
-        return Move_status::not_removable;
-      }
-      undo_.emplace_back(straight, before);
     }
     const Move_status s = is_border_
                               ? session_.remove_border_vertex(opposite(edges_.front(), mesh_))
                               : session_.remove_degree_three_vertex(next(edges_.front(), mesh_));
-    if (s != Move_status::done) undo();
+    if (s == Move_status::done) log_.clear();
     return s;
   }
 
@@ -144,13 +141,12 @@ private:
       if (!Triangulation::Metric::is_exact && c.quality < doubtful_quality && edges_.size() == 4 &&
           !is_border_ && straight_edge() != Traits::null_halfedge())
         return false;
-      const Flipped before = session_.before_flip(c.edge);
       const std::array<Plane_vector<double>, 3> kmj = ear(c.edge);
+      // whether it is Delaunay or not: a zero area, up to rounding, is removed with the vertex
+      const auto flip = [&] { return session_.flip_non_delaunay_edge(c.edge); };
       if (session_.flip_status(c.edge) != Move_status::done ||
-          session_.flip_non_delaunay_edge(c.edge) != Move_status::done)
-        continue; // whether it is Delaunay or not: a zero area, up to rounding, is removed with the
-                  // vertex
-      undo_.emplace_back(c.edge, before);
+          log_.flip_by(session_, c.edge, flip) != Move_status::done)
+        continue;
       correct(c.edge, kmj);
       return true;
     }
@@ -226,11 +222,6 @@ private:
     }
   }
 
-  void undo() {
-    for (; !undo_.empty(); undo_.pop_back())
-      session_.undo_flip(undo_.back().first, undo_.back().second);
-  }
-
   // relative area that a face with a straight angle has by rounding after many moves
   static constexpr double straight_tolerance = 1e-7;
   static constexpr double doubtful_quality = 1e-9;
@@ -242,7 +233,7 @@ private:
   bool is_border_ = false;
   std::vector<Halfedge> edges_;
   std::vector<Candidate> candidates_;
-  std::vector<std::pair<Halfedge, Flipped>> undo_; // flips, and what they replaced
+  Flip_log<Triangulation> log_;
   std::vector<Place> places_;
 };
 

@@ -4,11 +4,22 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
 #include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+void Gluing_map::make_room() {
+  reserve_at_least(vertex_, vertex_.size() + 1);
+  reserve_at_least(halfedge_, halfedge_.size() + 6);
+  if (!reversed_.empty()) reserve_at_least(reversed_, reversed_.size() + 3);
+  reserve_at_least(face_, face_.size() + 2);
+  reserve_at_least(free_vertices_, free_vertices_.size() + 1);
+  reserve_at_least(free_edges_, free_edges_.size() + 3);
+  reserve_at_least(free_faces_, free_faces_.size() + 2);
+}
 
 Gluing_map::Edge Gluing_map::add_edge() {
   if (!free_edges_.empty()) {

@@ -27,7 +27,7 @@ std::uint32_t Flat_parts::part_of(const Input& input,
   return is_flat ? part_of_input_[first] : none;
 }
 
-void Flat_parts::find_part(const Input& input, std::uint32_t name) {
+void Flat_parts::find_part(const Input& input, std::uint32_t name) try {
   std::vector<std::uint32_t> stack{name};
   part_of_input_[name] = name;
   while (!stack.empty()) {
@@ -43,6 +43,9 @@ void Flat_parts::find_part(const Input& input, std::uint32_t name) {
       stack.push_back(g);
     }
   }
+} catch (...) { // memory is exhausted: a part is found as a whole or not at all
+  std::replace(part_of_input_.begin(), part_of_input_.end(), name, unknown);
+  throw;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
 #include <CGAL/number_utils.h>
 
@@ -53,8 +54,15 @@ bool Enclosed_values::is_narrow(const Indexed_face& face, double width) const {
                    width * std::max(f.quadruple_area.sup(), 0x1p-1000 * longest));
 }
 
+void Enclosed_values::make_room(std::uint32_t edges, std::uint32_t faces) {
+  reserve_at_least(squared_length_, edges);
+  reserve_at_least(length_, edges);
+  reserve_at_least(quadruple_area_, faces);
+  reserve_at_least(area_, faces);
+}
+
 void Enclosed_values::store(std::span<const std::uint32_t> edges,
-                            std::span<const std::uint32_t> faces, const New_values& n) {
+                            std::span<const std::uint32_t> faces, const New_values& n) noexcept {
   const auto& [enclosure, approximation] = n;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const std::uint32_t e = edges[k];

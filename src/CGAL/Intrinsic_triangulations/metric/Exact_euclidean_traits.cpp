@@ -15,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -57,43 +56,35 @@ Exact_euclidean_metric::compute_flip_to_zero_area(const Diamond& d) const {
 }
 
 void Exact_euclidean_metric::insert_in_face(const Vertex_star& s,
-                                            const Vertex_move_values<FT>& values) {
+                                            const Vertex_move_values<FT>& values) noexcept {
   store(s.spokes, s.faces, {values, internal::doubles_within(values)});
-  forget_signs(s);
-}
-
-void Exact_euclidean_metric::remove_from_face(const Vertex_star& s) {
-  const auto [f, g, h] = s.faces;
-  store({}, std::span(&f, 1),
-        {removed_from_face(quadruple_area(f), quadruple_area(g), quadruple_area(h)),
-         removed_from_face(approximate_quadruple_area(f), approximate_quadruple_area(g),
-                           approximate_quadruple_area(h))});
-  forget_signs(s);
-}
-
-void Exact_euclidean_metric::insert_in_border_edge(const Border_star& s,
-                                                   const Vertex_move_values<FT>& values) {
-  const auto& [l, a] = values;
-  const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
-  store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
-        {on_border, internal::doubles_within(on_border)});
-  forget_signs(s);
-}
-
-void Exact_euclidean_metric::remove_from_border_edge(const Border_star& s) {
-  const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
-  store(std::array{s.ip}, std::array{s.f},
-        {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))});
-  forget_signs(s);
-}
-
-void Exact_euclidean_metric::forget_signs(const Vertex_star& s) {
   signs_.forget(s.sides);
   signs_.forget(s.spokes);
 }
 
-void Exact_euclidean_metric::forget_signs(const Border_star& s) {
+Exact_euclidean_metric::Flipped Exact_euclidean_metric::removed_values(const Vertex_star& s) const {
+  const auto [f, g, h] = s.faces;
+  Flipped n = stored(without_vertex(s));
+  n.enclosure.area_f = quadruple_area(f) + quadruple_area(g) + quadruple_area(h);
+  n.approximation.area_f =
+      approximate_quadruple_area(f) + approximate_quadruple_area(g) + approximate_quadruple_area(h);
+  n.enclosure.area_g = n.enclosure.area_f;
+  n.approximation.area_g = n.approximation.area_f;
+  return n;
+}
+
+void Exact_euclidean_metric::insert_in_border_edge(const Border_star& s,
+                                                   const Vertex_move_values<FT>& values) noexcept {
+  const auto& [l, a] = values;
+  const Vertex_move_values<FT> on_border{{l[0], l[1], l[2]}, {a[2], a[1], FT(0)}};
+  store(std::array{s.ip, s.pj, s.pk}, std::array{s.f, s.g},
+        {on_border, internal::doubles_within(on_border)});
   signs_.forget(std::array{s.ip, s.pj, s.jk, s.ki, s.pk});
+}
+
+Exact_euclidean_metric::Flipped Exact_euclidean_metric::removed_values(const Border_star& s) const {
+  const Diamond d{s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g};
+  return {removed_from_border_edge(enclosure(d)), removed_from_border_edge(approximation(d))};
 }
 
 } // namespace CGAL::Intrinsic_triangulations

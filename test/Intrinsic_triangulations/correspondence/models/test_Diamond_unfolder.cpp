@@ -64,17 +64,17 @@ public:
   }
 
   template <class T>
-  void after(const T& t, const IT::Flip& move) {
+  void after(const T& t, const IT::Flip& move) noexcept {
     Integer_coordinates::after(t, move);
     const auto f = IT::flipped(values(move.diamond));
     length_[move.diamond.ij] = f.km;
-    const bool is_taken_back = move.km != move.ij;
+    const bool is_taken_back = move.is_taken_back();
     area_[move.diamond.f] = is_taken_back ? f.area_g : f.area_f;
     area_[move.diamond.g] = is_taken_back ? f.area_f : f.area_g;
   }
 
   template <class T>
-  void after(const T& t, const IT::Insertion_in_face& move) {
+  void after(const T& t, const IT::Insertion_in_face& move) noexcept {
     Integer_coordinates::after(t, move);
     Multiquadratic_number rest = area_.at(move.faces[0]);
     for (unsigned k = 0; k < 3; ++k) {
@@ -88,7 +88,7 @@ public:
   }
 
   template <class T>
-  void after(const T& t, const IT::Insertion_on_border& move) {
+  void after(const T& t, const IT::Insertion_on_border& move) noexcept {
     Integer_coordinates::after(t, move);
     const Multiquadratic_number whole = length_.at(move.ip / 2), area = area_.at(move.f);
     const Face ipk = store(t, move.ki), pjk = store(t, move.jk);
@@ -99,14 +99,14 @@ public:
   }
 
   template <class T>
-  void after(const T& t, const IT::Removal_from_face& move) {
+  void after(const T& t, const IT::Removal_from_face& move) noexcept {
     Integer_coordinates::after(t, move);
     const auto [f, g, h] = move.faces;
     area_[f] = area_.at(f) + area_.at(g) + area_.at(h);
   }
 
   template <class T>
-  void after(const T& t, const IT::Removal_from_border& move) {
+  void after(const T& t, const IT::Removal_from_border& move) noexcept {
     Integer_coordinates::after(t, move);
     const IT::Border_star s = move.edges_and_faces();
     length_[s.ip] = IT::flipped(values({s.pk, s.ki, s.ip, s.pj, s.jk, s.f, s.g})).km;

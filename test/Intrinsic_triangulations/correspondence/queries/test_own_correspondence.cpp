@@ -52,7 +52,11 @@ public:
     return coordinates_.before(t, move);
   }
   template <class Triangulation, class Move>
-  void after(const Triangulation& t, const Move& move) {
+  void make_room(const Triangulation& t, const Move& move) {
+    coordinates_.make_room(t, move);
+  }
+  template <class Triangulation, class Move>
+  void after(const Triangulation& t, const Move& move) noexcept {
     ++moves_;
     coordinates_.after(t, move);
   }

@@ -10,6 +10,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -21,6 +22,15 @@ namespace CGAL::Intrinsic_triangulations {
 template <class Mesh>
 class Indexed_mesh_adaptor {
 public:
+  /// makes room so that adding one vertex, three edges and two faces, or removing as many, cannot
+  /// fail. This function serves meshes that can reserve memory.
+  void make_room(Mesh& mesh) {
+    if constexpr (requires { mesh.make_room(); })
+      mesh.make_room();
+    else // powers of two: mostly there is nothing to do
+      mesh.reserve(std::bit_ceil(num_vertices(mesh) + 1U), std::bit_ceil(num_edges(mesh) + 3U),
+                   std::bit_ceil(num_faces(mesh) + 2U));
+  }
   /// numbers a vertex, an edge or a face that was added to the mesh.
   template <class Descriptor>
   void add(Descriptor, const Mesh&) {}

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_OPENMESH_ADAPTOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -86,6 +87,17 @@ public:
   Face face_at(std::uint32_t i) const { return Face(static_cast<int>(i)); }
   /// \endcond
 
+  /// makes room in the mesh, for marks of removed elements, and for their numbers.
+  void make_room(Mesh& mesh) {
+    Indexed_mesh_adaptor<Mesh>::make_room(mesh);
+    if (!mesh.has_vertex_status()) mesh.request_vertex_status();
+    if (!mesh.has_halfedge_status()) mesh.request_halfedge_status();
+    if (!mesh.has_edge_status()) mesh.request_edge_status();
+    if (!mesh.has_face_status()) mesh.request_face_status();
+    reserve_at_least(free_vertices_, free_vertices_.size() + 1);
+    reserve_at_least(free_edges_, free_edges_.size() + 3);
+    reserve_at_least(free_faces_, free_faces_.size() + 2);
+  }
   /// stores a vertex before its removal from the mesh.
   void remove(Vertex v, const Mesh&) { free_vertices_.push_back(v.idx()); }
   /// stores an edge before its removal from the mesh.

@@ -5,10 +5,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONNECTIVITY_ADAPTORS_POLYHEDRON_3_ADAPTOR_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -66,6 +68,12 @@ public:
   Halfedge halfedge_at(std::uint32_t i) const { return halfedges_.elements[i]; }
   Face face_at(std::uint32_t i) const { return faces_.elements[i]; }
 
+  // The elements themselves are allocated one by one: that may fail later, which ends the program.
+  void make_room(Mesh&) {
+    make_room(1, vertices_);
+    make_room(6, halfedges_);
+    make_room(2, faces_);
+  }
   void add(Vertex v, const Mesh&) { add(v, vertices_); }
   void add(Edge e, const Mesh& mesh) {
     Halfedge h = CGAL::halfedge(e, mesh);
@@ -95,6 +103,12 @@ private:
     std::vector<std::uint32_t> free;                       // numbers without an element
     std::unordered_map<const void*, std::uint32_t> number; // unless elements have ids
   };
+
+  template <class Descriptor>
+  static void make_room(std::size_t count, Numbering<Descriptor>& n) {
+    reserve_at_least(n.elements, n.elements.size() + count);
+    reserve_at_least(n.free, n.free.size() + count);
+  }
 
   void number(const Mesh& mesh) {
     for (const Vertex v : CGAL::vertices(mesh)) add(v, vertices_);

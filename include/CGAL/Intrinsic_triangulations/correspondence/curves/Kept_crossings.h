@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Edge_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/assertions.h>
@@ -47,7 +48,20 @@ public:
     return {l.size <= short_size ? l.data.data() : block(l), l.size};
   }
 
-  /// replaces a list. \pre `values` are not in another list \complexity linear in its length
+  /// makes room for `count` lists.
+  void make_room(std::size_t count) { reserve_at_least(lists_, count); }
+  /// makes room for new lists in place of old ones. \param sizes the lengths of the new ones
+  void make_room_for(const std::array<std::size_t, 3>& sizes) {
+    std::size_t all = blocks_.size();
+    for (const std::size_t size : sizes)
+      if (size > short_size)
+        all += std::size_t{unit} << block_class(static_cast<std::uint32_t>(size));
+    reserve_at_least(blocks_, all);
+  }
+
+  /// replaces a list; allocates no memory if there is room for the new one, or if it goes back to
+  /// what it was before the last change. \pre `values` are not in another list
+  /// \complexity linear in its length
   void assign(std::size_t i, std::span<const std::uint32_t> values) {
     List& l = lists_[i];
     const auto size = static_cast<std::uint32_t>(values.size());
@@ -215,6 +229,15 @@ public:
   */
   void announce(const Flip& move, const Corner_coordinates& f, const Corner_coordinates& g,
                 Normal_coordinate n_ki, Normal_coordinate n_im, std::uint32_t along);
+  /// makes room for the announced crossings, before they are stored.
+  void make_room() {
+    lists_.make_room_for({announced_[0].size(), announced_[1].size(), announced_[2].size()});
+  }
+  /// makes room for the crossings of so many edges, too.
+  void make_room(std::size_t number_of_edges) {
+    make_room();
+    lists_.make_room(number_of_edges);
+  }
   /// stores the announced crossings of a flip, whose new edge has `n` of them.
   void store(const Flip& move, Normal_coordinate n);
 
@@ -225,6 +248,8 @@ public:
   void store_spoke(unsigned k, std::uint32_t halfedge, Normal_coordinate n) {
     store(halfedge, n, announced_[k]);
   }
+  /// forgets crossings that need not be kept.
+  void forget();
 
   /// makes room for edges without crossings.
   void grow(std::size_t number_of_edges) { lists_.grow(number_of_edges); }

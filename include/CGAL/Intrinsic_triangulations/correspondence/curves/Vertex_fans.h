@@ -60,15 +60,19 @@ public:
     return to >= from ? to - from : f.size - (from - to);
   }
 
+  /// makes room for the fan of a vertex on an edge, or for the removal of one.
+  /// \complexity constant, amortized
+  void make_room();
   /*!
-  \brief adds the fan of a vertex on an edge.
+  \brief adds the fan of a vertex on an edge; allocates no memory if there is room for it.
   \param halfedge the input halfedge of which the first slot is a part; the other one runs the other
     way
   \return the first slot; the other one is the next number
   */
   std::uint32_t add_fan_on_edge(std::uint32_t halfedge);
 
-  /// removes a fan that `add_fan_on_edge()` added, of which `slot` is one slot.
+  /// removes a fan that `add_fan_on_edge()` added, of which `slot` is one slot; allocates no memory
+  /// if there is room.
   void remove_fan(std::uint32_t slot) { free_.push_back(fan_[slot].begin); }
 
 private:

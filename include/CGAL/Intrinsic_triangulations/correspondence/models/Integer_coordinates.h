@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -151,9 +152,21 @@ public:
   /// returns the normal coordinate of the new edge of the flip announced last.
   Normal_coordinate flipped_coordinate() const { return flipped_; }
 
-  /// follows a flip.
+  /// makes room for what a flip adds.
   template <class Triangulation>
-  void after(const Triangulation&, const Flip& move) {
+  void make_room(const Triangulation&, const Flip&) {
+    if (kept_) kept_.make_room();
+  }
+  /// makes room for what an insertion or a removal adds.
+  template <class Triangulation, class Move>
+  void make_room(const Triangulation& t, const Move&) {
+    make_room(t.numbers().vertex_capacity(t.mesh()) + 1, t.numbers().edge_capacity(t.mesh()) + 3);
+  }
+
+  /// follows a flip, or one that is taken back, which is not announced.
+  template <class Triangulation>
+  void after(const Triangulation& t, const Flip& move) noexcept {
+    if (move.is_taken_back()) announce_without_memory(t, move);
     normal_[move.ij / 2] = flipped_;
     update_roundabout(move.km, move.ki, move.im);
     update_roundabout(move.km ^ 1U, move.mj, move.jk);
@@ -169,20 +182,8 @@ public:
 
   /// follows the insertion of a vertex in a face.
   template <class Triangulation>
-  void after(const Triangulation&, const Insertion_in_face& move) {
-    const std::array<std::uint32_t, 3>& to = move.spokes;
-    for (const std::uint32_t s : to) grow(s);
-    set_location(move.vertex, insertion_.location);
-    for (unsigned k = 0; k < 3; ++k) {
-      normal_[to[k] / 2] = insertion_.normal[k];
-      roundabout_[to[k]] = insertion_.roundabout[k];
-      roundabout_[to[k] ^ 1U] = Gluing::none;
-      if (kept_) kept_.store_spoke(k, to[k], insertion_.normal[k]);
-    }
-    if (insertion_.along_side)
-      start_curves_on_side(move.sides[0], to);
-    else if (insertion_.region.is_on_curve)
-      start_curves_in_face(to);
+  void after(const Triangulation&, const Insertion_in_face& move) noexcept {
+    follow(move);
   }
 
   /// announces the insertion of a vertex on the border.
@@ -205,19 +206,8 @@ public:
 
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>
-  void after(const Triangulation&, const Insertion_on_border& move) {
-    const auto [ip, pk, pj] = std::array{move.ip, move.pk, move.pj};
-    for (const std::uint32_t s : {ip, pk, pj}) grow(s);
-    set_location(move.vertex, insertion_.location);
-    const std::uint32_t slot = fans_.add_fan_on_edge(insertion_.location.halfedge);
-    normal_[ip / 2] = normal_[pj / 2] = -1;
-    normal_[pk / 2] = insertion_.normal[2];
-    roundabout_[pk ^ 1U] = insertion_.roundabout[2];
-    roundabout_[pj ^ 1U] = roundabout_[ip ^ 1U];
-    roundabout_[pj] = slot;
-    roundabout_[pk] = roundabout_[ip ^ 1U] = slot + 1;
-    // parts of the border edge have no crossings
-    if (kept_) kept_.store_spoke(2, pk ^ 1U, insertion_.normal[2]);
+  void after(const Triangulation&, const Insertion_on_border& move) noexcept {
+    follow(move);
   }
 
   /// announces the removal of a vertex of degree three.
@@ -230,20 +220,8 @@ public:
 
   /// follows the removal of a vertex of degree three.
   template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_face& move) {
-    const std::array<std::uint32_t, 3>&to = move.spokes, &sides = move.sides;
-    for (unsigned k = 0; k < 3; ++k) {
-      const std::uint32_t a = to[k], b = to[(k + 1) % 3];
-      if (normal_[a / 2] >= 0 || normal_[b / 2] >= 0) continue;
-      // a and b are two parts of one straight curve, which the side between their ends lies on
-      normal_[sides[k] / 2] = -1;
-      roundabout_[sides[k]] = roundabout_[a];
-      roundabout_[sides[k] ^ 1U] = roundabout_[b];
-    }
-    if (roundabout_[to[0] ^ 1U] != Gluing::none) fans_.remove_fan(roundabout_[to[0] ^ 1U]);
-    for (const std::uint32_t s : to) normal_[s / 2] = 0;
-    if (kept_)
-      for (const std::uint32_t s : to) kept_.clear(s / 2);
+  void after(const Triangulation&, const Removal_from_face& move) noexcept {
+    follow(move);
   }
 
   /// announces the removal of a vertex from the border. \return as for a removal from a face
@@ -255,11 +233,8 @@ public:
 
   /// follows the removal of a vertex from the border.
   template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_border& move) {
-    fans_.remove_fan(roundabout_[move.pj]);
-    roundabout_[move.ip ^ 1U] = roundabout_[move.pj ^ 1U];
-    normal_[move.pj / 2] = normal_[move.pk / 2] = 0;
-    if (kept_) kept_.clear(move.pk / 2);
+  void after(const Triangulation&, const Removal_from_border& move) noexcept {
+    follow(move);
   }
 
 protected:
@@ -317,15 +292,26 @@ private:
     roundabout_[h] = turned(before, std::max(0, emanating));
   }
 
-  void grow(std::uint32_t halfedge) {
-    const std::size_t edges = halfedge / 2 + 1;
-    if (edges <= normal_.size()) return;
-    normal_.resize(edges);
-    roundabout_.resize(2 * edges, Gluing::none);
-    if (kept_) kept_.grow(edges);
+  // The flip leads back to where the coordinates were in bounds, and crossings that must be kept
+  // find the memory that they had there. Others are a cache: they go if memory is exhausted.
+  template <class Triangulation>
+  void announce_without_memory(const Triangulation& t, const Flip& move) noexcept {
+    try {
+      before(t, move);
+      make_room(t, move);
+    } catch (const std::bad_alloc&) {
+      kept_.forget();
+    }
   }
 
+  void make_room(std::uint32_t vertices, std::uint32_t edges);
+  void grow(std::uint32_t halfedge);
   void set_location(std::uint32_t vertex, const Surface_point& location);
+
+  void follow(const Insertion_in_face& move);
+  void follow(const Insertion_on_border& move);
+  void follow(const Removal_from_face& move);
+  void follow(const Removal_from_border& move);
 
   // The new vertex cuts the curve along side ij: ij itself, which goes on to bound a face on the
   // other side, is no longer on a curve.

@@ -25,9 +25,12 @@ struct No_correspondence {
   bool before(const Triangulation&, const Move&) const {
     return true;
   }
+  /// is called before a move that nobody refuses.
+  template <class Triangulation, class Move>
+  void make_room(const Triangulation&, const Move&) {}
   /// is called after a move.
   template <class Triangulation, class Move>
-  void after(const Triangulation&, const Move&) {}
+  void after(const Triangulation&, const Move&) noexcept {}
 };
 
 } // namespace CGAL::Intrinsic_triangulations

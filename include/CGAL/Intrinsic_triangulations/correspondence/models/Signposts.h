@@ -18,10 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -40,7 +42,19 @@ then paths start and end there.
 \cgalModels{IntrinsicCorrespondence}
 */
 class Signposts {
+  // Fans from number_of_fans() on: those of inserted vertices, two each, one more on the border.
+  struct Signpost {
+    double angle;
+    std::uint32_t fan;
+  };
+
 public:
+  /// What a flip replaces, see `store_flip()`.
+  struct Flipped {
+    std::array<Signpost, 2> signposts;     ///< of the halfedge and its opposite
+    std::array<std::uint32_t, 2> outgoing; ///< of their fans; none at an inserted vertex
+  };
+
   /// Name of the representation in programs.
   static constexpr const char* name = "signposts";
 
@@ -48,16 +62,7 @@ public:
   /// \complexity linear
   template <class Triangulation>
   void start(const Triangulation& t) {
-    input_ = t.shared_input();
-    frames_ = std::make_shared<const Tangent_frames>(*input_);
-    location_.clear();
-    signpost_.resize(input_->number_of_halfedges());
-    outgoing_.resize(frames_->number_of_fans());
-    for (std::uint32_t h = 0; h < signpost_.size(); ++h) {
-      signpost_[h] = {frames_->cone_angle(h), frames_->fan_of(h)};
-    }
-    for (std::uint32_t f = 0; f < outgoing_.size(); ++f)
-      outgoing_[f] = frames_->halfedge(frames_->fan(f).begin);
+    start_on(t.shared_input());
   }
 
   /// returns the input.
@@ -95,12 +100,7 @@ public:
   /// starts a geodesic on the input from the source of an intrinsic halfedge.
   /// \param h the halfedge
   /// \param turn the angle from it to the geodesic, counterclockwise
-  internal::Geodesic_walk<Input> walk(std::uint32_t h, double turn = 0) const {
-    const std::uint32_t f = signpost_[h].fan, fans = number_of_fans();
-    const double a = reduced(f, signpost_[h].angle + turn);
-    if (f < fans) return {*input_, frames_->corner(f, a)};
-    return {*input_, location_[(f - fans) / 2], {std::cos(a), std::sin(a)}};
-  }
+  internal::Geodesic_walk<Input> walk(std::uint32_t h, double turn = 0) const;
 
   /*!
   \brief finds a direction at a vertex of the input among the intrinsic halfedges.
@@ -139,15 +139,26 @@ public:
     return true;
   }
 
+  /// makes room for what an insertion adds; a flip adds nothing.
+  template <class Triangulation, class Move>
+  void make_room(const Triangulation& t, const Move&) {
+    if constexpr (!std::is_same_v<Move, Flip>)
+      make_room(t.numbers().vertex_capacity(t.mesh()) + 1, t.numbers().edge_capacity(t.mesh()) + 3);
+  }
+
   /// follows a flip.
   template <class Triangulation>
-  void after(const Triangulation& t, const Flip& move) {
+  void after(const Triangulation& t, const Flip& move) noexcept {
     leave(move.ij, move.im);
     leave(move.ij ^ 1U, move.jk);
     const Intrinsic_view<Triangulation> view(t);
     set_next(view, move.ki);
     set_next(view, move.mj);
   }
+  /// returns what a flip replaces.
+  Flipped before_flip(const Flip& move) const;
+  /// puts it back when the flip is taken back: directions found anew would differ by rounding.
+  void store_flip(const Flip& move, const Flipped& values) noexcept;
 
   /// announces the insertion of a vertex in a face.
   /// \return whether the place on the input was found
@@ -174,7 +185,7 @@ public:
 
   /// follows the insertion of a vertex in a face.
   template <class Triangulation>
-  void after(const Triangulation& t, const Insertion_in_face& move) {
+  void after(const Triangulation& t, const Insertion_in_face& move) noexcept {
     const Intrinsic_view<Triangulation> view(t);
     const auto spoke = [&](unsigned k) { return move.spokes[(seen_.corner + k) % 3] ^ 1U; };
     for (const std::uint32_t s : move.spokes) grow(s);
@@ -199,7 +210,7 @@ public:
 
   /// follows it: the directions of all edges at the vertex, from both ends.
   template <class Triangulation>
-  void after(const Triangulation& t, const Move_in_star& move) {
+  void after(const Triangulation& t, const Move_in_star& move) noexcept {
     const Intrinsic_view<Triangulation> view(t);
     location_[move.vertex - input_->number_of_vertices()] = inserted_;
     Signpost& first = signpost_[move.spoke];
@@ -232,7 +243,7 @@ public:
 
   /// follows the insertion of a vertex on the border.
   template <class Triangulation>
-  void after(const Triangulation& t, const Insertion_on_border& move) {
+  void after(const Triangulation& t, const Insertion_on_border& move) noexcept {
     const Intrinsic_view<Triangulation> view(t);
     const auto [ip, pk, pj] = std::array{move.ip, move.pk, move.pj};
     for (const std::uint32_t s : {pk, pj}) grow(s);
@@ -252,23 +263,20 @@ public:
 
   /// follows the removal of a vertex of degree three.
   template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_face& move) {
+  void after(const Triangulation&, const Removal_from_face& move) noexcept {
     for (std::size_t k = 0; k < 3; ++k) leave(move.spokes[k], move.sides[k]);
   }
 
   /// follows the removal of a vertex from the border.
   template <class Triangulation>
-  void after(const Triangulation&, const Removal_from_border& move) {
+  void after(const Triangulation&, const Removal_from_border& move) noexcept {
     leave(move.pk ^ 1U, move.ki);
     signpost_[move.ip ^ 1U] = signpost_[move.pj ^ 1U];
   }
 
 private:
-  // Fans from number_of_fans() on: those of inserted vertices, two each, one more on the border.
-  struct Signpost {
-    double angle;
-    std::uint32_t fan;
-  };
+  void start_on(std::shared_ptr<const Input> input);
+  void make_room(std::uint32_t vertices, std::uint32_t edges);
 
   std::uint32_t number_of_fans() const {
     return static_cast<std::uint32_t>(frames_->number_of_fans());
@@ -307,21 +315,11 @@ private:
     if ((h | 1U) >= signpost_.size()) signpost_.resize((h | 1U) + std::size_t{1});
   }
 
-  std::uint32_t add_location(std::uint32_t vertex, bool is_on_border) {
-    const std::uint32_t i = vertex - input_->number_of_vertices();
-    if (i >= location_.size()) location_.resize(i + std::size_t{1});
-    location_[i] = inserted_;
-    return number_of_fans() + 2 * i + (is_on_border ? 1 : 0);
-  }
+  std::uint32_t add_location(std::uint32_t vertex, bool is_on_border);
 
   // the point between two vertices on an input halfedge
   Surface_point point_between(std::uint32_t h, std::uint32_t source, std::uint32_t target,
-                              double parameter) const {
-    const double from = parameter_on_halfedge(*this, source, h, true),
-                 to = parameter_on_halfedge(*this, target, h, false);
-    const double x = from + parameter * (to - from);
-    return {h, {1 - x, x, 0}};
-  }
+                              double parameter) const;
 
   // the point of an intrinsic halfedge, if that runs along an input edge
   template <class View>

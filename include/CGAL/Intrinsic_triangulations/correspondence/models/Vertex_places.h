@@ -115,15 +115,27 @@ public:
     return true;
   }
   template <class Move>
-  void after(const Triangulation& t, const Move& move) {
-    if constexpr (!std::is_same_v<Move, Flip>) {
-      are_all_flips_ = false;
+  void make_room(const Triangulation& t, const Move& move) {
+    if constexpr (std::is_same_v<Move, Flip>) {
+      if (are_all_flips_) flips_.make_room(move.ij);
+    } else if (!are_all_flips_ && !were_all_flips_) {
       flips_.clear();
-    } else if (are_all_flips_) {
-      if (move.km == move.ij)
-        flips_.add(move.ij);
+    }
+    if (own_) own_->make_room(t, move);
+  }
+  template <class Move>
+  void after(const Triangulation& t, const Move& move) noexcept {
+    if constexpr (std::is_same_v<Move, Flip>) {
+      if (!are_all_flips_)
+        were_all_flips_ = false;
+      else if (move.is_taken_back())
+        flips_.forget_last();
       else
-        flips_.forget_last(); // it is taken back
+        flips_.add(move.ij);
+    } else { // the removal that follows the first insertion takes it back
+      constexpr bool is_removal = std::derived_from<Move, Removal_from_face> ||
+                                  std::derived_from<Move, Removal_from_border>;
+      were_all_flips_ = std::exchange(are_all_flips_, is_removal && were_all_flips_) && !is_removal;
     }
     if (own_) own_->after(t, move);
   }
@@ -160,7 +172,8 @@ private:
   void repeat_flips(const Triangulation& t) const;
 
   Flip_list flips_;
-  bool are_all_flips_ = true; // that ever were
+  bool are_all_flips_ = true;   // that ever were
+  bool were_all_flips_ = false; // before the last move, which was an insertion
   // mutable: a cache of the list, until they define the vertices
   mutable std::optional<Integer_coordinates> own_;
   mutable bool can_count_ = true;
@@ -170,22 +183,22 @@ private:
 template <class Triangulation>
 void Vertex_places<Triangulation>::repeat_flips(const Triangulation& t) const {
   Gluing_map mesh = flips_.input_mesh(connectivity(t), t.input());
-  own_.emplace();
-  own_->start(
+  Integer_coordinates coordinates;
+  coordinates.start(
       Started{is_defined_by_metric(t)
                   ? std::shared_ptr<const Input>(t.shared_input(), t.input().surface())
                   : std::make_shared<const Input>(mesh, t.input().metric(), t.input().names())});
   const Mesh_adaptor<Gluing_map> numbers(mesh);
   for (std::size_t n = 0; n < flips_.size(); ++n) {
     const Flip move = flip_record(flips_[n], mesh, numbers);
-    if (!own_->before(mesh, move)) {
-      own_.reset();
+    if (!coordinates.before(mesh, move)) {
       can_count_ = false;
       return;
     }
     CGAL::Euler::flip_edge(flips_[n], mesh);
-    own_->after(mesh, move);
+    coordinates.after(mesh, move);
   }
+  own_ = std::move(coordinates);
 }
 
 // Other metrics are defined by moves; one that stores nothing by the correspondence alone.

@@ -26,22 +26,26 @@ face of the input.
 class Flip_list {
 public:
   /// returns the number of flips.
-  std::size_t size() const { return halfedges_.size(); }
+  std::size_t size() const { return size_; }
   /// returns the halfedge that flip `n` turned clockwise.
   Gluing_map::Halfedge operator[](std::size_t n) const { return {halfedges_[n]}; }
   /// tells whether an edge was ever flipped.
   bool contains(std::uint32_t edge) const { return edge < is_flipped_.size() && is_flipped_[edge]; }
-  /// adds a flip.
-  void add(std::uint32_t halfedge) {
-    halfedges_.push_back(halfedge);
+  /// makes room for a flip. \complexity constant, amortized
+  void make_room(std::uint32_t halfedge) {
+    if (size_ == halfedges_.size()) halfedges_.resize(2 * size_ + 64);
     const std::size_t edge = halfedge / 2;
     if (edge >= is_flipped_.size()) is_flipped_.resize(edge + edge / 2 + 1);
-    is_flipped_[edge] = true;
+  }
+  /// adds a flip. \pre there is room for it
+  void add(std::uint32_t halfedge) noexcept {
+    halfedges_[size_++] = halfedge;
+    is_flipped_[halfedge / 2] = true;
   }
   /// forgets the last flip.
-  void forget_last() { halfedges_.pop_back(); }
+  void forget_last() noexcept { --size_; }
   /// forgets all flips.
-  void clear() { *this = {}; }
+  void clear() noexcept { *this = {}; }
 
   /*!
   \brief returns the connectivity before the flips.
@@ -69,7 +73,8 @@ public:
                                          const Input_definition& input);
 
 private:
-  std::vector<std::uint32_t> halfedges_;
+  std::vector<std::uint32_t> halfedges_; // and room for more
+  std::size_t size_ = 0;
   std::vector<bool> is_flipped_; // by edge; of a flip that was taken back, too
 };
 

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_SEGMENTS_SEGMENT_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
@@ -47,42 +48,6 @@ struct Shortening_result {
     refused_flips += r.refused_flips;
     return *this;
   }
-};
-
-/*!
-\brief flips edges and can take the flips back, at a cost linear in the flips.
-\tparam Triangulation a model of `IntrinsicTriangulation` whose sessions take flips back
-*/
-template <IntrinsicTriangulation Triangulation>
-  requires requires { typename Triangulation::Session::Before_flip; }
-class Flip_log {
-public:
-  /// Halfedge of the mesh.
-  using halfedge_descriptor = typename Triangulation::halfedge_descriptor;
-  /// Makes the moves.
-  using Session = typename Triangulation::Session;
-
-  /// flips an edge, see `Intrinsic_triangulation::flip_edge()`.
-  Move_status flip_edge(Session& session, halfedge_descriptor h) {
-    const Move_status possible = session.flip_status(h);
-    if (possible != Move_status::done) return possible;
-    typename Session::Before_flip before = session.before_flip(h);
-    const Move_status s = session.flip_convex_edge(h);
-    if (s == Move_status::done) flips_.emplace_back(h, std::move(before));
-    return s;
-  }
-  /// returns the number of flips.
-  std::size_t size() const { return flips_.size(); }
-  /// keeps the flips: they can no longer be taken back.
-  void clear() { flips_.clear(); }
-  /// takes all flips back, the last one first. \pre nothing else has moved since the first one
-  void undo(Session& session) {
-    for (; !flips_.empty(); flips_.pop_back())
-      session.undo_flip(flips_.back().first, flips_.back().second);
-  }
-
-private:
-  std::vector<std::pair<halfedge_descriptor, typename Session::Before_flip>> flips_;
 };
 
 namespace internal {

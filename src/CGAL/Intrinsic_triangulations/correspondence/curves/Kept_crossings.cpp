@@ -29,7 +29,11 @@ void Kept_crossings::keep_always(const Edge_crossings& all) {
 }
 
 void Kept_crossings::forget_beyond(std::size_t edges, Normal_coordinate more) {
-  if (is_decided_ || size_ + static_cast<std::size_t>(more) <= 2 * most_per_edge * edges) return;
+  if (size_ + static_cast<std::size_t>(more) > 2 * most_per_edge * edges) forget();
+}
+
+void Kept_crossings::forget() {
+  if (is_decided_) return;
   lists_ = {};
   size_ = 0;
   are_kept_ = false;
@@ -44,6 +48,7 @@ void Kept_crossings::announce(const Flip& move, const Corner_coordinates& f,
   // they are last on ki and first on im. Between ki and im the curves from i cross: to jk, along
   // ij, to mj.
   announced_[0].clear();
+  announced_[0].reserve(lists_[move.ij / 2].size()); // so that to take it back allocates no memory
   const Appender append{lists_, announced_[0]};
   append(move.ki, 0, n_ki - std::min(f.cutting[0], g.cutting[1] + g.emanating[2]));
   append(move.jk ^ 1U, f.cutting[2], f.cutting[2] + f.emanating[0]);

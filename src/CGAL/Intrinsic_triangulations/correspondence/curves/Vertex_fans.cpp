@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/reserve_at_least.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <cstdint>
@@ -18,6 +19,12 @@ Vertex_fans::Vertex_fans(const Input& input) : slot_(input.number_of_halfedges()
     if (input.is_border(h ^ 1U)) add_fan(input, h);
   for (std::uint32_t h = 0; h < slot_.size(); ++h)
     if (slot_[h] == Gluing::none) add_fan(input, h);
+}
+
+void Vertex_fans::make_room() {
+  reserve_at_least(halfedge_, halfedge_.size() + 2);
+  reserve_at_least(fan_, fan_.size() + 2);
+  reserve_at_least(free_, free_.size() + 1);
 }
 
 std::uint32_t Vertex_fans::add_fan_on_edge(std::uint32_t halfedge) {
