@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrays that users give, checked, and matrices that they get."""
 
+import os
 from reprlib import repr as shortened
 
 import numpy as np
@@ -12,6 +13,29 @@ def expect_word(x, name, words):
     if not isinstance(x, str) or x not in words:
         offered = ", ".join(f'"{word}"' for word in words)
         raise ValueError(f"{name}={shortened(x)} does not exist; give {offered}")
+
+
+def is_single(x):
+    """Tells whether something is one element: no sequence, and no array with axes."""
+    return not isinstance(x, (list, tuple)) and np.ndim(x) == 0
+
+
+def flag(x, name):
+    """Returns a bool. Words are not taken: "no" would be true."""
+    if isinstance(x, (bool, np.bool_)) or type(x) is int and x in (0, 1):
+        return bool(x)
+    raise ValueError(f"{name} is {shortened(x)}; give True or False")
+
+
+def file_name(x, name="path"):
+    """Returns the name of a file, as text or as bytes."""
+    try:
+        path = os.fspath(x)
+    except TypeError:
+        raise TypeError(f"{name} is {shortened(x)}; give the name of a file") from None
+    if not path:
+        raise ValueError(f"{name} is empty; give the name of a file")
+    return path
 
 
 def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
@@ -43,14 +67,16 @@ def whole(x, name, wanted="a whole number that is not negative", least=0, most=2
 
 
 def sequence(x, name, wanted):
-    """Returns a list of the elements of something."""
+    """Returns a list of the elements of something that is no text."""
     try:
-        return list(x)
+        if not isinstance(x, (str, bytes)):
+            return list(x)
+        raise TypeError
     except TypeError:
         raise TypeError(f"{name} is {shortened(x)}; give {wanted}") from None
 
 
-def _array(x, name, kind):
+def array(x, name, kind):
     """Returns an array, of numbers of a kind if its elements are objects that can be these."""
     try:
         a = np.asarray(x)
@@ -68,21 +94,24 @@ def refuse_first(a, bad, name, remedy):
     """Raises ValueError about the first element of an array that is bad, if there is one."""
     if bad.any():
         at = tuple(int(i) for i in np.argwhere(bad)[0])
-        raise ValueError(f"{name}[{', '.join(map(str, at))}] is {a[at]}; {remedy}")
+        where = f"[{', '.join(map(str, at))}]" if at else ""
+        raise ValueError(f"{name}{where} is {a[at]}; {remedy}")
 
 
-def numbers(x, name, shape=None):
+def numbers(x, name, shape=None, may_be_infinite=False):
     """Returns finite numbers of any type as a C-contiguous array of doubles.
 
-    `shape` is a tuple, in which None stands for any size.
+    `shape` is a tuple, in which None stands for any size. With `may_be_infinite`, numbers may be
+    infinite, or NaN.
     """
-    a = _array(x, name, np.float64)
+    a = array(x, name, np.float64)
     if a.dtype.kind not in "iufb":
         raise ValueError(f"{name} has no real numbers but {a.dtype}; give an array of numbers")
     if shape is not None:
         expect_shape(a, name, shape)
-    a = np.ascontiguousarray(a, dtype=np.float64)
-    refuse_first(a, ~np.isfinite(a), name, "give finite numbers")
+    a = np.asarray(a, dtype=np.float64, order="C")  # keeps single numbers single
+    if not may_be_infinite:
+        refuse_first(a, ~np.isfinite(a), name, "give finite numbers")
     return a
 
 
@@ -100,7 +129,7 @@ def indices(x, name, shape=None, count=None):
 
     `count` says how many elements there are, whose numbers they are.
     """
-    a = _array(x, name, np.int64)
+    a = array(x, name, np.int64)
     if a.size == 0 and a.dtype.kind == "f":
         a = a.astype(np.int64)
     if a.dtype.kind == "f":
@@ -112,7 +141,7 @@ def indices(x, name, shape=None, count=None):
         expect_shape(a, name, shape)
     if a.dtype == np.uint64 and a.size and a.max() > 2**62:
         raise ValueError(f"{name} has the number {a.max()}, which no element has")
-    a = np.ascontiguousarray(a, dtype=np.int64)
+    a = np.asarray(a, dtype=np.int64, order="C")
     if count is not None:
         refuse_first(a, (a < 0) | (a >= count), name, f"give numbers from 0 to {count - 1}")
     return a
@@ -140,7 +169,8 @@ def polygons(x, name, count):
     if is_array:
         corners = indices(a, name, count=count)
         return corners.ravel(), np.arange(len(corners) + 1) * corners.shape[1]
-    faces = [indices(face, f"{name}[{i}]", (None,), count) for i, face in enumerate(x)]
+    faces = [indices(face, f"{name}[{i}]", (None,), count)
+             for i, face in enumerate(sequence(x, name, "an array or a list of faces"))]
     begins = np.zeros(len(faces) + 1, dtype=np.int64)
     np.cumsum([len(face) for face in faces], out=begins[1:])
     return np.concatenate([np.zeros(0, dtype=np.int64), *faces]), begins

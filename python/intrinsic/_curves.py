@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Cut, Network
-from ._points import is_point
+from ._points import expect_one, is_point, joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -56,8 +56,11 @@ class _Curves:
         >>> s.path(0, 2).length
         1.4142135623730951
         """
-        points = [a, *([through] if is_point(through) else through), b]
-        return self.network([points], waypoints=waypoints, method=method, progress=progress)[0]
+        expect_one(a, "a")
+        expect_one(b, "b")
+        places = joined(*(self._places(x, name)
+                          for name, x in (("a", a), ("through", through), ("b", b))))
+        return self._network([(places, False)], waypoints, method, False, progress)[0]
 
     def loop(self, points: Places, *, waypoints: bool = False, method: CurveMethod = "exact",
              progress: Progress = None) -> Curve:
@@ -67,8 +70,8 @@ class _Curves:
         A loop that goes around nothing shrinks to a point: its status is "contracted". On soups,
         loops stay on the double cover. See `path()` for the options.
         """
-        return self.network((), [points], waypoints=waypoints, method=method,
-                            progress=progress)[0]
+        loop = self._curve_through(points, "points", 3), True
+        return self._network([loop], waypoints, method, False, progress)[0]
 
     def network(self, paths: Iterable[Places] = (), loops: Iterable[Places] = (), *,
                 waypoints: bool = False, method: CurveMethod = "exact", certify: bool = False,
@@ -81,17 +84,23 @@ class _Curves:
         all curves are geodesic: on soups, shortest paths within the faces, where `obstacle` says
         what could not be proven; other curves on the double cover.
         """
-        options = _is_shortest(method), bool(waypoints), bool(certify)
-        curves = []
-        for kind, lists, least in ("paths", paths, 2), ("loops", loops, 3):
-            for i, points in enumerate(_arrays.sequence(lists, kind, "a sequence of curves")):
-                places = self._places(points, f"{kind}[{i}]")
-                if len(places[0]) < least:
-                    raise ValueError(f"{kind}[{i}] has {len(places[0])} points; give {least} at "
-                                     "least")
-                curves.append((places, kind == "loops"))
+        curves = [(self._curve_through(points, f"{kind}[{i}]", least), kind == "loops")
+                  for kind, lists, least in (("paths", paths, 2), ("loops", loops, 3))
+                  for i, points in
+                  enumerate(_arrays.sequence(lists, kind, "a sequence of curves"))]
         if not curves:
             raise ValueError("a network needs a curve; give paths or loops")
+        return self._network(curves, waypoints, method, certify, progress)
+
+    def _curve_through(self, points, name, least):
+        places = self._places(points, name)
+        if len(places[0]) < least:
+            raise ValueError(f"{name} has {len(places[0])} points; give {least} at least")
+        return places
+
+    def _network(self, curves, waypoints, method, certify, progress):
+        options = (_is_shortest(method), _arrays.flag(waypoints, "waypoints"),
+                   _arrays.flag(certify, "certify"))
         return Network(_core.curves(self._core, curves, *options, progress))
 
     def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
@@ -106,8 +115,7 @@ class _Curves:
         >>> s.trace(0, [1, 0.5, 0], 0.5).points[-1]
         array([0.4472136, 0.2236068, 0.       ])
         """
-        if not is_point(p):
-            raise ValueError("give one point to start from")
+        expect_one(p, "p")
         far = _arrays.not_negative(length, "length")
         direction = _direction(direction)
         core = self._flipped() if isinstance(direction, complex) else self._core
@@ -126,9 +134,8 @@ class _Curves:
         >>> round(line.length, 12)
         0.707106781187
         """
-        values = np.ascontiguousarray(u, dtype=np.float64)
-        _arrays.expect_shape(values, "u", (self._core.number_of_vertices,))
-        if np.ndim(levels) == 0:
+        values = _arrays.numbers(u, "u", (self._core.number_of_vertices,), may_be_infinite=True)
+        if _arrays.is_single(levels):
             count = _arrays.whole(levels, "levels", "a number from 1 to 10000, or an array", 1,
                                   10000)
             levels = _core.even_levels(values, count)

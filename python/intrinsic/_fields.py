@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Network
-from ._points import Point, is_point
+from ._points import Point, expect_one, is_point
 
 if TYPE_CHECKING:
     from typing import Any, Literal
@@ -111,7 +111,7 @@ class Frames:
     def to_space(self, z: ArrayLike) -> Numbers:
         """Takes a vector at each vertex, complex of shape (n,) or real of shape (n, 2), to space:
         of shape (n, 3), each in a face at its vertex, and as long as it was. NaN stays."""
-        z = np.asarray(z)
+        z = _arrays.array(z, "z", np.complex128)
         if z.ndim == 1 and z.dtype.kind in "ciuf":
             z = np.column_stack([z.real, z.imag])
         _arrays.expect_shape(z, "z", (self._surface.number_of_vertices, 2))
@@ -173,12 +173,24 @@ def _degree(x):
     return _arrays.whole(x, "degree", "the number of directions at a vertex, from 1 to 999", 1, 999)
 
 
+def _pair(fixed):
+    """Returns points and vectors."""
+    wanted = "a pair of points and vectors"
+    pair = _arrays.sequence(fixed, "fixed", wanted)
+    if len(pair) != 2 or isinstance(fixed, Point):
+        raise ValueError(f"fixed is {_arrays.shortened(fixed)}; give {wanted}")
+    return pair
+
+
 def _curves(curves, places, count):
     """Returns what `_core` has of a `Curve`, arrays of places, or an array of vertices, for each
     curve; `places` makes arrays of points."""
+    wanted = "a Curve, or lists of points"
     if isinstance(curves, (Curve, Network)):
         curves = [curves]
-    curves = _arrays.sequence(curves, "curves", "a Curve, or lists of vertices")
+    if isinstance(curves, Point):
+        raise ValueError(f"curves is one point; give {wanted}")
+    curves = _arrays.sequence(curves, "curves", wanted)
     if curves and all(is_point(c) and not isinstance(c, Curve) for c in curves):
         curves = [curves]
     result = []
@@ -186,7 +198,9 @@ def _curves(curves, places, count):
         if isinstance(c, (Curve, Network)):
             result += [curve._way for curve in (c if isinstance(c, Network) else [c])]
             continue
-        if any(isinstance(p, Point) for p in c):
+        if is_point(c):
+            raise ValueError(f"curves[{i}] is one point; give {wanted}")
+        if isinstance(c, (list, tuple)) and any(isinstance(p, Point) for p in c):
             result.append(places(c, f"curves[{i}]"))
         else:
             result.append(_arrays.indices(c, f"curves[{i}]", (None,), count=count))
@@ -220,8 +234,9 @@ class _Fields:
         many points; `time_factor` is its time in squares of the mean edge). Clouds of points have
         the method "affine".
         """
-        if not is_point(p):
-            raise ValueError("p has several points; a logarithmic map has one")
+        expect_one(p, "p")
+        if method is not None:
+            _arrays.expect_word(method, "method", ("exact", "affine", "polar"))
         return _core.log_map(self._flipped(), self._places(p, "p"), method or "",
                              _arrays.number(time_factor, "time_factor"),
                              _arrays.distance(max_distance, "max_distance"),
@@ -270,7 +285,7 @@ class _Fields:
         pair of vertices and directions there, as for `transport()`.
         """
         core = self._flipped()
-        points, vectors = fixed if fixed is not None else ([], np.zeros((0, 2)))
+        points, vectors = _pair(fixed) if fixed is not None else ([], np.zeros((0, 2)))
         vectors = _arrays.numbers(vectors, "fixed[1]")
         if vectors.ndim == 1 and vectors.size:
             vectors = vectors[None, :]

@@ -149,25 +149,21 @@ def _angle(x, name):
             angle = Fraction(int(found[1] or 1), over * below) if over * below else None
             if angle:
                 return 0.0, angle.numerator, angle.denominator
-        raise ValueError(f'{name} is "{x}"; give radians, "free", or a multiple of pi such as '
-                         '"3/2 pi"')
-    radians = float(x)
-    if not (np.isnan(radians) or 0 < radians < np.inf):
-        raise ValueError(f"{name} is {x}; give a positive angle in radians")
-    return radians, 0, 0
+    wanted = 'positive radians, "free", or a multiple of pi such as "3/2 pi"'
+    return _arrays.number(x, name, wanted, lambda x: np.isnan(x) or 0 < x < np.inf), 0, 0
 
 
-def _angle_arrays(angles, vertices):
+def _angle_arrays(angles, name, vertices):
     """Returns rows, radians, numerators and denominators."""
     if angles is None:
         angles = {}
     elif not isinstance(angles, dict):
-        listed = _arrays.sequence(angles, "angles", "an angle for each vertex, or a dict")
+        listed = _arrays.sequence(angles, name, "an angle for each vertex, or a dict")
         if len(listed) != vertices:
-            raise ValueError(f"angles has {len(listed)} angles; give one for each of {vertices} "
+            raise ValueError(f"{name} has {len(listed)} angles; give one for each of {vertices} "
                              "vertices")
         angles = dict(enumerate(listed))
-    rows = _arrays.indices(list(angles), "the vertices of angles", (None,), count=vertices)
+    rows = _arrays.indices(list(angles), f"{name}.keys()", (None,), count=vertices)
     parts = [_angle(x, f"the angle of vertex {v}") for v, x in angles.items()]
     radians, over, below = zip(*parts) if parts else ((), (), ())
     return (rows, np.array(radians, dtype=float), np.array(over, dtype=np.int64),
@@ -250,8 +246,8 @@ class _Maps:
             if count < 0 or target == "disk":
                 raise ValueError(f"cones is {count}; give a number of cones of a flat surface, or "
                                  "a dict")
-        arrays = _angle_arrays(cones if isinstance(cones, dict) else angles,
-                               core.number_of_input_vertices)
+        given = (cones, "cones") if isinstance(cones, dict) else (angles, "angles")
+        arrays = _angle_arrays(*given, core.number_of_input_vertices)
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
                                              progress))
 

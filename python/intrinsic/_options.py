@@ -12,6 +12,7 @@ _WORDS = {
     "mollification": ("automatic", "none", "lengths", "squared"),
     "polygons": ("fan", "planar"),
 }
+FILE_DOMAINS = *_WORDS["domain"], "points"
 
 
 def expect(**options):
@@ -22,7 +23,7 @@ def expect(**options):
 
 def expect_correspondence(x):
     """Checks a correspondence: the module has one of those that the library has."""
-    if x in ("signposts", "crossings"):
+    if isinstance(x, str) and x in ("signposts", "crossings"):
         raise ValueError(f'correspondence="{x}" exists in C++ and in the program, `intrinsic '
                          f'delaunay --correspondence {x}`; give "integer" in Python')
     _arrays.expect_word(x, "correspondence", ("integer",))
@@ -34,13 +35,17 @@ def minimum_angle(x):
                           lambda x: 0 <= x < 60)
 
 
-def kept(keep):
-    """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None."""
+def kept(keep, vertices):
+    """Returns pairs of vertices, and the angle from which edges are sharp, of which one is None.
+
+    `vertices` is how many there are.
+    """
     if keep is None:
         return None, None
-    if np.ndim(keep) == 0:
-        return None, float(_arrays.numbers(keep, "keep", ()))
-    return _arrays.indices(keep, "keep", (None, 2)), None
+    if _arrays.is_single(keep):
+        return None, _arrays.number(keep, "keep", "pairs of vertices, or an angle in degrees",
+                                    np.isfinite)
+    return _arrays.indices(keep, "keep", (None, 2), vertices), None
 
 
 def abstract_arrays(V, F, lengths, glue):
@@ -49,8 +54,8 @@ def abstract_arrays(V, F, lengths, glue):
     points = None
     if V is None:
         vertices = int(faces.max()) + 1 if faces.size else 0
-    elif np.ndim(V) == 0:
-        vertices = int(_arrays.indices(V, "V", ()))
+    elif _arrays.is_single(V):
+        vertices = _arrays.whole(V, "V", "points, or how many vertices there are")
     else:
         points = _arrays.points(V, "V")
         vertices = len(points)

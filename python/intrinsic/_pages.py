@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from . import _core
+from . import _arrays, _core
 
 if TYPE_CHECKING:
     from typing import Any
@@ -17,16 +17,18 @@ if TYPE_CHECKING:
 class _Pages:
     def html(self, *, megabytes: float = 30) -> str:
         """Returns a page for browsers that shows the triangulation on the surface."""
-        return _core.page(self._core, megabytes)
+        return _core.page(self._core, _arrays.number(megabytes, "megabytes"))
 
     def show(self, path: Path | None = None, *, open_browser: bool = True) -> str:
         """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
         import tempfile
         import webbrowser
 
+        open_browser = _arrays.flag(open_browser, "open_browser")
         if path is None:
             handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
             os.close(handle)
+        path = _arrays.file_name(path)
         with open(path, "w", encoding="utf-8") as page:
             page.write(self.html())
         if open_browser:

@@ -23,7 +23,13 @@ class Point(NamedTuple):
 
 def is_point(x):
     """Tells whether something is one point: the number of a vertex, or a `Point`."""
-    return isinstance(x, Point) or not isinstance(x, (list, tuple)) and np.ndim(x) == 0
+    return isinstance(x, Point) or _arrays.is_single(x)
+
+
+def expect_one(x, name):
+    """Checks that something is one point."""
+    if not is_point(x):
+        raise ValueError(f"{name} has several points; give one")
 
 
 def place_arrays(points, name, vertices, faces):
@@ -33,20 +39,27 @@ def place_arrays(points, name, vertices, faces):
     that is a vertex has the face -1, and one in a face the vertex -1. `vertices` and `faces` are
     how many there are.
     """
-    if is_point(points):
-        points = [points]
+    if isinstance(points, Point):
+        return _mixed_places([(name, points)], vertices, faces)
     if isinstance(points, (list, tuple)) and any(isinstance(p, Point) for p in points):
-        return _mixed_places(points, name, vertices, faces)
-    vertex = np.atleast_1d(_arrays.indices(points, name, (None,), count=vertices))
+        named = [(f"{name}[{i}]", p) for i, p in enumerate(points)]
+        return _mixed_places(named, vertices, faces)
+    shape = () if _arrays.is_single(points) else (None,)
+    vertex = np.atleast_1d(_arrays.indices(points, name, shape, count=vertices))
     return np.full(len(vertex), -1), np.zeros((len(vertex), 3)), vertex
 
 
-def _mixed_places(points, name, vertices, faces):
+def joined(*parts):
+    """Returns the places of several results of `place_arrays()` in one."""
+    return tuple(np.concatenate(arrays) for arrays in zip(*parts))
+
+
+def _mixed_places(points, vertices, faces):
+    """Returns the arrays of points and their names."""
     face = np.full(len(points), -1)
     vertex = np.full(len(points), -1)
     weights = np.zeros((len(points), 3))
-    for i, p in enumerate(points):
-        here = f"{name}[{i}]"
+    for i, (here, p) in enumerate(points):
         if isinstance(p, Point):
             face[i] = _index(p.face, here + ".face", faces)
             weights[i] = _weights(p.barycentric, here + ".barycentric")

@@ -27,13 +27,12 @@ def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | No
     Options are those of `Surface`; `domain` may also be "points", which ignores faces, with
     `neighbors` of each point.
     """
-    given = {"domain": domain, "arithmetic": arithmetic, "mollification": mollification}
-    left_out = {"domain": "points", "arithmetic": None, "mollification": None}
-    _options.expect(polygons=polygons,
-                    **{name: x for name, x in given.items() if x != left_out[name]})
+    optional = {"arithmetic": arithmetic, "mollification": mollification}
+    _arrays.expect_word(domain, "domain", _options.FILE_DOMAINS)
+    _options.expect(polygons=polygons, **{name: x for name, x in optional.items() if x is not None})
     if neighbors is not None:
         neighbors = _neighbors(neighbors)
-    path = os.fspath(path)
+    path = _arrays.file_name(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"{path} does not exist")
     return Surface._of(_core.read(path, domain, arithmetic, mollification, polygons, neighbors,

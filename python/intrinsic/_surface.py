@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 from typing import TYPE_CHECKING
 
@@ -114,7 +113,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
             progress: called about ten times in a second with what is being done and a number, such
                 as ("flipping to Delaunay", 1234). What it raises ends the work, as Ctrl-C does.
         """
-        return Surface._of(_core.delaunay(self._core, *_options.kept(keep), progress))
+        return Surface._of(_core.delaunay(self._core, *self._kept(keep), progress))
 
     def refine(self, *, min_angle: float = 25, size: ArrayLike | None = None,
                max_circumradius: float | None = None, max_insertions: int | None = None,
@@ -138,7 +137,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         """
         _arrays.expect_word(order, "order", ("first-come", "largest-first", "worst-first"))
         sizes, longest = None, size
-        if size is not None and np.ndim(size) > 0:
+        if size is not None and not _arrays.is_single(size):
             sizes, longest = _arrays.numbers(size, "size", (self.number_of_input_vertices,)), None
             if len(sizes) and not sizes.min() > 0:
                 raise ValueError(f"size[{sizes.argmin()}] is {sizes.min()}; give positive lengths")
@@ -151,7 +150,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         odt = 0. if odt_length is None else _arrays.not_negative(odt_length, "odt_length")
         return Surface._of(_core.refine(self._core, _options.minimum_angle(min_angle), sizes,
                                         longest, max_circumradius, max_insertions, order,
-                                        bool(conforming), *_options.kept(keep), odt, progress))
+                                        _arrays.flag(conforming, "conforming"),
+                                        *self._kept(keep), odt, progress))
 
     def adapt(self, source: int = 0, *, heat_time: float = 0, tolerance: float = 0.01,
               max_vertices: int = 100000, min_angle: float = 25, keep: ArrayLike | None = None,
@@ -173,7 +173,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
             self._core, source, _arrays.not_negative(heat_time, "heat_time"),
             _arrays.not_negative(tolerance, "tolerance"),
             _arrays.whole(max_vertices, "max_vertices"), _options.minimum_angle(min_angle),
-            *_options.kept(keep), progress))
+            *self._kept(keep), progress))
+
+    def _kept(self, keep):
+        return _options.kept(keep, self.number_of_input_vertices)
 
     # ---- The triangulation ----------------------------------------------------------------------
 
@@ -312,7 +315,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     def save(self, path: Path) -> None:
         """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it."""
-        _core.save(self._core, os.fspath(path))
+        _core.save(self._core, _arrays.file_name(path))
 
     def __reduce__(self):
         return Surface._of, (self._core,)

@@ -106,6 +106,10 @@ template <>
 struct type_caster<python::Watch> {
   PYBIND11_TYPE_CASTER(python::Watch, const_name("object"));
   bool load(handle progress, bool) {
+    if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0)
+      throw value_error("progress is " +
+                        str(module_::import("reprlib").attr("repr")(progress)).cast<std::string>() +
+                        "; give a function, or None");
     value = python::Watch(reinterpret_borrow<object>(progress));
     return true;
   }

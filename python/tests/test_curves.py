@@ -382,9 +382,9 @@ class Arguments(unittest.TestCase):
         V, F = unit_grid(2)
         s = it.Surface(V, F)
         for call, words in [
-                (lambda: s.path(0, 9), "paths"), (lambda: s.path(0, 0), "follows itself"),
+                (lambda: s.path(0, 9), "^b is 9"), (lambda: s.path(0, 0), "follows itself"),
                 (lambda: s.path(0, 1, method="exactly"), "method"),
-                (lambda: s.loop([0, 1]), "loops.* 2 points"), (lambda: s.network(), "curve"),
+                (lambda: s.loop([0, 1]), "^points has 2 points"), (lambda: s.network(), "curve"),
                 (lambda: s.network([[0]]), "paths"),
                 (lambda: s.cut(it.Surface(*unit_grid(9)).path(0, 99)), r"curves\[0\].*another"),
                 (lambda: s.trace(0, [0, 0, 0], 1), "direction"),
