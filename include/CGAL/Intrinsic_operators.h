@@ -40,6 +40,7 @@ Spectra: `CGAL/Intrinsic_operators/solvers/eigenpairs.h`.
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/map_to_plane.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>

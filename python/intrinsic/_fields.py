@@ -237,7 +237,7 @@ class _Fields:
         expect_one(p, "p")
         if method is not None:
             _arrays.expect_word(method, "method", ("exact", "affine", "polar"))
-        return _core.log_map(self._flipped(), self._places(p, "p"), method or "",
+        return _core.log_map(self._flipped(), self._places(p, "p"), method,
                              _arrays.number(time_factor, "time_factor"),
                              _arrays.distance(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)

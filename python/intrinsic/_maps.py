@@ -192,19 +192,16 @@ class _Maps:
         if start is not None:
             raise ValueError(f'start="{start}" is of conformal maps; give it with '
                              'method="conformal"')
-        if self._is_cloud():
-            if method != "spectral":
-                raise ValueError('for a cloud of points only method="spectral" works')
-            uv = _core.map_of_points(self._core, self._cloud_neighbors(), progress)
-            return PlaneMap(self, uv, "done", None, None, 0, 0)
-        surface, original = self._cut_open(cut, progress)
-        core = _core.copy(surface._flipped()) if method == "harmonic" else surface._flipped()
-        uv, *found = _core.parametrize(core, method, progress)
-        changed = type(self)._of(core) if found[-1] else surface
-        result = PlaneMap(changed, uv, *found)
+        is_cloud = self._is_cloud()
+        surface, original = (self, None) if is_cloud else self._cut_open(cut, progress)
+        core = self._core if is_cloud else surface._flipped()
+        if method == "harmonic":
+            core = _core.copy(core)
+        *found, inserted, is_injective = _core.parametrize(core, method, self._cloud_neighbors(),
+                                                           progress)
+        result = PlaneMap(type(self)._of(core) if inserted else surface, *found, inserted)
         result.original_vertex = original
-        if _core.sheets(core) == 1:
-            result.injective_on_input = _core.is_injective_on_input(core, uv)
+        result.injective_on_input = is_injective
         return result
 
     def _conformal_map_of_disk(self, cut, start, progress):

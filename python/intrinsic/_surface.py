@@ -7,8 +7,6 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from . import _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
 from ._curves import _Curves
 from ._distances import _Distances

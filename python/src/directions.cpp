@@ -39,28 +39,14 @@ py::tuple connection_laplacian(Surface& s, int degree) {
 
 // ---- Direction fields --------------------------------------------------------------------------
 
-IT::Found_directions directions(Surface& s, int degree, const std::optional<double>& strength,
-                                const IT::Given_vectors& fixed, std::size_t neighbors,
-                                Watch& watch) {
-  return with_triangulation(s, watch, [&](auto& t) {
-    auto& find = vectors_on(s, t);
-    if (strength && find.is_cloud())
-      refuse("align needs curvature, which a cloud of points does not have; leave it out");
-    if (strength && degree % 2 != 0)
-      refuse(
-          "directions of curvature have no sign; with align, give an even degree: 2 for lines, 4 "
-          "for crosses");
-    if (strength && s.points.empty())
-      refuse("a surface with lengths alone has no directions of curvature; leave align out");
-    return find.directions(degree, strength, fixed, vector_options(1, neighbors, watch));
-  });
-}
-
 py::tuple direction_field(Surface& s, int degree, const std::optional<double>& strength,
                           const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
                           Watch& watch) {
-  IT::Found_directions found = directions(
-      s, degree, strength, given_vectors(places_of(s, places), vectors), neighbors, watch);
+  const IT::Given_vectors fixed = given_vectors(places_of(s, places), vectors);
+  const IT::Vector_options options = vector_options(1, neighbors, watch);
+  IT::Found_directions found = with_triangulation(s, watch, [&](auto& t) {
+    return vectors_on(s, t).directions(degree, strength, fixed, options);
+  });
   const IT::Input& input = input_of(s);
   std::vector<std::int64_t> faces; // the user's, at centres of singular faces
   std::vector<Point> weights, points;

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,25 +31,20 @@ namespace {
 
 // ---- Logarithmic maps --------------------------------------------------------------------------
 
-IT::Logarithm_method logarithm_method(const std::string& method) {
-  if (method.empty() || method == "exact") return IT::Logarithm_method::exact;
-  if (method == "affine") return IT::Logarithm_method::affine;
-  if (method == "polar") return IT::Logarithm_method::polar;
-  refuse("method=\"" + method + "\" does not exist; give \"exact\", \"affine\" or \"polar\"");
-}
-
-py::array_t<double> log_map(Surface& s, const Place_arrays& place, const std::string& method,
-                            double time_factor, double maximum_distance, std::size_t neighbors,
-                            Watch& watch) {
+// \param method "exact", "affine" or "polar", or none
+py::array_t<double> log_map(Surface& s, const Place_arrays& place,
+                            const std::optional<std::string>& method, double time_factor,
+                            double maximum_distance, std::size_t neighbors, Watch& watch) {
   const Place p = places_of(s, place).at(0);
   IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   options.maximum_distance = maximum_distance;
   return array_of(with_triangulation(s, watch, [&](auto& t) {
     auto& find = vectors_on(s, t);
-    if (find.is_cloud() && !method.empty() && method != "affine")
-      refuse("logarithmic maps of points are found by affine heat; leave out method=\"" + method +
-             "\"");
-    return coordinates_of(find.logarithms(p, logarithm_method(method), options));
+    const IT::Logarithm_method by = !method              ? find.usual_method()
+                                    : *method == "exact" ? IT::Logarithm_method::exact
+                                    : *method == "polar" ? IT::Logarithm_method::polar
+                                                         : IT::Logarithm_method::affine;
+    return coordinates_of(find.logarithms(p, by, options));
   }));
 }
 

@@ -9,11 +9,10 @@
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/map_to_plane.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
-#include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
@@ -26,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,35 +65,22 @@ IT::Map_method method_of(const std::string& name) {
 }
 
 // The surface may be refined.
-py::tuple parametrize(Surface& s, const std::string& method, Watch& watch) {
-  IT::Map_distortion distortion;
-  Watching visitor{&watch, method == "harmonic" ? "rounds" : "solutions"};
-  IT::Injective_map map = with_triangulation(s, watch, [&](auto& t) {
-    IT::Injective_map result =
-        IT::parametrize(t, method_of(method), IT::parameters::visitor(std::ref(visitor)));
-    if (result.status == IT::Status::cancelled) return result;
-    distortion = IT::measure_distortion(t, result.uv);
+py::tuple parametrize(Surface& s, const std::string& method, std::size_t neighbors, Watch& watch) {
+  IT::Map_options options;
+  options.method = method_of(method);
+  options.neighbors = neighbors;
+  const char* const stage = options.method == IT::Map_method::harmonic ? "rounds" : "solutions";
+  options.progress = [&](std::uint64_t count) { return watch(stage, count); };
+  IT::Map_to_plane map = with_triangulation(s, watch, [&](auto& t) {
+    IT::Map_to_plane result = IT::map_to_plane(t, s.points, options);
     if (result.inserted > 0) s.cache.clear(); // it was of the surface before
     return result;
   });
+  const bool has_faces = map.has_faces();
   return py::make_tuple(array_of(std::move(map.uv)), IT::name_of(map.status),
-                        dict_of(map.certificate), dict_of(distortion), map.rounds, map.inserted);
-}
-
-py::array_t<double> map_of_points(Surface& s, std::size_t neighbors, Watch& watch) {
-  Watching visitor{&watch, "solutions"};
-  return array_of(with_triangulation(s, watch, [&](auto& t) {
-    return IT::conformal_map_of_points(IT::points_of_rows(t, s.points), neighbors,
-                                       IT::parameters::visitor(std::ref(visitor)));
-  }));
-}
-
-// Certifies a map that is linear on the triangles of the mesh.
-bool is_injective_on_input(Surface& s, const Doubles& uv) {
-  expect_columns(uv, 2, "uv");
-  const Eigen::MatrixX2d given = matrix_of(uv);
-  return with_triangulation(
-      s, [&](auto& t) { return IT::certify_map(t.input(), given).is_injective(); });
+                        has_faces ? py::object(dict_of(map.certificate)) : py::none(),
+                        has_faces ? py::object(dict_of(*map.distortion)) : py::none(), map.rounds,
+                        map.inserted, map.is_injective_on_input);
 }
 
 // ---- The surface before its first move ---------------------------------------------------------
@@ -125,23 +110,18 @@ py::tuple input_triangles(Surface& s) {
 
 // ---- Surfaces that are cut open ----------------------------------------------------------------
 
-// Marks edges by their ends. \throws Invalid_input naming one that does not exist, or is not alone
-std::vector<char> marks_of(const IT::Gluing_map& mesh, const Integers& edges) {
-  std::map<std::array<std::int64_t, 2>, std::vector<std::uint32_t>> edges_of;
-  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
-    const std::int64_t i = mesh.source({2 * e}).index, j = mesh.source({2 * e + 1}).index;
-    edges_of[{std::min(i, j), std::max(i, j)}].push_back(e);
-  }
-  std::vector<char> marks(mesh.number_of_edges(), 0);
-  const std::int64_t* const ends = edges.data();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(edges.size()) / 2; ++k) {
-    const std::int64_t i = ends[2 * k], j = ends[2 * k + 1];
-    const std::vector<std::uint32_t>& found = edges_of[{std::min(i, j), std::max(i, j)}];
-    if (found.empty())
-      refuse("cut[" + std::to_string(k) + "]: no edge joins the vertices " + std::to_string(i) +
-             " and " + std::to_string(j) + "; give edges of the mesh");
-    for (const std::uint32_t e : found) marks[e] = 1; // sides of a fan share their ends, too
-  }
+// Marks edges by their ends. \throws Invalid_input naming one that does not exist
+std::vector<char> marks_of(const IT::Intrinsic_input& sheet, const Integers& edges) {
+  IT::Input_edges find(sheet);
+  std::vector<char> marks = find.no_marks();
+  const auto count = static_cast<std::size_t>(edges.size());
+  const std::vector<std::uint32_t> ends =
+      numbers_of(edges, sheet.mesh.number_of_vertices(), "vertex");
+  for (std::size_t k = 0; k < count; k += 2)
+    if (!find.mark(ends[k], ends[k + 1], marks))
+      refuse("cut[" + std::to_string(k / 2) + "]: no edge joins the vertices " +
+             std::to_string(ends[k]) + " and " + std::to_string(ends[k + 1]) +
+             "; give edges of the mesh");
   return marks;
 }
 
@@ -153,7 +133,7 @@ py::tuple cut_open(Surface& s, const std::optional<Integers>& edges, Watch& watc
     is_exact = std::remove_cvref_t<decltype(t)>::Metric::is_exact;
     const IT::Intrinsic_input sheet = IT::sheet_of_cover(IT::definition_of(t.input()));
     watch.begin("cut");
-    return IT::cut_to_disks(sheet, edges ? marks_of(sheet.mesh, *edges) : std::vector<char>());
+    return IT::cut_to_disks(sheet, edges ? marks_of(sheet, *edges) : std::vector<char>());
   });
   std::shared_ptr<Surface> result = without_interpreter(
       watch, [&] { return surface_of_triangles(std::move(opened.input), s.name, is_exact); });
@@ -170,9 +150,7 @@ std::uint32_t sheets(Surface& s) {
 py::tuple eigen(Surface& s, std::size_t count, Watch& watch) {
   Watching visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
-    IT::Eigenpairs found = IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
-    if (found.values.size() > 0) IT::Twin_points(t).copy(found.vectors);
-    return found;
+    return IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
   });
   return py::make_tuple(array_of(std::move(pairs.values)), array_of(std::move(pairs.vectors)));
 }
@@ -219,8 +197,6 @@ py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& d
 
 void bind_maps(py::module_& m) {
   m.def("parametrize", &parametrize);
-  m.def("map_of_points", &map_of_points);
-  m.def("is_injective_on_input", &is_injective_on_input);
   m.def("input_points", &input_points);
   m.def("input_triangles", &input_triangles);
   m.def("cut_open", &cut_open);

@@ -16,7 +16,7 @@ namespace {
 
 // Options in messages of the program, as Python has them.
 std::string in_python(std::string message) {
-  static constexpr std::array<std::array<std::string_view, 2>, 8> names{
+  static constexpr std::array<std::array<std::string_view, 2>, 12> names{
       {{"--arithmetic exact", "arithmetic=\"exact\""},
        {"--domain points", "intrinsic.points(V)"},
        {"--arithmetic", "arithmetic"},
@@ -24,6 +24,10 @@ std::string in_python(std::string message) {
        {"--domain", "domain"},
        {"--neighbors", "neighbors"},
        {"--polygons", "polygons"},
+       {"--method spectral", "method=\"spectral\""},
+       {"--method", "method"},
+       {"--align", "align"},
+       {"--degree", "degree"},
        {"--source", "source"}}};
   for (const auto& [option, name] : names)
     for (std::size_t i; (i = message.find(option)) != std::string::npos;)

@@ -317,6 +317,7 @@ TEST(Units, of_maps_of_disks_are_the_users) {
     T refined(x.t), mapped(x.t);
     r.add("injective_harmonic_map", 0, IT::injective_harmonic_map(refined).uv);
     r.add("parametrize", 1, IT::parametrize(mapped, IT::Map_method::least_squares).uv);
+    r.add("map_to_plane", 1, IT::map_to_plane(mapped, {}, {IT::Map_method::least_squares}).uv);
     r.add("conformal_map_of_points", 1, IT::conformal_map_of_points(x.shape.points, 12), 1e-9);
     r.add("flat_surface", 1, IT::flat_surface(x.t.input()).length);
   });

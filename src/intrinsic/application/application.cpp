@@ -95,11 +95,6 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   const std::vector<Asked_curve> asked =
       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
   const Sources sources = sources_of(loaded.triangulation, asked, options);
-  if (options.application.alignment && loaded.points.empty())
-    throw std::runtime_error(options.input +
-                             ": the stored triangulation has lengths and no points, so that it has "
-                             "no directions of curvature; leave --align out, or start from the "
-                             "mesh");
   Json json = improve_and_measure(loaded, about_source(options, asked, sources), progress, [&] {
     return insert_curves(loaded.triangulation, asked, options);
   });

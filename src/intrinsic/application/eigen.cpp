@@ -5,7 +5,6 @@
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 
 #include <string>
 #include <vector>
@@ -14,9 +13,7 @@ namespace program {
 
 namespace {
 
-template <class Triangulation>
-Computed eigenfunctions(const Triangulation& t, IT::Eigenpairs pairs) {
-  IT::Twin_points(t).copy(pairs.vectors);
+Computed eigenfunctions(const IT::Eigenpairs& pairs) {
   const Eigen::Index n = pairs.values.size();
   Computed computed{"eigen", {}, {}};
   computed.json = {{"count", n},
@@ -32,7 +29,7 @@ Computed eigenfunctions(const Triangulation& t, IT::Eigenpairs pairs) {
 
 void run_eigen(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
-    return eigenfunctions(t, IT::surface_modes(t, options.application.count));
+    return eigenfunctions(IT::surface_modes(t, options.application.count));
   });
 }
 

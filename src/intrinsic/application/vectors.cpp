@@ -133,14 +133,10 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
     throw std::runtime_error("logarithmic maps have one source; give one point with --source");
   IT::Vectors<Triangulation> find(t, points);
   const std::string& asked = options.application.logarithm;
-  if (find.is_cloud() && !asked.empty() && asked != "affine")
-    throw std::runtime_error("logarithmic maps of points are found by affine heat; leave out "
-                             "--method " +
-                             asked);
-  const std::string method = !asked.empty() ? asked : find.is_cloud() ? "affine" : "exact";
-  const IT::Logarithm_method by = method == "exact"   ? IT::Logarithm_method::exact
-                                  : method == "polar" ? IT::Logarithm_method::polar
-                                                      : IT::Logarithm_method::affine;
+  const IT::Logarithm_method by = asked == "exact"    ? IT::Logarithm_method::exact
+                                  : asked == "polar"  ? IT::Logarithm_method::polar
+                                  : asked == "affine" ? IT::Logarithm_method::affine
+                                                      : find.usual_method();
   const IT::Found_vectors log = find.logarithms(sources[0][0], by, asked_options(options));
   Computed computed{"logmap", {}, {}};
   computed.functions = {
@@ -150,7 +146,7 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   Torn_map torn = torn_map(t, computed.functions[0].values, computed.functions[1].values);
   computed.is_torn = std::move(torn.vertices);
   const auto [radius, unknown] = greatest_known(by_rows(log, length_of));
-  computed.json = {{"method", method},
+  computed.json = {{"method", IT::name_of(by)},
                    {"radius", radius},
                    {"injectivity_radius", torn.radius},
                    {"torn_edges", torn.edges},
@@ -158,23 +154,14 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   return computed;
 }
 
-// On a cloud there are no faces in which a field could be singular.
-void expect_faces(const Options& options) {
-  if (options.application.alignment)
-    throw std::runtime_error(options.input +
-                             ": --align needs curvature, which a cloud of points does not have; "
-                             "leave it out");
-  if (!options.application.singularities.empty())
-    throw std::runtime_error(options.input +
-                             ": singularities lie in faces, and a cloud of points has no faces; "
-                             "leave --singularities out");
-}
-
 template <class Triangulation>
 Computed direction_field(const Triangulation& t, const Options& options, const Points& points) {
   const Application_options& o = options.application;
   IT::Vectors<Triangulation> find(t, points);
-  if (find.is_cloud()) expect_faces(options);
+  if (find.is_cloud() && !o.singularities.empty())
+    throw std::runtime_error(options.input +
+                             ": singularities lie in faces, and a cloud of points has no faces; "
+                             "leave --singularities out");
   IT::Given_vectors fixed;
   if (!o.vectors.empty()) fixed = read_vectors(options, t.input().number_of_rows());
   const IT::Found_directions found =

@@ -125,6 +125,21 @@ TEST(Vectors, OfACloudLieInItsTangentPlanes) {
     EXPECT_NEAR(v[2], 0, rounding);
   }
   EXPECT_THROW(find.transport({{IT::Place::in_face(0, {1, 0, 0})}, {1.}}), IT::Invalid_input);
+  EXPECT_EQ(find.usual_method(), IT::Logarithm_method::affine);
+  EXPECT_THROW(find.logarithms(IT::Place::at_vertex(24), IT::Logarithm_method::exact),
+               IT::Invalid_input);
+  EXPECT_THROW(find.directions(4, 1.), IT::Invalid_input);
+}
+
+TEST(Vectors, FollowCurvatureOnlyWhereThereIsSome) {
+  const Square square(6);
+  const Exact t = square.triangulation();
+  IT::Vectors<Exact> find(t, square.points);
+  EXPECT_EQ(find.usual_method(), IT::Logarithm_method::exact);
+  EXPECT_EQ(find.directions(4, 1.).status, IT::Status::done);
+  EXPECT_THROW(find.directions(3, 1.), IT::Invalid_input); // it has no sign
+  const std::vector<Point> none;
+  EXPECT_THROW(IT::Vectors<Exact>(t, none).directions(4, 1.), IT::Invalid_input);
 }
 
 TEST(Vectors, EndWithoutAResultWhenTheCallerSaysSo) {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -24,8 +25,8 @@ frequencies and modes.
 
 They solve `L x = lambda M x`, with the cotangent Laplacian L and the lumped mass M, in the rows
 that have a mass: an isolated vertex is no part of the surface, has no mode, and the value zero in
-all functions.
-\tparam Triangulation a model of `MeasuredTriangulation`
+all functions. A point of a cloud at the place of an earlier one has the values of that.
+\tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
 \param count how many; all of them, one per row with a mass, if there are fewer
@@ -52,6 +53,7 @@ Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
   laplacian.makeCompressed();
   Eigenpairs pairs = smallest_eigenpairs(laplacian, back * mass * rows, most, np);
   pairs.vectors = rows * pairs.vectors;
+  if (pairs.values.size() > 0) Twin_points(t).copy(pairs.vectors);
   return pairs;
 }
 

@@ -66,6 +66,11 @@ public:
 
   /// tells whether the surface is that of a cloud of points, each of which has one tangent plane.
   bool is_cloud() const { return t_.input().names().is_cloud(); }
+  /// returns how logarithmic maps are found unless a user asks for another method: exactly, those
+  /// of clouds by affine heat.
+  Logarithm_method usual_method() const {
+    return is_cloud() ? Logarithm_method::affine : Logarithm_method::exact;
+  }
 
   /*!
   \brief transports vectors to all vertices, each from the nearest of the places.
@@ -126,11 +131,17 @@ public:
   \param place the place
   \param method how; clouds of points have only `affine`
   \param options how
-  \throws Invalid_input, std::invalid_argument as `transport()`
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if the method does not suit a
+    cloud
   */
   Found_vectors logarithms(const Place& place, Logarithm_method method,
                            const Vector_options& options = {}) {
-    if (is_cloud()) return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
+    if (is_cloud()) {
+      if (method != usual_method())
+        refuse("logarithmic maps of points are found by affine heat; leave out --method, or give "
+               "affine");
+      return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
+    }
     const Heat* const by_heat = method == Logarithm_method::exact ? nullptr : heat(options);
     if (by_heat == nullptr && method != Logarithm_method::exact) return cancelled();
     Visitor visitor{&options, Vector_step::windows};
@@ -150,13 +161,15 @@ public:
   \brief finds the smoothest field of directions, or one that follows the directions of curvature.
   \param degree the number of equivalent directions at a vertex
   \param alignment how strongly the field follows curvature, see `aligned_direction_field()`; none:
-    it does not. A cloud of points has no curvature
+    it does not. Only surfaces in space with faces have curvature, and the degree must be even
   \param fixed directions that are kept, at vertices
   \param options how
-  \throws Invalid_input, std::invalid_argument as `transport()`, or if a direction is inside a face
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if a direction is inside a
+    face, or nothing can be aligned
   */
   Found_directions directions(int degree, const std::optional<double>& alignment = {},
                               const Given_vectors& fixed = {}, const Vector_options& options = {}) {
+    if (alignment) expect_alignment(degree);
     Visitor visitor{&options, Vector_step::field};
     const auto np = parameters::visitor(std::ref(visitor));
     if (is_cloud()) {
@@ -166,8 +179,7 @@ public:
       if (f.status == Status::cancelled) return {cancelled()};
       return {of_points(f.directions())};
     }
-    if (!fixed.are_at_vertices())
-      throw Invalid_input(Element_kind::none, 0, "directions can be fixed at vertices only");
+    if (!fixed.are_at_vertices()) refuse("directions can be fixed at vertices only");
     Finder find(t_, points_);
     const auto kept = find.at_vertices(fixed);
     const Direction_field f =
@@ -245,6 +257,19 @@ private:
     }
   };
 
+  [[noreturn]] static void refuse(const char* message) {
+    throw Invalid_input(Element_kind::none, 0, message);
+  }
+  void expect_alignment(int degree) const {
+    if (is_cloud())
+      refuse("--align needs curvature, which a cloud of points does not have; leave it out");
+    if (points_.empty())
+      refuse("a surface with lengths alone has no directions of curvature; leave --align out");
+    if (degree % 2 != 0)
+      refuse("--align needs an even --degree, such as 2 for lines: directions of curvature have no "
+             "sign; give one");
+  }
+
   static Found_vectors cancelled() { return {{}, {}, Status::cancelled}; }
 
   // The method with its matrices; null if the caller has ended the work.
@@ -267,9 +292,7 @@ private:
   }
 
   static std::size_t point_of_cloud(const Place& p) {
-    if (!p.is_vertex())
-      throw Invalid_input(Element_kind::none, 0,
-                          "a cloud of points has no faces; give the number of a point");
+    if (!p.is_vertex()) refuse("a cloud of points has no faces; give the number of a point");
     return p.vertex;
   }
   // Given vectors in the tangent planes of points.

@@ -43,6 +43,13 @@ enum class Logarithm_method {
   polar
 };
 
+/// returns the name of a method, such as "exact".
+inline const char* name_of(Logarithm_method method) {
+  return method == Logarithm_method::exact    ? "exact"
+         : method == Logarithm_method::affine ? "affine"
+                                              : "polar";
+}
+
 /*!
 \brief follows a vector at a vertex straight over the surface, for its length (§2.4.2 of the
 course): the exponential map, the inverse of logarithmic maps. A vector that points out of the
