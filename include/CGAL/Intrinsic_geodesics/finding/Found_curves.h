@@ -61,7 +61,8 @@ struct Find_curves_options {
 /// A curve that was found.
 struct Found_curve {
   /// Its way over the input: one point if it has contracted. Its status is `done` if it is
-  /// geodesic, `contracted`, or why it is neither.
+  /// geodesic; `inaccurate` if it is, but rounding hid shortest paths, so that it may be longer;
+  /// `contracted`; or why it is none of these.
   Traced_curve way;
   bool is_loop = false;      ///< whether it was asked to return to its start
   bool is_on_faces = false;  ///< whether it is on the faces below a cover, and no edges

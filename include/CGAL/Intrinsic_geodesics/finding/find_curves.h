@@ -122,10 +122,12 @@ private:
     Edge_path_finder<Triangulation> find(t_);
     for (std::size_t i = 0; i < curves_.size() && !is_cancelled_; ++i)
       naming(wanted[number_[i]], [&] { add(wanted[number_[i]], curves_[i], find); });
-    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c)
-      found_.curves.emplace_back().initial_length = network_.length(c);
-    for (std::uint32_t c = 0; options_.keeps_initial && c < network_.number_of_curves(); ++c)
-      found_.curves[c].initial = way(c);
+    for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
+      Found_curve& curve = found_.curves.emplace_back();
+      curve.initial_length = network_.length(c);
+      if (options_.keeps_initial) curve.initial = way(c);
+      if (is_alone) curve.way.status = Status::inaccurate; // it may not be the one asked for
+    }
   }
 
   void insert(const Wanted_curve& c, std::size_t number) {
@@ -227,9 +229,8 @@ private:
 
   void shorten() {
     if (!begin(Curve_stage::shortening)) return;
-    Visitor visitor{this};
     found_.shortening +=
-        shorten_curves(network_, parameters::visitor(std::ref(visitor))
+        shorten_curves(network_, parameters::visitor(Visitor{this})
                                      .relative_length(options_.relative_length)
                                      .minimum_joint_angle(options_.minimum_joint_angle));
   }
@@ -245,8 +246,8 @@ private:
       Found_curve& curve = found_.curves[c];
       curve.is_loop = network_.is_loop(c);
       curve.way.status = network_.is_point(c)  ? Status::contracted
-                         : is_geodesic[c] != 0 ? Status::done
-                                               : found_.shortening.status;
+                         : is_geodesic[c] == 0 ? found_.shortening.status
+                                               : curve.way.status; // of how it was found
       curve.way.length = network_.length(c);
       curve.way.length_enclosure = network_.length_enclosure(c);
       if (network_.is_point(c) && !t_.is_inserted(network_.start(c)))
@@ -292,13 +293,12 @@ private:
     }
     found_.length += path.curve.length;
     found_.initial_length += path.curve.length;
-    Found_curve curve;
+    const auto place = found_.curves.begin() + static_cast<std::ptrdiff_t>(number);
+    Found_curve& curve = *found_.curves.emplace(place);
     curve.is_on_faces = true;
     curve.initial_length = path.curve.length;
     if (options_.keeps_initial) curve.initial = path.curve;
     curve.way = std::move(path.curve);
-    found_.curves.insert(found_.curves.begin() + static_cast<std::ptrdiff_t>(number),
-                         std::move(curve));
   }
 
   Triangulation& t_;

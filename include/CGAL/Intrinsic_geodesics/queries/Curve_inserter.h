@@ -36,7 +36,8 @@ public:
   Unscaled_vector vector(std::size_t first, std::size_t last) const;
   // Its length.
   double length(std::size_t first, std::size_t last) const;
-  // A point at an end of a piece of it.
+  // A point at an end of a piece of it; within rounding of a vertex on the way, the vertex: a line
+  // that is inserted cannot tell on which side it passes that.
   Surface_point point(std::size_t i, std::size_t piece) const;
 
 private:
@@ -77,7 +78,7 @@ public:
     const std::size_t n = curve.points.size();
     if (n < 2) return from == to ? Move_status::done : Move_status::not_traceable;
     for (std::size_t first = 0, last = 1; first + 1 < n; first = last++) {
-      while (last + 1 < n && corner_of(curve.points[last]) == 3) ++last;
+      while (last + 1 < n && corner_of(line.point(last, last - 1)) == 3) ++last;
       // on a cover, a part may begin at another copy of the vertex where the one before ends
       const Move_status s = insert(line, first, last, vertex_at(line.point(first, first), from),
                                    vertex_at(line.point(last, last - 1), to));

@@ -34,7 +34,15 @@ double Laid_out_line::length(std::size_t first, std::size_t last) const {
 }
 
 Surface_point Laid_out_line::point(std::size_t i, std::size_t piece) const {
-  return seen_in_face(input_, curve_.points[i], curve_.faces[piece]);
+  constexpr double nearness = 0x1p-31; // of vertices that a line inserter passes, see there
+  Surface_point p = seen_in_face(input_, curve_.points[i], curve_.faces[piece]);
+  const bool is_end = i == 0 || i + 1 == curve_.points.size(); // where a vertex may be inserted
+  for (std::size_t k = 0; k < 3 && !is_end; ++k)
+    if (p.weights[k] >= 1 - nearness) {
+      p.weights = {0, 0, 0};
+      p.weights[k] = 1;
+    }
+  return p;
 }
 
 Unscaled_vector Laid_out_line::piece(std::size_t i) const {
