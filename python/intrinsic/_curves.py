@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Cut, Network
-from ._points import expect_one, is_point, joined
+from ._points import expect_one, joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
