@@ -2,8 +2,7 @@
 # configuration file, so that both find the same things in the same way.
 #
 # Required: CGAL (which brings GMP, MPFR, Boost headers and -frounding-math).
-# Optional: Eigen3 (headers in operators/ and applications/), CHOLMOD (faster solution of large systems), Spectra
-# (operators/solvers/eigenpairs.h), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
+# Optional: Eigen3 (headers in operators/ and applications/), Spectra (operators/solvers/eigenpairs.h), OpenMesh (connectivity/adaptors/OpenMesh_adaptor.h).
 #
 # Defines the target Intrinsic_triangulations::OpenMesh_support if OpenMesh is found; programs that
 # use OpenMesh meshes link to it beside the library.
@@ -16,7 +15,6 @@ endif()
 find_package(Threads QUIET REQUIRED) # large matrices are factored by two
 find_package(Eigen3 3.3 QUIET NO_MODULE) # after CGAL, whose own find module knows no target
 if(TARGET Eigen3::Eigen)
-  find_package(CHOLMOD QUIET)
   find_path(SPECTRA_INCLUDE_DIR NAMES Spectra/SymGEigsShiftSolver.h)
   mark_as_advanced(SPECTRA_INCLUDE_DIR)
 endif()

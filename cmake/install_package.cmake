@@ -42,6 +42,5 @@ install(FILES
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfig.cmake"
   "${PROJECT_BINARY_DIR}/Intrinsic_triangulationsConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/Intrinsic_triangulations_dependencies.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake"
   DESTINATION "${package_dir}"
   COMPONENT ${package_component})

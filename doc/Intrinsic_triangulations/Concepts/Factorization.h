@@ -11,8 +11,7 @@ The concept `Factorization` describes a positive definite matrix that was factor
 for any number of right sides. The concept requires no constructor: each model needs other
 arguments to be accurate.
 
-\cgalHasModel{\itc{Cholesky_factorization}: for real matrices, by CHOLMOD or Eigen, and for
-complex ones, by fronts}
+\cgalHasModel{\itc{Cholesky_factorization}: for symmetric and Hermitian matrices}
 \cgalHasModel{\itc{Laplacian_factorization}: for the Laplacian of a graph and a diagonal, without
 subtraction}
 

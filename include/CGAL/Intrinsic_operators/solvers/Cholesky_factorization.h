@@ -73,13 +73,11 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a, Shared_
 \brief factors a positive definite matrix once, for any number of right sides. A model of
 `Factorization`.
 
-Complex matrices are eliminated supernode by supernode, as in `Laplacian_factorization`. In
-measurements that is faster than Eigen (`SimplicialLDLT`) and than CHOLMOD with the reference BLAS.
-Eigen factors real matrices; if the program links CHOLMOD, that factors large ones (from 100,000
-rows, where it is faster in measurements) supernode by supernode: CMake finds it and defines
-`CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD`. All order rows by approximate minimum degree.
+Rows are ordered by approximate minimum degree, and eliminated supernode by supernode, as in
+`Laplacian_factorization`. In measurements that is faster than Eigen (`SimplicialLDLT`) and than
+CHOLMOD.
 
-Copies share the factor, which does not change. With CHOLMOD, only one thread may solve at a time.
+Copies share the factor, which does not change; several threads may solve at a time.
 
 \tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
 */

@@ -20,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,7 @@ public:
       double* value = factors_[m]->column(place);
       for (int i = 1; i <= below; ++i) *value++ = column[i][of_pack] * inverse[of_pack];
     }
-    // as in `Cholesky_factorization`
+    // as for Hermitian matrices
     return (pivot > 64 * std::numeric_limits<double>::epsilon() * all).all();
   }
 
@@ -80,50 +81,71 @@ private:
   const Eigen::Array<double, matrices, -1>& diagonal_;
 };
 
-// The same for a Hermitian matrix, with its diagonal as it is. Packs are complex numbers, as pairs
-// of doubles.
+// The same for a symmetric or Hermitian matrix, with its diagonal as it is. Packs are numbers;
+// complex ones are pairs of doubles.
+template <class Number>
 class Hermitian_arithmetic {
 public:
-  using Pack = Eigen::Array2d;
+  static constexpr int parts = sizeof(Number) / sizeof(double);
+  using Pack = Eigen::Array<double, parts, 1>;
   using Inverse = double;
-  struct Multiple {
+  struct Complex_multiple {
     double real;
     Pack imaginary; // minus it, and it
   };
-  using Number = std::complex<double>;
+  using Multiple = std::conditional_t<parts == 1, double, Complex_multiple>;
   using Factor = Multifrontal_factor<Number>;
 
   Hermitian_arithmetic(Factor& factor, const Eigen::SparseMatrix<Number>& matrix)
       : factor_(factor), matrix_(matrix), diagonal_(matrix.diagonal().real()) {}
 
-  Pack diagonal(int row) const { return {diagonal_[row], 0}; }
+  Pack diagonal(int row) const { return real(diagonal_[row]); }
   Pack weight(int number) const {
     const Number& a = matrix_.valuePtr()[number];
-    return {-a.real(), -a.imag()};
+    Pack result = real(-std::real(a));
+    if constexpr (parts == 2) result[1] = -std::imag(a);
+    return result;
   }
 
   static Multiple multiple(const Pack& weight, Inverse inverse) { // its conjugate
-    const double imaginary = -weight[1] * inverse;
-    return {weight[0] * inverse, {-imaginary, imaginary}};
+    if constexpr (parts == 1) {
+      return weight[0] * inverse;
+    } else {
+      const double imaginary = -weight[1] * inverse;
+      return {weight[0] * inverse, {-imaginary, imaginary}};
+    }
   }
   static Pack times(const Pack& weight, const Multiple& m) {
-    return weight * m.real + Pack(weight[1], weight[0]) * m.imaginary;
+    if constexpr (parts == 1)
+      return weight * m;
+    else
+      return weight * m.real + Pack(weight[1], weight[0]) * m.imaginary;
   }
   static Pack on_diagonal(const Pack&, const Pack& weight, const Multiple& m) {
-    return {-(weight[0] * m.real - weight[1] * m.imaginary[1]), 0};
+    if constexpr (parts == 1)
+      return -weight * m;
+    else
+      return real(-(weight[0] * m.real - weight[1] * m.imaginary[1]));
   }
 
   bool finish_column(int place, int row, const Pack* column, int below, Inverse& inverse) {
     const double pivot = column[0][0];
     inverse = 1 / pivot;
     factor_.pivot[row_number(place)] = pivot;
-    Eigen::Map<Eigen::Array2Xd>(factor_.column(place), 2, below) =
-        Eigen::Map<const Eigen::Array2Xd>(column->data() + 2, 2, below) * inverse;
-    // as in `Cholesky_factorization`
+    using Column = Eigen::Array<double, parts, Eigen::Dynamic>;
+    Eigen::Map<Column>(factor_.column(place), parts, below) =
+        Eigen::Map<const Column>(column->data() + parts, parts, below) * inverse;
+    // Smaller pivots are rounding of zero: some roundings for each of the few entries of a row.
     return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal_[row];
   }
 
 private:
+  static Pack real(double x) {
+    Pack result = Pack::Zero();
+    result[0] = x;
+    return result;
+  }
+
   Factor& factor_;
   const Eigen::SparseMatrix<Number>& matrix_;
   Eigen::VectorXd diagonal_;

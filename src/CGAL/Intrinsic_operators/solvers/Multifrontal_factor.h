@@ -21,9 +21,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The sum of the terms m to m + n - 1.
+// The sum of the terms m to m + n - 1. Calls in the innermost loop would double the time to factor.
 template <std::size_t n, class Term>
-auto sum_in_pairs(const Term& term, std::size_t m = 0) {
+EIGEN_ALWAYS_INLINE auto sum_in_pairs(const Term& term, std::size_t m = 0) {
   if constexpr (n == 1)
     return term(m);
   else

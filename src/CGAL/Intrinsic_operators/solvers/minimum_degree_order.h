@@ -71,17 +71,6 @@ std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a) {
   return is_ordered_by_int(a) ? order_of_eigen(a) : order_of_eigen(pattern_with_diagonal(a));
 }
 
-// The same as an ordering of Eigen's solvers.
-struct Minimum_degree_ordering {
-  using PermutationType = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-
-  template <class Scalar>
-  void operator()(const Eigen::SparseMatrix<Scalar>& a, PermutationType& p) const {
-    const std::vector<int> order = minimum_degree_order(a);
-    p.indices() = Eigen::Map<const Eigen::VectorXi>(order.data(), a.cols());
-  }
-};
-
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MINIMUM_DEGREE_ORDER_H
