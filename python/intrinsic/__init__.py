@@ -9,6 +9,7 @@
 <intrinsic.Surface: 4 vertices, 2 faces>
 """
 
+from ._core import __version__
 from ._curve import Curve, Cut, Network
 from ._distances import FarthestPoints, Voronoi
 from ._points import Point
@@ -17,4 +18,4 @@ from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
 __all__ = ["CommonSubdivision", "Curve", "Cut", "FarthestPoints", "Network", "Point", "Surface",
-           "Voronoi", "load", "points", "read"]
+           "Voronoi", "__version__", "load", "points", "read"]

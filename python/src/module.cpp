@@ -52,6 +52,7 @@ void translate(std::exception_ptr e) {
 } // namespace
 
 PYBIND11_MODULE(_core, m) {
+  m.attr("__version__") = INTRINSIC_TRIANGULATIONS_VERSION;
   m.doc() = "What the package intrinsic has compiled; use the package instead.";
   py::register_exception_translator(translate);
   bind_surface(m);

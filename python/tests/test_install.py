@@ -3,6 +3,7 @@
 """What `cmake --install` puts below a prefix is the whole package."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,8 +18,13 @@ CODE = """
 import intrinsic as it
 from intrinsic.compat import potpourri3d, pygeodesic, robust_laplacian
 s = it.Surface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-print(it.__file__, s.mass().sum())
+print(it.__file__, s.mass().sum(), it.__version__)
 """
+
+
+def version(cache):
+    """The version of the project, as CMake has it."""
+    return re.search(r"CMAKE_PROJECT_VERSION:STATIC=(\S+)", cache.read_text())[1]
 
 
 @unittest.skipUnless(shutil.which("cmake") and (program.BUILD / "CMakeCache.txt").exists(),
@@ -32,7 +38,8 @@ class Installed(With_folder):
         done = subprocess.run([sys.executable, "-B", "-c", CODE], check=True, text=True,
                               capture_output=True, cwd=self.folder,
                               env={**os.environ, "PYTHONPATH": str(package.parent)})
-        self.assertEqual(done.stdout.split(), [str(package / "__init__.py"), "0.5"])
+        self.assertEqual(done.stdout.split(), [str(package / "__init__.py"), "0.5",
+                                               version(program.BUILD / "CMakeCache.txt")])
         built = Path(intrinsic.__file__).parent
 
         def files(folder):
