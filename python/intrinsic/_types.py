@@ -5,7 +5,7 @@
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from os import PathLike
-from typing import Literal, Union
+from typing import Literal, Optional, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,12 +14,14 @@ from scipy.sparse import csr_matrix
 from ._curve import Curve, Network
 from ._points import Point
 
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 Numbers = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Matrix = csr_matrix
 Place = Union[int, Point]
 Places = Union[Place, Sequence[Place], ArrayLike]
-Progress = Union[Callable[[str, int], object], None]
+Progress = Union[Callable[[str, int, Optional[int]], object], None]
 Path = Union[str, PathLike[str]]
 Angle = Union[float, str, Fraction]
 Arithmetic = Literal["exact", "double"]

@@ -72,6 +72,8 @@ TABLE = {
     "read": [intrinsic(through_a_file(read, "t.off"))],
     "points": [vertices(lambda x: [it.points(x.V, neighbors=12).mass().sum() / x.scale**2],
                         on=("cloud",))],
+    "map": [intrinsic(lambda x: it.map(lambda s: s.mass().sum() / x.scale**2, [x.s]))],
+    "Failure": Left_out("holds what a function of the user's raised"),
     "Surface.html": Left_out("draws what delaunay() and common_subdivision() give"),
     "Surface.show": Left_out("opens a browser with html()"),
     "Surface.to_pyvista": Left_out("needs PyVista; it is common_subdivision()"),

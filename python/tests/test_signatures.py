@@ -18,7 +18,7 @@ PACKAGE = pathlib.Path(intrinsic.__file__).parent
 
 def public_functions():
     """Yields the functions and methods that users call, with their names."""
-    for x in (intrinsic.read, intrinsic.load, intrinsic.points):
+    for x in (intrinsic.read, intrinsic.load, intrinsic.map, intrinsic.points):
         yield x.__name__, x
     for name, x in inspect.getmembers(intrinsic.Surface):
         x = x.fget if isinstance(x, property) else x

@@ -19,7 +19,7 @@ import unittest
 TIME_LIMIT = 60  # seconds, for machines that are slow or busy
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-REPORT = os.path.join(HERE, "..", "..", "benchmark", "study", "report.py")
+REPORT = os.path.join(HERE, "..", "..", "workflow", "study", "report.py")
 # Debian's packages pandas and matplotlib are not for a Python that is found before its own.
 REPORT_PYTHON = (sys.executable
                  if all(importlib.util.find_spec(m) for m in ("pandas", "matplotlib"))

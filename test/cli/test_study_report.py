@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page that `benchmark/study/report.py` makes of lines of results, written by hand here."""
+"""The page that `workflow/study/report.py` makes of lines of results, written by hand here."""
 
 import json
 import os

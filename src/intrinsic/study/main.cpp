@@ -30,7 +30,7 @@ CLI::Validator is_no_result() {
       [](std::string& path) {
         return std::filesystem::path(path).extension() == ".jsonl"
                    ? path +
-                         ": results are no meshes; benchmark/study/report.py makes a page of them"
+                         ": results are no meshes; workflow/study/report.py makes a page of them"
                    : std::string();
       },
       "");
@@ -84,7 +84,7 @@ void add_job_options(CLI::App& app, Study_options& study) {
 int run(int argc, char** argv) {
   const bool is_job = argc > 1 && std::string(argv[1]) == "--job";
   CLI::App app("Compares arithmetics: runs each on each mesh, in a process of its own. "
-               "benchmark/study/report.py makes a page of the results.",
+               "workflow/study/report.py makes a page of the results.",
                "intrinsic study");
   Study_options study;
   (is_job ? add_job_options : add_options)(app, study);

@@ -2,65 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of the report of a study."""
 
-import html
 import math
-import re
 
 import pandas
 
+from page import (UNKNOWN, details, grouped, paragraph, share, short, table)
 from report_lines import (CERTIFIED, NAIVE_EXACT, STATUSES, UNFINISHED, agreement, arithmetics_of,
                           common_meshes, decided_by, done, faces_of, finishing_arithmetics,
                           flips_beyond_exact, meshes_of, of, ratio, times_beside_double, total)
-UNKNOWN = "\u2013"
-
-
-def grouped(n):
-    """A number with commas between groups of three digits; a dash if it is not known."""
-    return UNKNOWN if n is None or math.isnan(n) else f"{int(n):,}".replace("-", "\u2212")
-
-
-def plural(n, one, many):
-    return f"{grouped(n)} {one if n == 1 else many}"
-
-
-def short(x, digits=3):
-    """A number with some significant digits, such as 0.0123 or 3.1e-12; a dash if not known."""
-    if x is None or math.isnan(x):
-        return UNKNOWN
-    if x != 0 and not 1e-3 <= abs(x) < 1e6:
-        return f"{x:.{digits - 2}e}"
-    leading = math.floor(math.log10(abs(x))) if x != 0 else digits - 1
-    return f"{x:.{max(0, digits - 1 - leading)}f}"
-
-
-def share(some, all_of_them):
-    return UNKNOWN if all_of_them == 0 else f"{grouped(some)} of {grouped(all_of_them)}"
-
-
-def items(texts):
-    return "<ul>\n" + "".join(f"<li>{html.escape(t)}</li>\n" for t in texts) + "</ul>\n"
-
-
-def paragraph(text):
-    return f"<p>{html.escape(text)}</p>\n"
-
-
-def details(summary, content):
-    return f"<details><summary>{html.escape(summary)}</summary>\n{content}</details>\n"
-
-
-def table(rows, head, shown=30, classes=""):
-    """A table whose first column holds names; rows beyond `shown` are folded away."""
-    def part(some):
-        with pandas.option_context("display.max_colwidth", None):
-            text = pandas.DataFrame(some, columns=head).to_html(index=False, border=0,
-                                                                justify="unset", na_rep=UNKNOWN)
-        text = re.sub("<table [^>]*>", "<table>", text)
-        return f'<div class="wide {classes}">{text}</div>\n'.replace(' ">', '">')
-    if len(rows) <= shown + 5:  # folding away a few rows hides more than it saves
-        return part(rows)
-    return part(rows[:shown]) + details(f"{len(rows) - shown} more", part(rows[shown:]))
-
 
 # ---- Arithmetics --------------------------------------------------------------------------------
 

@@ -7,6 +7,8 @@ import math
 
 import pandas
 
+from page import Failure
+
 # From the simplest to exact ones, with the color, marker and dashes of plots; others come last. The
 # palette of Okabe and Ito (2008), which color-blind people can tell apart; relatives share a color.
 # Yellow is left out: it does not show on white.
@@ -39,10 +41,6 @@ NUMBERS = ["faces", "flips", "checks", "refused_flips", "filter_failures", "inte
            "inverted_faces", "non_delaunay_edges", "cycles", "largest_interval_width", "area_drift",
            "cone_angle_drift", "seconds.build", "seconds.flip", "peak_rss_mib", "limits.seconds",
            "limits.mib"]
-
-
-class Failure(Exception):
-    """Valid usage that failed; the message names the file and the remedy."""
 
 
 def is_result(line):

@@ -9,50 +9,21 @@ does not matter, except that of lines with the same mesh and arithmetic the last
 
 import argparse
 import math
-import os
+import pathlib
 import sys
-import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 try:
-    from report_lines import (CERTIFIED, Failure, agreement, arithmetics_of, common_meshes, done,
+    from page import Failure, grouped, items, page, page_name, paragraph, plural, short, write
+    from plots import Plots
+    from report_lines import (CERTIFIED, agreement, arithmetics_of, common_meshes, done,
                               flips_beyond_exact, meshes_of, of, ratio, read_lines, results_of,
                               times_beside_double)
-    from report_plots import (Plots, plot_escalations, plot_profile, plot_stress,
-                              plot_times)
-    from report_tables import (escalations, grouped, harm, items, messages, paragraph, plural,
-                               short, summaries, unfinished)
+    from report_plots import plot_escalations, plot_profile, plot_stress, plot_times
+    from report_tables import escalations, harm, messages, summaries, unfinished
 except ImportError as error:
     sys.exit(f"report.py: {error}; install pandas and matplotlib (Debian: python3-pandas "
              "python3-matplotlib, for /usr/bin/python3)")
-
-PAGE = """<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Arithmetics of Delaunay flips</title>
-<style>
-body { font: 15px/1.45 sans-serif; color: #111; background: #fff; max-width: 1280px;
-  margin: 0 auto; padding: 1em 2em 4em; }
-h1, h2, h3 { line-height: 1.2; }
-h2 { margin-top: 2.2em; border-bottom: 1px solid #bbb; }
-p, li { max-width: 50em; }
-table { border-collapse: collapse; margin: 0.8em 0; font-size: 13px; }
-th, td { padding: 3px 10px; text-align: right; vertical-align: bottom; }
-td { font-variant-numeric: tabular-nums; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; }
-thead th { border-bottom: 2px solid #444; max-width: 8em; }
-tbody tr:nth-child(even) { background: #f3f6f8; }
-.words td { text-align: left; white-space: normal; }
-.words th { text-align: left; }
-.wide { overflow-x: auto; }
-svg { display: block; width: 100%; max-width: 900px; height: auto; margin: 1em 0; }
-svg * { stroke-linejoin: round; stroke-linecap: butt; }
-summary { cursor: pointer; color: #0072B2; }
-</style>
-</head>
-<body>
-"""
 
 
 # ---- The start of the page ----------------------------------------------------------------------
@@ -134,40 +105,13 @@ def start(results):
 # ---- The page -----------------------------------------------------------------------------------
 
 
-def page(lines):
+def study_page(lines):
     results, plots = results_of(lines), Plots()
-    return "".join([
-        PAGE, start(results), summaries(results), "<h2>Time</h2>\n", plot_times(plots, results),
-        plot_profile(plots, results), harm(results), plot_stress(plots, results),
+    return page(
+        "Arithmetics of Delaunay flips", start(results), summaries(results), "<h2>Time</h2>\n",
+        plot_times(plots, results), plot_profile(plots, results), harm(results), plot_stress(plots, results),
         unfinished(results), messages(results), "<h2>What exact decisions take</h2>\n",
-        escalations(results), plot_escalations(plots, results), "</body>\n</html>\n"])
-
-
-def write(path, text):
-    """Writes a file beside the target and renames it: never half."""
-    directory = os.path.dirname(path) or "."
-    try:
-        with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=directory, delete=False,
-                                         suffix=".part") as file:
-            try:
-                file.write(text)
-                file.close()
-                mask = os.umask(0)
-                os.umask(mask)
-                os.chmod(file.name, 0o666 & ~mask)  # as open() would
-                os.replace(file.name, path)
-            except BaseException:
-                os.unlink(file.name)
-                raise
-    except OSError as e:
-        raise Failure(f"{path}: cannot be written: {e.strerror}") from e
-
-
-def page_name(path):
-    if os.path.splitext(path)[1] != ".html":
-        raise argparse.ArgumentTypeError(f"{path}: pages are written, to a file with extension "
-                                         ".html only")
-    return path
+        escalations(results), plot_escalations(plots, results))
 
 
 def main():
@@ -181,7 +125,7 @@ def main():
         lines = [line for path in options.results for line in read_lines(path)]
         if not lines:
             raise Failure(f"{options.results[0]}: there are no results in it; run the study")
-        write(options.page, page(lines))
+        write(options.page, study_page(lines))
     except Failure as e:
         sys.exit(f"report.py: {e}")
 

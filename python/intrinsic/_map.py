@@ -1,0 +1,98 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A function on many files."""
+
+from __future__ import annotations
+
+import traceback
+from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from ._types import Item, Progress, Result
+
+
+class Failure(NamedTuple):
+    """What `map()` has in place of a result where the function raised an error: the `item`, the
+    `error`, and the `traceback` as text. It is false: `[r for r in results if r]` leaves it out,
+    and what else is false."""
+
+    item: Any
+    error: BaseException
+    traceback: str
+
+    def __bool__(self) -> bool:
+        return False
+
+    def __repr__(self) -> str:
+        return f"<intrinsic.Failure: {self.item!r}: {type(self.error).__name__}: {self.error}>"
+
+
+def _failure(item, error):
+    return Failure(item, error, "".join(traceback.format_exception(error)))
+
+
+def _result_of(item, ask):
+    try:
+        return ask()
+    except Exception as error:  # KeyboardInterrupt ends all of it
+        return _failure(item, error)
+
+
+def map(function: Callable[[Item], Result], files: Iterable[Item], *,
+        executor: Executor | None = None,
+        progress: Progress = None) -> list[Result | Failure]:
+    """Calls a function with each of many files, or other things, and returns the results in their
+    order; a `Failure` where it raised an error.
+
+    Parameters:
+        function: called with one of `files`; it reads the file, and returns what is wanted of it.
+            Processes must be able to import it.
+        files: paths, or anything else.
+        executor: any executor of `concurrent.futures`, such as a `ProcessPoolExecutor`, or that of
+            a cluster, such as Dask's `Client.get_executor()`. By default one call follows the other
+            here.
+        progress: called after each with "map", how many are done, and how many there are. What it
+            raises ends the work, as Ctrl-C does.
+
+    >>> it.map(lambda n: 6 // n, [1, 0, 2])
+    [6, <intrinsic.Failure: 0: ZeroDivisionError: integer division or modulo by zero>, 3]
+    """
+    items = list(files)
+    if executor is None:
+        return _here(function, items, progress)
+    futures: list[Future[Result]] = []
+    try:
+        for item in items:
+            futures.append(_submitted(executor, function, item))
+        return _collected(futures, items, progress)
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
+
+
+def _submitted(executor, function, item):
+    try:
+        return executor.submit(function, item)
+    except BrokenExecutor as error:  # a process has died
+        future = Future()
+        future.set_exception(error)
+        return future
+
+
+def _here(function, items, progress):
+    results = []
+    for item in items:
+        results.append(_result_of(item, lambda: function(item)))
+        if progress is not None:
+            progress("map", len(results), len(items))
+    return results
+
+
+def _collected(futures, items, progress):
+    if progress is not None:
+        for done, _ in enumerate(as_completed(futures), 1):
+            progress("map", done, len(items))
+    return [_result_of(item, future.result) for item, future in zip(items, futures)]
