@@ -7,7 +7,7 @@
     check_snippets.py --write    # writes the quotes
 
 A quote is a link, `[name.cpp: part, other part](path/name.cpp)`, alone on a line, with a block of
-code below it. Lines `//! [part]` in the example enclose each part.
+code below it. Lines `//! [part]` in the example enclose each part; in Python, `# [part]`.
 """
 
 import argparse
@@ -17,14 +17,14 @@ import sys
 import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-QUOTE = re.compile(r"^\[[a-z0-9_]+\.cpp: ([^]]+)\]\(([^)]+)\)\n(?:\n```cpp\n(.*?)^```\n)?",
+QUOTE = re.compile(r"^\[[a-z0-9_]+\.(?:cpp|py): ([^]]+)\]\(([^)]+)\)\n(?:\n```(?:cpp|py)\n(.*?)^```\n)?",
                    re.MULTILINE | re.DOTALL)
-MARK = re.compile(r"^ *//! \[(.*)\]\n", re.MULTILINE)
+MARK = re.compile(r"^ *(?://!|#) \[(.*)\]\n", re.MULTILINE)
 
 
 def part_of(file, name):
-    """The lines of a file between two lines `//! [name]`, without other such lines."""
-    mark = rf"^ *//! \[{re.escape(name)}\]\n"
+    """The lines of a file between two lines with the name, without other such lines."""
+    mark = rf"^ *(?://!|#) \[{re.escape(name)}\]\n"
     text = file.read_text(encoding="utf-8")
     found = re.search(mark + "(.*?)" + mark, text, re.MULTILINE | re.DOTALL)
     if not found:
@@ -45,7 +45,7 @@ def checked(page, write, quoted):
         code = "\n".join(part_of(file, part) for part in parts)
         if quote[3] != code:
             differ.append(quote[0].splitlines()[0])
-        return f"{quote[0].splitlines()[0]}\n\n```cpp\n{code}```\n"
+        return f"{quote[0].splitlines()[0]}\n\n```{file.suffix[1:]}\n{code}```\n"
 
     right = QUOTE.sub(with_code, text)
     if write and differ:
@@ -63,7 +63,7 @@ def main():
     errors = [error for page in sorted((ROOT / "doc" / "Intrinsic_triangulations").glob("*.md"))
               for error in checked(page, write, quoted)]
     for file in sorted(file for folder in ("examples", "src/intrinsic")
-                       for file in (ROOT / folder).rglob("*.cpp")):
+                       for file in (ROOT / folder).rglob("*") if file.suffix in (".cpp", ".py")):
         for part in sorted(set(MARK.findall(file.read_text(encoding="utf-8")))):
             if (file, part) not in quoted:
                 errors.append(f"{file.relative_to(ROOT)}: nothing quotes [{part}]")

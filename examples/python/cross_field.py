@@ -13,26 +13,28 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+from numpy.typing import NDArray
 
 import intrinsic as it
 
 
-def rounded_cube(n=10):
+def rounded_cube(n: int = 10) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """A cube with n by n squares on each side, rounded and stretched."""
     sides = np.arange(n + 1) / n * 2 - 1
     x, y = (a.ravel() for a in np.meshgrid(sides, sides, indexing="ij"))
     i = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
     a, b, c, d = i[:-1, :-1].ravel(), i[1:, :-1].ravel(), i[1:, 1:].ravel(), i[:-1, 1:].ravel()
     face = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
-    V, F = [], []
+    places: list[NDArray[np.float64]] = []
+    faces = []
     for axis in range(3):
         for sign in (-1, 1):
             side = np.roll(np.column_stack([x, y, np.full(len(x), sign)]), axis + 1, axis=1)
-            F.append((face if sign > 0 else face[:, ::-1]) + len(V) * len(x))
-            V.append(side)
-    V, number = np.unique(np.round(np.concatenate(V), 9), axis=0, return_inverse=True)
-    V = V / np.linalg.norm(V, ord=6, axis=1)[:, None] * [1.4, 1.0, 0.8]
-    return V, number.ravel()[np.concatenate(F)]
+            faces.append((face if sign > 0 else face[:, ::-1]) + len(places) * len(x))
+            places.append(side)
+    V, number = np.unique(np.concatenate(places).round(9), axis=0, return_inverse=True)
+    V *= [1.4, 1.0, 0.8] / np.linalg.norm(V, ord=6, axis=1)[:, None]
+    return V, number.ravel()[np.concatenate(faces)]
 
 
 V, F = rounded_cube()

@@ -12,12 +12,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
+from numpy.typing import NDArray
 
 import intrinsic as it
 
 
-def wavy_torus(n=72, m=36):
+def wavy_torus(n: int = 72, m: int = 36) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
     u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
     r = 1 + 0.25 * np.cos(5 * u)
@@ -27,7 +29,8 @@ def wavy_torus(n=72, m=36):
     return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
-def draw(axes, title, V, F, values, lines, colors="viridis"):
+def draw(axes: Axes3D, title: str, V: NDArray[np.float64], F: NDArray[np.int64],
+         values: NDArray[np.float64], lines: list[it.Curve], colors: str = "viridis") -> None:
     """Draws faces in colours, and lines where they are on faces that one sees."""
     color = plt.get_cmap(colors)(plt.Normalize()(values))
     axes.add_collection3d(Poly3DCollection(V[F], facecolors=color, edgecolors=color,

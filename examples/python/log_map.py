@@ -7,17 +7,21 @@ paths are shortest. Usage: log_map.py [picture.png]
 """
 
 import sys
+from typing import Literal
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from numpy.typing import NDArray
 
 import intrinsic as it
 
+METHODS: tuple[Literal["exact", "affine"], ...] = "exact", "affine"
 
-def bumpy_sphere(n=48):
+
+def bumpy_sphere(n: int = 48) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Rings of 2 n vertices between two poles."""
     t, p = np.meshgrid(np.pi * np.arange(1, n) / n, np.pi * np.arange(2 * n) / n, indexing="ij")
     r = 1 + 0.08 * np.cos(5 * p) * np.sin(t) ** 3
@@ -25,9 +29,9 @@ def bumpy_sphere(n=48):
     i = np.arange((n - 1) * 2 * n).reshape(n - 1, 2 * n)
     a, b, c, d = i[:-1], i[1:], np.roll(i[1:], -1, 1), np.roll(i[:-1], -1, 1)
     north, south = np.full(2 * n, i.size), np.full(2 * n, i.size + 1)
-    F = [(a, b, c), (a, c, d), (north, i[0], np.roll(i[0], -1)),
-         (south, np.roll(i[-1], -1), i[-1])]
-    F = np.concatenate([np.stack([np.ravel(x) for x in f], axis=1) for f in F])
+    faces = [(a, b, c), (a, c, d), (north, i[0], np.roll(i[0], -1)),
+             (south, np.roll(i[-1], -1), i[-1])]
+    F = np.concatenate([np.stack([np.ravel(x) for x in f], axis=1) for f in faces])
     return np.concatenate([V.reshape(-1, 3), [[0, 0, 1], [0, 0, -1]]]), F
 
 
@@ -35,7 +39,7 @@ V, F = bumpy_sphere()
 s = it.Surface(V, F)
 source = 20 * 96 + 17
 figure = plt.figure(figsize=(9, 4.5))
-for k, method in enumerate(("exact", "affine")):
+for k, method in enumerate(METHODS):
     uv = s.log_map(source, method=method)
     lengths = np.hypot(*uv.T)
     print(f"{method}: the farthest vertex is {lengths.max():.4f} away")

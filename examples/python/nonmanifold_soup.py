@@ -13,26 +13,26 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from numpy.typing import NDArray
 
 import intrinsic as it
 
 
-def fins(count=4, n=16):
+def fins(count: int = 4, n: int = 16) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Strips of n by n squares, glued at their first column of vertices."""
     r, z = (x.ravel() for x in np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n,
                                            indexing="ij"))
     i = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
     a, b, c, d = i[:-1, :-1].ravel(), i[1:, :-1].ravel(), i[1:, 1:].ravel(), i[:-1, 1:].ravel()
     strip = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
-    V, F = [], []
+    places, faces = [], []
     for k in range(count):
         angle = 2 * np.pi * k / count + 0.9 * r ** 2
-        V.append(np.column_stack([r * np.cos(angle), r * np.sin(angle), z]))
+        places.append(np.column_stack([r * np.cos(angle), r * np.sin(angle), z]))
         number = np.where(r == 0, np.arange(len(r)), np.arange(len(r)) + k * len(r))
-        F.append(number[strip])
-    V, F = np.concatenate(V), np.concatenate(F)
-    used, F = np.unique(F, return_inverse=True)
-    return V[used], F.reshape(-1, 3)
+        faces.append(number[strip])
+    used, F = np.unique(np.concatenate(faces), return_inverse=True)
+    return np.concatenate(places)[used], F.reshape(-1, 3)
 
 
 V, F = fins()

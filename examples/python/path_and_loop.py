@@ -56,7 +56,7 @@ for curve, color, name in curves:
     points = (curve.points[np.r_[:len(curve), 0]] if curve.is_closed else curve.points) @ view
     shapes += [(points[k:k + 2, 2].mean() + 0.4, points[k:k + 2, :2], color)
                for k in range(len(points) - 1) if light[curve.faces[k]] > 0]
-shapes.sort(key=lambda shape: shape[0])
+shapes.sort(key=lambda shape: float(shape[0]))
 
 figure, axes = plt.subplots(figsize=(6, 6.2), layout="constrained")
 colors = [color for _, _, color in shapes]

@@ -12,13 +12,15 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from mpl_toolkits.mplot3d import Axes3D
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from numpy.typing import NDArray
 from scipy.sparse.linalg import spsolve
 
 import intrinsic as it
 
 
-def torus(n=60, m=8):
+def torus(n: int = 60, m: int = 8) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
     u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
     V = np.column_stack([(3 + np.cos(v)) * np.cos(u), (3 + np.cos(v)) * np.sin(u), np.sin(v)])
@@ -26,21 +28,21 @@ def torus(n=60, m=8):
     return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
 
 
-def heat_of_source(t, source=0):
+def heat_of_source(t: it.Surface, source: int = 0) -> NDArray[np.float64]:
     """Solves L u = delta - 1/area, up to a constant, for a source at a vertex."""
     L, M = t.laplacian(), t.mass()
     b = -M.diagonal() / M.diagonal().sum()
     b[source] += 1
     u = np.zeros(len(b))
     u[1:] = spsolve(L[1:, 1:].tocsc(), b[1:])
-    return u - M.diagonal() @ u / M.diagonal().sum()
+    return u - float(M.diagonal() @ u / M.diagonal().sum())
 
 
-def draw(axes, title, t):
+def draw(axes: Axes3D, title: str, t: it.Surface) -> None:
     c = t.common_subdivision()
     u = c.P_intrinsic @ heat_of_source(t)
     triangles, _ = c.triangles()
-    faces = Poly3DCollection(c.V[triangles], cmap="inferno", edgecolors="gray", linewidths=0.2)
+    faces = Poly3DCollection(c.points[triangles], cmap="inferno", edgecolors="gray", linewidths=0.2)
     faces.set_array(u[triangles].mean(axis=1))
     faces.set_clim(u.min(), np.quantile(u, 0.995))  # the source itself is a pole
     axes.add_collection3d(faces)

@@ -7,17 +7,22 @@ the less doubles know which edges are Delaunay. Usage: study.py [picture.png]
 """
 
 import sys
+from typing import Literal
 
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 import intrinsic as it
 
+ARITHMETICS: tuple[Literal["double", "exact"], ...] = "double", "exact"
 
-def thin_torus(thinness, n=40, m=12):
+
+def thin_torus(thinness: float, n: int = 40,
+               m: int = 12) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """A torus with places moved a little, and squeezed along an axis."""
     i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
     move = np.random.default_rng(0).normal(scale=0.2, size=(2, n * m))
@@ -30,7 +35,7 @@ def thin_torus(thinness, n=40, m=12):
 
 rows = []
 for exponent in range(0, 9):
-    for arithmetic in ("double", "exact"):
+    for arithmetic in ARITHMETICS:
         t = it.Surface(*thin_torus(10.0 ** -exponent), arithmetic=arithmetic).delaunay()
         row = pd.json_normalize(t.statistics).iloc[0]
         rows.append({"thinness": 10.0 ** -exponent, "arithmetic": arithmetic,

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from ._points import Point
 
@@ -33,7 +33,7 @@ class Curve:
     other curves these are None.
     """
 
-    points: Numbers | None
+    points: Numbers | Any
     faces: Integers
     corners: Integers
     barycentric: Numbers
@@ -142,7 +142,7 @@ class Cut:
     - `interpolation`: the sparse matrix that takes values at the user's vertices to all vertices.
     """
 
-    points: Numbers | None
+    points: Numbers | Any
     faces: Integers
     original_vertex: Integers
     input_vertex: Integers

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class FarthestPoints(NamedTuple):
 class Junctions(NamedTuple):
     """Points where three or more cells meet: places as of a `Curve`, and the cells, clockwise."""
 
-    points: Numbers | None
+    points: Numbers | Any
     faces: Integers
     barycentric: Numbers
     corners: Integers
@@ -79,34 +79,50 @@ class _Distances:
         core = self._core
         return place_arrays(points, name, core.number_of_vertices, core.number_of_input_faces)
 
+    @overload
+    def distance(self, sources: Places, *, method: DistanceMethod = ..., targets: None = ...,
+                 max_distance: float | None = ..., time_factor: float = ..., flip: bool = ...,
+                 progress: Progress = ...) -> Numbers: ...
+
+    @overload
+    def distance(self, sources: Places, *, method: DistanceMethod = ..., targets: Place,
+                 max_distance: float | None = ..., time_factor: float = ..., flip: bool = ...,
+                 progress: Progress = ...) -> float: ...
+
+    @overload
+    def distance(self, sources: Places, *, method: DistanceMethod = ..., targets: Places,
+                 max_distance: float | None = ..., time_factor: float = ..., flip: bool = ...,
+                 progress: Progress = ...) -> Numbers | Any: ...
+
     def distance(self, sources: Places, *, method: DistanceMethod = "exact",
                  targets: Places | None = None, max_distance: float | None = None,
-                 time_factor: float = 1.0, progress: Progress = None) -> Numbers:
+                 time_factor: float = 1.0, flip: bool = True,
+                 progress: Progress = None) -> Numbers | float:
         """Returns the distance of each vertex from the nearest source, of shape (n,).
 
         `sources` is a vertex, a `Point`, or a sequence of them. `method` is "exact", along shortest
         paths, or "heat", an approximation that is faster for many calls. With `targets`, the result
-        has the distances of these points instead, and an exact search stops when it has them;
-        `max_distance` ends it, too. Where no source is reached, the distance is infinite. The unit
-        is that of the vertices. `time_factor` is the time of the heat flow in squares of the mean
-        edge: more is smoother.
+        has the distances of these points instead, a number if it is one point, and an exact search
+        stops when it has them; `max_distance` ends it, too. Where no source is reached, the
+        distance is infinite. The unit is that of the vertices. `time_factor` is the time of the heat flow in squares of the mean
+        edge: more is smoother. `flip` is that of `laplacian()`, and matters for heat.
 
         >>> s.distance(0)
         array([0.        , 1.        , 1.41421356, 1.        ])
         >>> s.distance([1, 3], targets=2)
-        array([1.])
+        1.0
         """
         how = _method(method, max_distance, time_factor)
         ends = None if targets is None else self._places(targets, "targets")
-        found, status = _core.distance(self._flipped(), self._places(sources, "sources"), ends,
+        found, status = _core.distance(self._flipped(flip), self._places(sources, "sources"), ends,
                                           how, progress)
         _warn_of_cap(status)
-        return found
+        return float(found[0]) if targets is not None and is_point(targets) else found
 
-    def distances(self, source_sets: Sequence[Places] | ArrayLike, *,
+    def distances(self, source_sets: Sequence[Places] | NDArray[Any], *,
                   method: DistanceMethod = "exact", max_distance: float | None = None,
                   time_factor: float = 1.0, threads: int = 0, out: NDArray[Any] | None = None,
-                  progress: Progress = None) -> NDArray[Any]:
+                  flip: bool = True, progress: Progress = None) -> NDArray[Any]:
         """Returns the distances of all vertices from each of many sets of sources, of shape (k, n).
 
         `source_sets` has k elements, each what `distance()` takes as sources. `threads` is how many
@@ -126,12 +142,12 @@ class _Distances:
         elif not isinstance(out, np.ndarray) or out.shape != shape:
             raise ValueError(f"out must be an array of the shape {shape}, not "
                              f"{getattr(out, 'shape', type(out).__name__)}")
-        _warn_of_cap(_core.distances(self._flipped(), self._places(points, "source_sets"), ends,
+        _warn_of_cap(_core.distances(self._flipped(flip), self._places(points, "source_sets"), ends,
                                      how, _arrays.whole(threads, "threads"), out, progress))
         return out
 
     def pair_distances(self, A: Places, B: Places, *, method: DistanceMethod = "exact",
-                       threads: int = 0, progress: Progress = None) -> Numbers:
+                       threads: int = 0, flip: bool = True, progress: Progress = None) -> Numbers:
         """Returns the distance from each point of `A` to that of `B`, of shape (k,).
 
         One of them may be a single point. Pairs that begin with the same point share a search: let
@@ -146,9 +162,9 @@ class _Distances:
         a, b = ([np.repeat(x, size, axis=0) if len(x) == 1 else x for x in p] for p in (a, b))
         if len(a[0]) != len(b[0]):
             raise ValueError(f"A has {len(a[0])} points and B {len(b[0])}; give as many")
-        return _core.pair_distances(self._flipped(), a, b, how, threads, progress)
+        return _core.pair_distances(self._flipped(flip), a, b, how, threads, progress)
 
-    def voronoi(self, sources: Place | Sequence[Places] | ArrayLike, *,
+    def voronoi(self, sources: Place | Sequence[Places] | NDArray[Any], *,
                 tolerance: float | None = None, progress: Progress = None) -> Voronoi:
         """Divides the surface among sources by exact distances, and returns a `Voronoi`.
 

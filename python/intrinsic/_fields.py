@@ -62,8 +62,8 @@ class Frames:
     and others. Arrays are computed when they are asked for.
     """
 
-    def __init__(self, surface):
-        self._surface, self._core = surface, surface._flipped()
+    def __init__(self, surface, flip):
+        self._surface, self._core = surface, surface._flipped(flip)
         self._neighbors = surface._cloud_neighbors()
 
     def __repr__(self):
@@ -99,9 +99,10 @@ class Frames:
         return axes
 
     @property
-    def angles(self) -> Numbers | None:
+    def angles(self) -> Numbers | Any:
         """The angles in radians of the sides of triangles in the polar coordinates of the vertices
-        where they start, of shape (k, 3): of the sides of `Surface.faces` of `delaunay()`. A vector
+        where they start, of shape (k, 3): of the sides of `Surface.faces` of `delaunay()`, or with
+        `flip=False` of the surface. A vector
         z at a vertex i is parallel to z * exp(1j * (b + pi - a)) at the other end of a side, where
         a is the angle of the side at i, and b that of the side it is glued to. None for a cloud of
         points, whose tangent planes are not those of triangles.
@@ -216,13 +217,14 @@ class _Fields:
         """Returns how many neighbors of each point are triangulated, if it is a cloud of points."""
         return self.report["domain"].get("neighbors", 30) if self._is_cloud() else 30
 
-    def frames(self) -> Frames:
+    def frames(self, *, flip: bool = True) -> Frames:
         """Returns the axes in which vectors have coordinates, as `Frames`: of vertices, of faces of
-        the user's mesh, and the angles of sides of the Delaunay triangulation."""
-        return Frames(self)
+        the user's mesh, and the angles of sides of the Delaunay triangulation. Fields that were
+        made with `flip=False` have those of `frames(flip=False)`."""
+        return Frames(self, flip)
 
     def log_map(self, p: Place, *, method: Literal["exact", "affine", "polar"] | None = None,
-                time_factor: float = 1.0, max_distance: float = np.inf,
+                time_factor: float = 1.0, max_distance: float = np.inf, flip: bool = True,
                 progress: Progress = None) -> Numbers:
         """Returns the logarithmic map of a point: for each vertex the vector at `p` along the
         shortest path to it, as long as the path; of shape (n, 2), in the units of the mesh.
@@ -237,13 +239,13 @@ class _Fields:
         expect_one(p, "p")
         if method is not None:
             _arrays.expect_word(method, "method", ("exact", "affine", "polar"))
-        return _core.log_map(self._flipped(), self._places(p, "p"), method,
+        return _core.log_map(self._flipped(flip), self._places(p, "p"), method,
                              _arrays.number(time_factor, "time_factor"),
                              _arrays.distance(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)
 
     def transport(self, points: Places, vectors: ArrayLike, *, time_factor: float = 1.0,
-                  progress: Progress = None) -> VectorField:
+                  flip: bool = True, progress: Progress = None) -> VectorField:
         """Transports vectors from points to all vertices, each from the nearest point: the vector
         heat method. Returns a `VectorField`.
 
@@ -258,24 +260,24 @@ class _Fields:
             vectors = vectors[None, :]
         if vectors.ndim != 2:
             _arrays.expect_shape(vectors, "vectors", (None, 2))
-        core = self._flipped()
+        core = self._flipped(flip)
         field = _core.transport(core, self._places(points, "points"), vectors,
                                 _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
                                 progress)
         return VectorField(core, field, self._cloud_neighbors())
 
     def extend(self, points: Places, values: ArrayLike, *, time_factor: float = 1.0,
-               progress: Progress = None) -> Numbers:
+               flip: bool = True, progress: Progress = None) -> Numbers:
         """Extends values at points, of shape (k,), to all vertices, of shape (n,): near the value
         of the nearest point, smoothly, never beyond the extremes. NaN where no path leads to a
         point. `time_factor` is the time of the heat flow in squares of the mean edge."""
         values = np.atleast_1d(_arrays.numbers(values, "values"))
-        return _core.extend(self._flipped(), self._places(points, "points"), values,
+        return _core.extend(self._flipped(flip), self._places(points, "points"), values,
                             _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
                             progress)
 
     def direction_field(self, degree: int = 4, *, align: float | None = None,
-                        fixed: tuple[Places, ArrayLike] | None = None,
+                        fixed: tuple[Places, ArrayLike] | None = None, flip: bool = True,
                         progress: Progress = None) -> DirectionField:
         """Returns the smoothest field of directions: `degree` 1 for vectors, 2 for lines, 4 for
         crosses; a `DirectionField`.
@@ -284,7 +286,7 @@ class _Fields:
         even degrees: 0 gives the smoothest of such fields, more is closer to them. `fixed` is a
         pair of vertices and directions there, as for `transport()`.
         """
-        core = self._flipped()
+        core = self._flipped(flip)
         points, vectors = _pair(fixed) if fixed is not None else ([], np.zeros((0, 2)))
         vectors = _arrays.numbers(vectors, "fixed[1]")
         if vectors.ndim == 1 and vectors.size:
@@ -297,7 +299,7 @@ class _Fields:
         return DirectionField(core, degree, found, self._cloud_neighbors())
 
     def signed_distance(self, curves: SignedCurves, *, time_factor: float = 1.0,
-                        progress: Progress = None) -> Numbers:
+                        flip: bool = True, progress: Progress = None) -> Numbers:
         """Returns signed distances from curves, of shape (n,): negative on their left, positive on
         their right, by heat.
 
@@ -310,12 +312,12 @@ class _Fields:
         be oriented: covers are refused.
         """
         rows = _curves(curves, self._places, self._core.number_of_vertices)
-        return _core.signed_distance(self._flipped(), rows,
+        return _core.signed_distance(self._flipped(flip), rows,
                                      _arrays.number(time_factor, "time_factor"),
                                      progress)
 
-    def connection_laplacian(self, degree: int = 1) -> Any:
+    def connection_laplacian(self, degree: int = 1, *, flip: bool = True) -> Any:
         """Returns the Laplacian of tangent vectors, a complex, Hermitian csr_matrix of shape
         (n, n): in the polar coordinates of vertices, see `VectorField`, for the powers of vectors
         that stand for `degree` directions. On a cover it has a row for each copy of a vertex."""
-        return _arrays.sparse(_core.connection_laplacian(self._flipped(), _degree(degree)))
+        return _arrays.sparse(_core.connection_laplacian(self._flipped(flip), _degree(degree)))

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 
@@ -37,8 +37,8 @@ class PlaneMap:
     surface: Surface
     uv: Numbers
     status: str
-    certificate: dict[str, Any] | None
-    distortion: dict[str, float] | None
+    certificate: dict[str, Any] | Any
+    distortion: dict[str, float] | Any
     rounds: int
     inserted_vertices: int
     injective_on_input: bool | None
@@ -86,7 +86,7 @@ class ConformalMap:
     plane that is projected. `cones` is a dict from vertices to their angles. `target` is "plane",
     "sphere", "torus" or "disk".
 
-    On a sphere `positions` of shape (n, 3) are the vertices; of a torus, `period` is a complex
+    On a sphere `points` of shape (n, 3) are the vertices; of a torus, `period` is a complex
     number. `layout` is a `Layout`, with `certificate` and `distortion` as those of a `PlaneMap`;
     None for spheres, and where `no_layout` says why there is none: a Möbius strip or a cloud of
     points has no front, and a solver that stalled may leave triangles that have no shape.
@@ -99,25 +99,25 @@ class ConformalMap:
     iterations: int
     flips: int
     residual: float
-    proven_residual: float | None
+    proven_residual: float | Any
     cones: dict[int, float]
-    period: complex | None
-    positions: Numbers | None
-    sphere: dict[str, Any] | None
-    layout: Layout | None
+    period: complex | Any
+    points: Numbers | Any
+    sphere: dict[str, Any] | Any
+    layout: Layout | Any
     no_layout: str | None
-    certificate: dict[str, Any] | None
-    distortion: dict[str, float] | None
+    certificate: dict[str, Any] | Any
+    distortion: dict[str, float] | Any
 
     def __init__(self, found):
         sphere = found.pop("sphere", None)
         layout = found.pop("layout", None)
         self.no_layout = None
-        self.certificate = self.distortion = self.positions = None
+        self.certificate = self.distortion = self.points = None
         self.__dict__.update(found)
         self.sphere = sphere
         if sphere is not None:
-            self.positions = sphere.pop("positions")
+            self.points = sphere.pop("positions")
         self.layout = None if layout is None else _layout(layout)
 
     def __repr__(self):
@@ -171,9 +171,19 @@ def _angle_arrays(angles, name, vertices):
 
 
 class _Maps:
+    @overload
+    def parametrize(self, method: Literal["harmonic", "lscm", "spectral"] = ..., *,
+                    cut: Literal["auto"] | ArrayLike | None = ..., flip: bool = ...,
+                    progress: Progress = ...) -> PlaneMap: ...
+
+    @overload
+    def parametrize(self, method: Literal["conformal"], *,
+                    start: Literal["input", "delaunay"] | None = ..., flip: bool = ...,
+                    progress: Progress = ...) -> ConformalMap: ...
+
     def parametrize(self, method: Literal["harmonic", "lscm", "spectral", "conformal"] = "harmonic",
                     *, cut: Literal["auto"] | ArrayLike | None = None,
-                    start: Literal["input", "delaunay"] | None = None,
+                    start: Literal["input", "delaunay"] | None = None, flip: bool = True,
                     progress: Progress = None) -> PlaneMap | ConformalMap:
         """Maps a disk to the plane: a `PlaneMap`.
 
@@ -188,14 +198,15 @@ class _Maps:
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
         if method == "conformal":
-            return self._conformal_map_of_disk(cut, start, progress)
+            return self._conformal_map_of_disk(
+                cut, start or ("delaunay" if flip else "input"), progress)
         if start is not None:
             raise ValueError(f'start="{start}" is of conformal maps; give it with '
                              'method="conformal"')
         is_cloud = self._is_cloud()
         surface, original = (self, None) if is_cloud else self._cut_open(cut, progress)
-        core = self._core if is_cloud else surface._flipped()
-        if method == "harmonic":
+        core = self._core if is_cloud else surface._flipped(flip)
+        if method == "harmonic":  # which inserts vertices
             core = _core.copy(core)
         *found, inserted, is_injective = _core.parametrize(core, method, self._cloud_neighbors(),
                                                            progress)
@@ -209,7 +220,7 @@ class _Maps:
             raise ValueError('method="conformal" maps disks as they are; leave cut out, or take '
                              "uniformize(), which cuts any surface open")
         _core.expect_disks(self._core)
-        return self.uniformize(target="plane", start=start or "delaunay", progress=progress)
+        return self.uniformize(target="plane", start=start, progress=progress)
 
     def uniformize(self, angles: Sequence[Angle] | ArrayLike | None = None, *,
                    cones: int | Mapping[int, Angle] | None = None,
@@ -248,16 +259,17 @@ class _Maps:
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
                                              progress))
 
-    def eigen(self, k: int, *, progress: Progress = None) -> tuple[Numbers, Numbers]:
+    def eigen(self, k: int, *, flip: bool = True,
+              progress: Progress = None) -> tuple[Numbers, Numbers]:
         """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
         the eigenfunctions, of shape (n, k), orthonormal in the mass matrix. There are at most as
         many as vertices, and fewer are returned if `k` is larger."""
         count = _arrays.whole(k, "k", "the number of eigenfunctions")
-        return _core.eigen(self._flipped(), count, progress)
+        return _core.eigen(self._flipped(flip), count, progress)
 
     def deform(self, handles: ArrayLike | Mapping[int, ArrayLike],
                displacements: ArrayLike | None = None, *,
-               energy: Literal["biharmonic", "harmonic"] = "biharmonic",
+               energy: Literal["biharmonic", "harmonic"] = "biharmonic", flip: bool = True,
                progress: Progress = None) -> Numbers:
         """Moves some vertices, and the others with them, as smoothly as possible. Returns the
         displacements of all vertices, of shape (n, d).
@@ -273,7 +285,7 @@ class _Maps:
             if not isinstance(handles, dict):
                 raise ValueError("displacements are missing; give them, or a dict of handles")
             handles, displacements = list(handles), list(handles.values())
-        core = self._flipped()
+        core = self._flipped(flip)
         rows = _arrays.indices(handles, "handles", (None,), count=core.number_of_vertices)
         moved = _arrays.numbers(displacements, "displacements")
         if moved.ndim != 2 or len(moved) != len(rows):

@@ -50,16 +50,16 @@ def kept(keep, vertices):
 
 def abstract_arrays(V, F, lengths, glue):
     """Returns the number of vertices, and arrays of faces, lengths, glued sides and points."""
-    faces = _arrays.indices(F, "F", (None, 3))
+    faces = _arrays.indices(F, "faces", (None, 3))
     points = None
     if V is None:
         vertices = int(faces.max()) + 1 if faces.size else 0
     elif _arrays.is_single(V):
-        vertices = _arrays.whole(V, "V", "points, or how many vertices there are")
+        vertices = _arrays.whole(V, "points", "points, or how many vertices there are")
     else:
-        points = _arrays.points(V, "V")
+        points = _arrays.points(V, "points")
         vertices = len(points)
-    faces = _arrays.indices(faces, "F", count=vertices)
+    faces = _arrays.indices(faces, "faces", count=vertices)
     lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))
     _arrays.refuse_first(lengths, lengths < 0, "lengths", "give lengths from 0")
     if glue is not None:

@@ -44,7 +44,7 @@ def load(path: Path) -> Surface:
     return read(path)
 
 
-def points(P: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "exact",
+def points(points: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "exact",
            mollification: Mollification = "automatic") -> Surface:
     """Makes a surface of points near a surface in space, of shape (n, 3).
 
@@ -53,5 +53,5 @@ def points(P: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "exact
     """
     _options.expect(arithmetic=arithmetic, mollification=mollification)
     neighbors = _neighbors(neighbors)
-    return Surface._of(_core.points(_arrays.points(P, "P"), neighbors, arithmetic == "exact",
-                                    mollification))
+    return Surface._of(_core.points(_arrays.points(points, "points"), neighbors,
+                                    arithmetic == "exact", mollification))

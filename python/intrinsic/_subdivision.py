@@ -19,7 +19,8 @@ class CommonSubdivision:
     """The coarsest mesh in which every edge of the input and of a triangulation is a path.
 
     Attributes:
-        V: places of the vertices in space, of shape (n, 3); None if the surface has only lengths.
+        points: places of the vertices in space, of shape (n, 3); None if the surface has only
+            lengths.
         corners: the vertices at all corners of its polygons, one polygon after the other.
         begins: where the corners of each polygon begin, and their number.
         input_face: the face of the user's mesh that each polygon is in.
@@ -29,7 +30,7 @@ class CommonSubdivision:
             of the triangulation, to those of the subdivision.
     """
 
-    V: Numbers | None
+    points: Numbers | Any
     corners: Integers
     begins: Integers
     input_face: Integers
@@ -39,7 +40,7 @@ class CommonSubdivision:
     P_intrinsic: Matrix
 
     def __init__(self, parts: dict[str, Any]) -> None:
-        self.V = parts["V"] if parts["has_points"] else None
+        self.points = parts["V"] if parts["has_points"] else None
         self.corners = parts["corners"]
         self.begins = parts["begins"]
         self.input_face = parts["input_face"]
@@ -68,7 +69,7 @@ class CommonSubdivision:
 
         sizes = np.diff(self.begins)
         faces = np.insert(self.corners, self.begins[:-1], sizes)
-        mesh = pyvista.PolyData(self.V, faces)
+        mesh = pyvista.PolyData(self.points, faces)
         mesh.cell_data["input_face"] = self.input_face
         mesh.cell_data["intrinsic_face"] = self.intrinsic_face
         return mesh

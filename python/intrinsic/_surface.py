@@ -12,6 +12,7 @@ from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
 from ._maps import _Maps
+from ._operators import _Learning
 from ._pages import _Pages
 from ._points import Point, place_arrays
 from ._subdivision import CommonSubdivision
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
-class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is
@@ -32,9 +33,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     those that are inserted follow them; all results are in the units of the vertices.
 
     Parameters:
-        V: vertices, of shape (n, 3), or (n, 2) in the plane; of any type of numbers. With
+        points: vertices, of shape (n, 3), or (n, 2) in the plane; of any type of numbers. With
             `lengths` it may be None, or the number of vertices.
-        F: faces, of shape (m, k), or a list of faces with different numbers of corners.
+        faces: their vertices, of shape (m, k), or a list of faces of different sizes.
         lengths: for an abstract surface, the lengths of the sides of triangles, of shape (m, 3):
             from each corner to the next. They need not fit into space. Around an edge with more
             than two faces, these are in the order of their numbers.
@@ -57,7 +58,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
     0.4
     """
 
-    def __init__(self, V: ArrayLike | None, F: ArrayLike | Sequence[ArrayLike], *,
+    def __init__(self, points: ArrayLike | None, faces: ArrayLike | Sequence[ArrayLike], *,
                  lengths: ArrayLike | None = None, glue: ArrayLike | None = None,
                  domain: Domain = "auto", arithmetic: Arithmetic = "exact",
                  correspondence: Literal["integer"] = "integer",
@@ -69,14 +70,14 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         if lengths is None:
             if glue is not None:
                 raise ValueError("glue needs lengths; give them, or leave glue out")
-            points = _arrays.points(V, "V")
-            corners, begins = _arrays.polygons(F, "F", len(points))
+            points = _arrays.points(points, "points")
+            corners, begins = _arrays.polygons(faces, "faces", len(points))
             if len(begins) == 1:
-                raise ValueError("F has no faces; give some, or make a surface of points alone "
-                                 "with intrinsic.points(V)")
+                raise ValueError("faces has no faces; give some, or make a surface of points alone "
+                                 "with intrinsic.points(points)")
             self._set(_core.build(points, corners, begins, domain, exact, mollification, polygons))
             return
-        arrays = _options.abstract_arrays(V, F, lengths, glue)
+        arrays = _options.abstract_arrays(points, faces, lengths, glue)
         self._set(_core.build_abstract(*arrays, domain, exact, mollification))
 
     def _set(self, core):
@@ -90,9 +91,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         surface._set(core)
         return surface
 
-    def _flipped(self):
-        """Returns the object of _core that is Delaunay: this one, or one that it keeps."""
-        if self._core.is_flipped:
+    def _flipped(self, flip=True):
+        """Returns the object of _core that is Delaunay: this one, or one that it keeps; without
+        `flip` this one as it is."""
+        if not flip or self._core.is_flipped:
             return self._core
         self._core.expect_free()  # else another thread may hold the lock, and wait for this one
         with self._lock:
@@ -214,7 +216,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         return _core.glue(self._core)
 
     @property
-    def points(self) -> Numbers | None:
+    def points(self) -> Numbers | Any:
         """The places of all vertices in space, of shape (n, 3); None if there are only lengths."""
         return None if self._core.points is None else _core.positions(self._core)
 
@@ -236,16 +238,18 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
 
     # ---- Matrices -------------------------------------------------------------------------------
 
-    def laplacian(self) -> Matrix:
+    def laplacian(self, *, flip: bool = True) -> Matrix:
         """Returns the cotangent Laplacian, a scipy.sparse.csr_matrix of shape (n, n).
 
         It is positive semidefinite: minus that of libigl. It has a row for each vertex, zero if no
-        face has the vertex. Before `delaunay()` it is that
-        of the Delaunay triangulation all the same, which has no negative weights inside.
+        face has the vertex. Before `delaunay()` it is that of the Delaunay triangulation all the
+        same, which has no negative weights inside. With `flip=False`, here and in other methods, it
+        is that of the triangulation as it is: of the faces of the mesh.
         """
-        return _arrays.sparse(_core.laplacian(self._flipped()), symmetric=True)
+        return _arrays.sparse(_core.laplacian(self._flipped(flip)), symmetric=True)
 
-    def mass(self, kind: Literal["lumped", "galerkin", "voronoi"] = "lumped") -> Matrix:
+    def mass(self, kind: Literal["lumped", "galerkin", "voronoi"] = "lumped", *,
+             flip: bool = True) -> Matrix:
         """Returns the mass matrix, a scipy.sparse.csr_matrix of shape (n, n).
 
         `kind` is "lumped": diagonal, a third of the area of the faces at each vertex, or on a cloud
@@ -254,10 +258,14 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Pages):
         "voronoi": diagonal, the signed area of the cell between the vertex, the midpoints of its
         edges and the circumcenters of its faces, which is negative where these lie beyond their
         faces. The sum of the entries is the area.
-        The triangulation is that of `laplacian()`.
+
+        The triangulation is that of `laplacian()`: before `delaunay()` it is not that of the mesh,
+        and neither are the entries, one by one. On meshes with slivers they differ a hundred times.
+        Integrals of functions that are linear on the faces of the mesh, such as what `to_input()`
+        returns, need `flip=False`.
         """
         _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))
-        return _arrays.sparse(_core.mass(self._flipped(), kind), symmetric=True)
+        return _arrays.sparse(_core.mass(self._flipped(flip), kind), symmetric=True)
 
     # ---- The input and the triangulation --------------------------------------------------------
 

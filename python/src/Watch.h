@@ -26,22 +26,24 @@ what Python raised: `with_triangulation()` does so.
 */
 class Watch {
 public:
-  /// \param progress called with the name of a stage and how far that is, a whole number; or `None`
+  /// \param progress called with the name of a stage, how far that is, a whole number, and how far
+  ///   it will be, a whole number or `None`; or `None` in place of a function
   explicit Watch(pybind11::object progress = pybind11::none()) : progress_(std::move(progress)) {}
 
   /*!
   \brief returns whether to go on. It is called without the interpreter's lock.
   \param stage what is being done, such as "flips", of which there are
   \param count so many
+  \param total of so many in all; 0 if that is unknown
   */
-  bool operator()(const char* stage, std::uint64_t count = 0) {
+  bool operator()(const char* stage, std::uint64_t count = 0, std::uint64_t total = 0) {
     if (error_) return false;
     const auto now = std::chrono::steady_clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return true;
     const pybind11::gil_scoped_acquire lock;
     try {
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
-      if (!progress_.is_none()) progress_(stage, count);
+      if (!progress_.is_none()) call(stage, count, total);
     } catch (...) {
       error_ = std::current_exception();
     }
@@ -71,6 +73,13 @@ public:
   }
 
 private:
+  void call(const char* stage, std::uint64_t count, std::uint64_t total) {
+    if (total == 0)
+      progress_(stage, count, pybind11::none());
+    else
+      progress_(stage, count, total);
+  }
+
   pybind11::object progress_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::exception_ptr error_;
@@ -80,17 +89,18 @@ private:
 /// Asks whether to go on, for visitors of the library: says what is being done, and how much of it
 /// if they count that.
 struct Watching {
-  Watch* watch;      ///< what is asked
-  const char* stage; ///< what is being done
+  Watch* watch;            ///< what is asked
+  const char* stage;       ///< what is being done
+  std::uint64_t total = 0; ///< how much there is to do; 0 if that is unknown
   /// is called after each step.
   template <class Step, class... More>
   bool progress(const Step& step, const More&...) {
     if constexpr (std::integral<Step>)
-      return (*watch)(stage, step);
+      return (*watch)(stage, step, total);
     else if constexpr (requires { step.flips; })
       return (*watch)(stage, step.flips);
     else if constexpr (requires { step.rounds; })
-      return (*watch)(stage, step.rounds);
+      return (*watch)(stage, step.rounds, total);
     else
       return (*watch)(stage);
   }

@@ -134,7 +134,7 @@ py::array_t<double> even_levels(const Doubles& u, std::size_t count) {
 }
 
 py::list isolines(Surface& s, const Doubles& u, const Doubles& l, Watch& watch) {
-  Watching visitor{&watch, "levels"};
+  Watching visitor{&watch, "levels", static_cast<std::uint64_t>(l.size())};
   std::shared_ptr<const IT::Input> input;
   std::vector<IT::Traced_isoline> lines;
   const std::span values(u.data(), static_cast<std::size_t>(u.size()));

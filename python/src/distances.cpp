@@ -48,12 +48,12 @@ void expect_sources(const std::vector<Place>& sources) {
 
 // Lets a search ask whether to go on.
 void watch_steps(Method& method, Watch& watch) {
-  method.progress = [&watch](IT::Distance_step step, std::uint64_t done, std::uint64_t) {
+  method.progress = [&watch](IT::Distance_step step, std::uint64_t done, std::uint64_t all) {
     return watch(step == IT::Distance_step::windows    ? "windows"
                  : step == IT::Distance_step::matrices ? "matrices"
                  : step == IT::Distance_step::cells    ? "cells"
                                                        : "parts",
-                 done);
+                 done, all);
   };
 }
 

@@ -18,7 +18,7 @@ namespace {
 std::string in_python(std::string message) {
   static constexpr std::array<std::array<std::string_view, 2>, 12> names{
       {{"--arithmetic exact", "arithmetic=\"exact\""},
-       {"--domain points", "intrinsic.points(V)"},
+       {"--domain points", "intrinsic.points(points)"},
        {"--arithmetic", "arithmetic"},
        {"--mollification", "mollification"},
        {"--domain", "domain"},

@@ -12,6 +12,7 @@ says which measure belongs to which class:
 - "combinatorial": numbers of elements, connectivity and choices, likewise; there are no ties.
 """
 
+import tempfile
 from typing import Callable, NamedTuple
 
 import numpy as np
@@ -218,14 +219,14 @@ def located(x):
 def subdivision(x):
     c = x.d.common_subdivision()
     tri, _ = c.triangles()
-    return [areas(c.V, tri).sum() / x.scale**2]
+    return [areas(c.points, tri).sum() / x.scale**2]
 
 
 def subdivision_in_detail(x):
     c = x.d.common_subdivision()
     u = c.P_input @ function(x)
     w = c.P_intrinsic @ function(x)
-    return [len(c.V), len(c.polygons), in_order(x.space(c.V)), u.sum(), w.sum(), (u * w).sum()]
+    return [len(c.points), len(c.polygons), in_order(x.space(c.points)), u.sum(), w.sum(), (u * w).sum()]
 
 
 def transferred(x):
@@ -534,7 +535,7 @@ def conformal_map(x, count):
     if x.name == "torus":  # a factor of all lengths is free
         tau = reduced_period(m.period)
         return [m.u[:count] - m.u[:count].mean(), np.array([tau.real, tau.imag])]
-    return [m.u[:count], distances_between(m.positions[:count])]
+    return [m.u[:count], distances_between(m.points[:count])]
 
 
 def cut_and_mapped(x):
@@ -550,8 +551,8 @@ def uniformized(start):
         found = [m.target, m.status, x.rows(m.u) + shift]
         if m.period is not None:
             found.append(j_invariant(m.period))
-        if m.positions is not None:
-            found.append(distances_between(x.rows(m.positions)))
+        if m.points is not None:
+            found.append(distances_between(x.rows(m.points)))
         return found
     return measure
 
@@ -595,6 +596,16 @@ def j_invariant(tau):
 def eigen(x):
     values, u = x.s.eigen(5)
     return [values * x.scale**2, up_to_sign(x.rows(u) * x.scale)[:, 1:]]
+
+
+def operators(x):
+    """The same from a file; and gradients, whose axes depend on how the surface is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        x.s.operators(k=5).save(folder + "/o.npz")
+        o = it.Operators.load(folder + "/o.npz")
+    u = function(x)
+    slope = np.hypot(o.gradient_x @ u, o.gradient_y @ u)
+    return [o.eigenvalues * x.scale**2, x.rows(o.mass) / x.scale**2, x.rows(slope) * x.scale]
 
 
 def eigenvalues(x):

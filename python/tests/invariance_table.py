@@ -87,6 +87,10 @@ TABLE = {
                      discrete(lambda x: [m.submatrix(x, x.s.mass(k)) / x.scale**2
                                          for k in ("lumped", "galerkin", "voronoi")])],
     "Surface.connection_laplacian": [discrete(m.connection, on=MESHES)],
+    "Surface.operators": [discrete(m.operators, on=ORIENTED)],
+    "Operators": [discrete(m.operators, on=ORIENTED)],
+    "Operators.save": [discrete(m.operators, on=ORIENTED)],
+    "Operators.load": [discrete(m.operators, on=ORIENTED)],
     "Surface.eigen": [discrete(m.eigen), discrete(m.eigenvalues, on=MESHES, converges=True)],
     # The input and the triangulation
     "Surface.to_input": [discrete(m.transferred, on=MESHES), intrinsic(m.constants)],

@@ -85,15 +85,15 @@ class Arrays(unittest.TestCase):
         nan = V.copy()
         nan[3, 1] = np.nan
         for arguments, words in (
-                ((V[:, :1], F), "V has the shape"), ((V.ravel(), F), "V has the shape"),
-                ((nan, F), r"V\[3, 1\] is nan"), ((V.astype(complex), F), "complex"),
+                ((V[:, :1], F), "points has the shape"), ((V.ravel(), F), "points has the shape"),
+                ((nan, F), r"points\[3, 1\] is nan"), ((V.astype(complex), F), "complex"),
                 ((V.astype(str), F), "no real numbers"), (([[0, 0, 0], [1]], F), "different"),
-                ((V, []), "F has no faces"), ((V, F[:0]), "F has no faces"),
-                ((V, F + 1), r"F\[.*\] is 25"), ((V, F - 1), "is -1"),
+                ((V, []), "faces has no faces"), ((V, F[:0]), "faces has no faces"),
+                ((V, F + 1), r"faces\[.*\] is 25"), ((V, F - 1), "is -1"),
                 ((V, F[:, :2]), "2 vertices"),
                 ((V, F.astype(float) + .5), "whole numbers"), ((V, [[0, 1], [1, 2, 3]]), "face 0"),
-                ((V, "none"), "F"), ((V, F == 0), "bool"), ((V, [[0, 1, 10**30]]), "F"),
-                ((V, np.full((1, 3), np.inf)), "inf"), ((V[:0], F), "F"),
+                ((V, "none"), "faces"), ((V, F == 0), "bool"), ((V, [[0, 1, 10**30]]), "faces"),
+                ((V, np.full((1, 3), np.inf)), "inf"), ((V[:0], F), "faces"),
                 ((V, [[0, 0, 1]]), "face")):
             with self.assertRaisesRegex((ValueError, TypeError), words):
                 it.Surface(*arguments)

@@ -171,7 +171,7 @@ class Arguments(unittest.TestCase):
     def test_the_user_sees_progress_and_may_end_it(self):
         seen = []
 
-        def stop(stage, count):
+        def stop(stage, count, total):
             seen.append(stage)
             raise KeyboardInterrupt
 

@@ -222,7 +222,7 @@ class Arguments(unittest.TestCase):
             np.testing.assert_array_equal(s.transport(points, vectors).coordinates, expected)
 
     def test_the_user_may_end_signed_distances(self):
-        def stop(stage, count):
+        def stop(stage, count, total):
             raise KeyboardInterrupt
 
         s = it.Surface(*grid(200))

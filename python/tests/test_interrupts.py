@@ -2,8 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Long work tells how far it is, and ends when the user says so. Nothing is spoilt by that."""
 
+import contextlib
+import importlib.util
+import io
+import re
 import threading
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -15,7 +20,7 @@ class Enough(Exception):
     """What a user raises."""
 
 
-def stop(stage, count):
+def stop(stage, count, total):
     raise Enough(stage)
 
 
@@ -69,6 +74,33 @@ class Long_work(unittest.TestCase):
         self.assertEqual(cloud.parametrize("spectral").uv.shape, (50000, 2))
 
 
+class Totals(unittest.TestCase):
+    def test_they_are_known_of_what_is_listed(self):
+        s = it.Surface(*unit_grid(150))
+        seen = set()
+        s.distances(range(60), progress=lambda *a: seen.add((a[0], a[2])))
+        self.assertIn(("parts", 60), seen)
+        seen.clear()
+        s.isolines(s.points[:, 0], 3000, progress=lambda *a: seen.add((a[0], a[2])))
+        self.assertEqual({total for _, total in seen}, {3000})
+        seen.clear()
+        s.refine(min_angle=30, max_circumradius=0.004,
+                 progress=lambda *a: seen.add((a[0], a[2])))
+        self.assertEqual({total for _, total in seen}, {None})
+
+    @unittest.skipUnless(importlib.util.find_spec("tqdm"), "tqdm is not installed")
+    def test_the_bar_of_the_manual(self):
+        page = Path(__file__).parents[2] / "doc" / "Intrinsic_triangulations" / \
+            "python_distances.md"
+        code, = (block for block in re.findall("```py\n(.*?)```", page.read_text(), re.DOTALL)
+                 if "tqdm" in block)
+        names = {"s": it.Surface(*unit_grid(25))}
+        with contextlib.redirect_stderr(io.StringIO()):
+            exec(code, names)
+        self.assertEqual(names["bar"].total, names["s"].number_of_vertices)
+        self.assertEqual(names["bar"].desc, "parts")
+
+
 class Callbacks(unittest.TestCase):
     """What users are told while several threads work."""
 
@@ -76,7 +108,7 @@ class Callbacks(unittest.TestCase):
         """A function that is called while a surface works is called in the thread of the caller,
         and may not use the surface."""
         def attempt(_):
-            def progress(stage, count):
+            def progress(stage, count, total):
                 callers.append(threading.get_ident())
                 use()
 

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A function on many files: order, failures, progress; here, on threads, processes and a cluster."""
+"""A function on many files: order, failures, progress; on threads, processes and a cluster."""
 
 import importlib.util
 import os

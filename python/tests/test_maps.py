@@ -63,7 +63,7 @@ class Closed_forms(unittest.TestCase):
     def test_spheres_become_round_and_tori_flat(self):
         sphere = it.Surface(*CUBE).uniformize()
         self.assertEqual((sphere.target, sphere.status), ("sphere", "done"))
-        np.testing.assert_allclose(np.linalg.norm(sphere.positions, axis=1), 1, rtol=1e-12)
+        np.testing.assert_allclose(np.linalg.norm(sphere.points, axis=1), 1, rtol=1e-12)
         self.assertTrue(sphere.sphere["injective"])
         flat = it.Surface(*torus()).uniformize()
         self.assertEqual((flat.target, flat.status), ("torus", "done"))

@@ -29,7 +29,7 @@ def results():
             s.common_subdivision(), s.path(0, 23), s.loop([0, 4, 24], waypoints=True), crossing,
             s.cut(crossing), s.parametrize(), flat, flat.layout,
             it.Surface(*TETRAHEDRON).uniformize(), s.isolines(u)[0], it.Point(0, (1., 0., 0.)),
-            s.trace(0, [1, .3, 0], 2.)]
+            s.trace(0, [1, .3, 0], 2.), s.operators(k=3), it.map(int, ["x"])[0]]
 
 
 def state(x):

@@ -100,7 +100,7 @@ class Program(program.Comparison):
                 self.expect_same_matrix(c.P_intrinsic, self.matrix("p.mtx"))
                 self.expect_same_matrix(c.P_input, self.matrix("q.mtx"))
                 V, polygons = program.surface(self.folder / "s.off")
-                np.testing.assert_array_equal(V, c.V)
+                np.testing.assert_array_equal(V, c.points)
                 self.assertTrue(polygons == [p.tolist() for p in c.polygons])
 
     def test_stored_triangulations(self):

@@ -80,7 +80,7 @@ class Values(With_folder):
         faces, weights = t.locate(np.arange(len(V)))
         self.assertTrue((t.faces[faces, weights.argmax(axis=1)] == np.arange(len(V))).all())
         c = t.common_subdivision()
-        self.assertLess(abs(c.P_input @ V - c.V).max(), 1e-12)
+        self.assertLess(abs(c.P_input @ V - c.points).max(), 1e-12)
         triangles, polygon = c.triangles()
         self.assertEqual(len(triangles), (np.diff(c.begins) - 2).sum())
         self.assertTrue((c.input_face[polygon] < len(F)).all())
@@ -115,11 +115,11 @@ class Work(With_folder):
         calls = []
         s = it.Surface(*bumpy(60))
         s.refine(min_angle=32, size=0.05, max_insertions=30000,
-                 progress=lambda stage, count: calls.append((stage, count)))
+                 progress=lambda stage, count, total: calls.append((stage, count)))
         self.assertTrue(calls)
         self.assertTrue(all(isinstance(n, int) for _, n in calls))
 
-        def stop(stage, count):
+        def stop(stage, count, total):
             raise LookupError("enough")
 
         with self.assertRaisesRegex(LookupError, "enough"):

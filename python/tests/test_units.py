@@ -124,7 +124,7 @@ class Units(unittest.TestCase):
 
     def drawn(self, s):
         c = s.common_subdivision()
-        return c.V, c.triangles()[0]
+        return c.points, c.triangles()[0]
 
     def cut(self, s, curves):
         pieces = s.cut(curves)

@@ -98,7 +98,8 @@ class Collections(Cli_test):
         self.assertEqual(list(named), ["delaunay", "eigen_--count_3"])
         self.assertEqual(named["delaunay"], ("delaunay", 60, 4096, 1))
         self.assertEqual(named["eigen_--count_3"], ("eigen --count 3", 600, 4096, 4))
-        for wrong in None, [], ["delaunay", "delaunay"], [{"time_limit": 3}], [{"run": "x", "y": 1}]:
+        for wrong in (None, [], ["delaunay", "delaunay"], [{"time_limit": 3}],
+                      [{"run": "x", "y": 1}]):
             with self.assertRaises(commands.Failure):
                 commands.named_commands(LIMITS | {"commands": wrong})
 
@@ -132,7 +133,8 @@ class Report(Cli_test):
         self.write("before.jsonl", "".join(json.dumps(r) + "\n" for r in before))
         page = self.page(
             [record("a.off", seconds=4.0, angle=20), record("b.off", seconds=2.0, angle=30),
-             record("c.off", status="failed", message="edge <3> is bad"), record("new.off", angle=40)],
+             record("c.off", status="failed", message="edge <3> is bad"),
+             record("new.off", angle=40)],
             "--before", "before.jsonl")
         self.assertNotRegex(page, "<script|<link|src=|http|<3>")
         rows = self.rows(page)

@@ -109,8 +109,8 @@ def study_page(lines):
     results, plots = results_of(lines), Plots()
     return page(
         "Arithmetics of Delaunay flips", start(results), summaries(results), "<h2>Time</h2>\n",
-        plot_times(plots, results), plot_profile(plots, results), harm(results), plot_stress(plots, results),
-        unfinished(results), messages(results), "<h2>What exact decisions take</h2>\n",
+        plot_times(plots, results), plot_profile(plots, results), harm(results),
+        plot_stress(plots, results), unfinished(results), messages(results), "<h2>What exact decisions take</h2>\n",
         escalations(results), plot_escalations(plots, results))
 
 
