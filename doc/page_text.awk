@@ -34,7 +34,7 @@ function is_part(target,    file, label, line) {
 # the reference that a link becomes, or nothing
 function reference(text, target,    label, name) {
   if (target ~ /^\.\.\/\.\.\/include\// && text ~ /\.(h|html)$/) return text # a file, to which doxygen links if it has a page
-  if (target ~ /^\.\.\/\.\.\/(src|python)\//) return text # a source, which has no page
+  if (target ~ /^\.\.\/\.\.\/(src|python|examples\/python)\//) return text # a source, which has no page
   if (target ~ /^\.\.\/\.\.\/include\/.*\.h$/) {
     name = text
     gsub(/`/, "", name)
