@@ -8,9 +8,7 @@ import re
 import shlex
 from typing import NamedTuple
 
-
-class Failure(Exception):
-    """A command that cannot be run; the message says which, and the remedy."""
+from failure import Failure
 
 
 class Command(NamedTuple):

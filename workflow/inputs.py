@@ -9,11 +9,9 @@ import os
 import re
 from pathlib import Path
 
+from failure import Failure
+
 EXTENSIONS = {".off", ".obj", ".ply", ".stl", ".ts", ".xyz", ".pwn", ".idt"}
-
-
-class Failure(Exception):
-    """Words that name no files; the message says which, and the remedy."""
 
 
 def is_generated(word):

@@ -11,6 +11,8 @@ import tempfile
 
 import pandas
 
+from failure import Failure
+
 _HEAD = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -40,10 +42,6 @@ summary { cursor: pointer; color: #0072B2; }
 <body>
 """
 UNKNOWN = "\u2013"
-
-
-class Failure(Exception):
-    """Valid usage that failed; the message names the file and the remedy."""
 
 
 def grouped(n):

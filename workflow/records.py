@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pandas
 
-from page import Failure
+from failure import Failure
 
 STATUSES = {"done": "done", "failed": "failed", "misused": "wrong usage",
             "timed_out": "timed out", "out_of_memory": "out of memory", "crashed": "crashed"}

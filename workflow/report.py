@@ -12,7 +12,8 @@ import math
 import sys
 
 try:
-    from page import (Failure, details, grouped, items, page, page_name, paragraph, plural, short,
+    from failure import Failure
+    from page import (details, grouped, items, page, page_name, paragraph, plural, short,
                       table, write)
     from plots import Plots, add_legend, add_points, figure, set_logarithmic
     from records import STATUSES, is_measured, read_records, statistics

@@ -15,22 +15,19 @@ if TYPE_CHECKING:
 
 class Failure(NamedTuple):
     """What `map()` has in place of a result where the function raised an error: the `item`, the
-    `error`, and the `traceback` as text. It is false: `[r for r in results if r]` leaves it out,
-    and what else is false."""
+    `error`, and the `traceback` as text."""
 
     item: Any
     error: BaseException
     traceback: str
-
-    def __bool__(self) -> bool:
-        return False
 
     def __repr__(self) -> str:
         return f"<intrinsic.Failure: {self.item!r}: {type(self.error).__name__}: {self.error}>"
 
 
 def _failure(item, error):
-    return Failure(item, error, "".join(traceback.format_exception(error)))
+    return Failure(item, error, "".join(traceback.format_exception(
+        type(error), error, error.__traceback__)))
 
 
 def _result_of(item, ask):

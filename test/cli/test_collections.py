@@ -14,6 +14,7 @@ WORKFLOW = os.path.join(HERE, "..", "..", "workflow")
 sys.path.insert(0, WORKFLOW)
 import commands
 import inputs
+from failure import Failure
 
 LIMITS = {"time_limit": 60, "memory_limit": 4096, "cores": 1}
 
@@ -89,7 +90,7 @@ class Collections(Cli_test):
         self.write("moved/a.off", text + "\n")
         changed = inputs.hashed_files([self.path("moved")], hashes)
         self.assertNotEqual(changed[0][1], changed[1][1])
-        with self.assertRaisesRegex(inputs.Failure, "nothing.off"):
+        with self.assertRaisesRegex(Failure, "nothing.off"):
             inputs.hashed_files([self.path("nothing.off")], hashes)
 
     def test_commands_may_have_limits_of_their_own(self):
@@ -100,7 +101,7 @@ class Collections(Cli_test):
         self.assertEqual(named["eigen_--count_3"], ("eigen --count 3", 600, 4096, 4))
         for wrong in (None, [], ["delaunay", "delaunay"], [{"time_limit": 3}],
                       [{"run": "x", "y": 1}]):
-            with self.assertRaises(commands.Failure):
+            with self.assertRaises(Failure):
                 commands.named_commands(LIMITS | {"commands": wrong})
 
 

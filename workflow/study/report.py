@@ -14,7 +14,8 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 try:
-    from page import Failure, grouped, items, page, page_name, paragraph, plural, short, write
+    from failure import Failure
+    from page import grouped, items, page, page_name, paragraph, plural, short, write
     from plots import Plots
     from report_lines import (CERTIFIED, agreement, arithmetics_of, common_meshes, done,
                               flips_beyond_exact, meshes_of, of, ratio, read_lines, results_of,

@@ -7,7 +7,7 @@ import math
 
 import pandas
 
-from page import Failure
+from failure import Failure
 
 # From the simplest to exact ones, with the color, marker and dashes of plots; others come last. The
 # palette of Okabe and Ito (2008), which color-blind people can tell apart; relatives share a color.
