@@ -29,6 +29,14 @@ class Closed_forms(unittest.TestCase):
         height = edge * np.sqrt(3) / 2
         np.testing.assert_allclose(s.distance(0, targets=[middle, 1]), [height, edge], rtol=1e-15)
 
+    def test_the_distance_of_one_target_is_a_number(self):
+        s = it.Surface(*TETRAHEDRON)
+        for method in "exact", "heat":
+            for target in 1, np.int64(1), it.Point(0, (0, 0.5, 0.5)):
+                found = s.distance(0, method=method, targets=target)
+                self.assertIs(type(found), float)
+                self.assertEqual([found], s.distance(0, method=method, targets=[target]).tolist())
+
     def test_distances_in_a_square_are_those_in_the_plane(self):
         V, F = unit_grid(7)
         s = it.Surface(V, F)
