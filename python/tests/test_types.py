@@ -15,8 +15,9 @@ from pathlib import Path
 import intrinsic as it
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = sorted((ROOT / "doc" / "Intrinsic_triangulations").glob("python*.md")) + [
-    ROOT / "doc" / "Intrinsic_triangulations" / "learning.md", ROOT / "README.md"]
+MANUAL = ROOT / "doc" / "Intrinsic_triangulations"
+PAGES = [*sorted(MANUAL.glob("python*.md")), MANUAL / "coming_from.md", MANUAL / "learning.md",
+         ROOT / "README.md"]
 # What pages take for granted.
 GIVEN = """
 from concurrent.futures import ProcessPoolExecutor
@@ -28,6 +29,8 @@ V: NDArray[np.float64]
 F: NDArray[np.int64]
 P: NDArray[np.float64]
 u: NDArray[np.float64]
+direction: NDArray[np.float64]
+length: float
 points: list[it.Point]
 source: int
 files: list[str]
