@@ -30,9 +30,9 @@ class Workflow(Cli_test):
         return ["snakemake", "--snakefile", os.path.join(WORKFLOW, "Snakefile"), "--profile",
                 os.path.join(WORKFLOW, "profiles", "local"), "--configfile", "config.yaml"]
 
-    def run_workflow(self, config):
+    def run_workflow(self, config, *options):
         """Runs it, and returns how many runs it has made."""
-        run = subprocess.run(self.words(config), cwd=self.directory, capture_output=True,
+        run = subprocess.run([*self.words(config), *options], cwd=self.directory, capture_output=True,
                              text=True)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return run.stderr.count("\nrule run:")
@@ -83,6 +83,16 @@ class Workflow(Cli_test):
     def number_of_records(self):
         return sum(name.endswith(".json") for _, _, names in os.walk(self.path("results/runs"))
                    for name in names)
+
+    def test_runs_are_submitted_in_groups(self):
+        """As to a cluster: processes of their own read the config again."""
+        config = {"files": ["meshes"], "commands": ["delaunay"]}
+        with open(self.write("submit", "#!/bin/sh\necho >> submitted; sh \"$1\"\n")) as script:
+            os.chmod(script.name, 0o755)
+        self.run_workflow(config, "--cluster", self.path("submit"), "--jobs", "2",
+                          "--group-components", "runs=3", "--latency-wait", "1")
+        self.assertEqual(len(self.records()), 5)
+        self.assertEqual(len(self.text("submitted")), 2)
 
     def test_it_runs_the_study(self):
         config = {"files": ["meshes/knot1.off", "stress:caps:amount=1e-9"],
