@@ -66,7 +66,7 @@ class Collections(Cli_test):
         self.assertEqual((late["status"], late["exit_code"]), ("timed_out", None))
         self.assertLess(late["seconds"], 5)
         self.assertEqual(self.repeated(self.record("delaunay", "flat.off")).returncode, 0)
-        large = self.record("refine --max-edge-length 1e-3", "round.off", mib=64)
+        large = self.record("refine --max-edge-length 1e-3", "round.off", mib=128)
         self.assertEqual(large["status"], "out_of_memory", large)
 
     def test_names_have_the_hash_of_contents(self):
