@@ -48,6 +48,7 @@ LEFT_OUT = {
         "hyperbolic_metric hyperbolic_surface lay_out_in_disk lay_out_on_sphere",
     "a step of `uniformize()`": "place_cones_within scaled_surface",
     "about memory": "reserve_at_least",
+    "builds a triangulation, whose functions are called": "delaunay_triangulation",
 }
 
 
