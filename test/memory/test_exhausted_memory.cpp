@@ -53,6 +53,12 @@ void* operator new(std::size_t size) {
   if (void* p = std::malloc(size)) return p;
   throw std::bad_alloc();
 }
+// Arrays do not fail. They are numbers of CGAL: a sum of `CGAL::Mpzf` that cannot allocate its array
+// frees a pointer that was never set.
+void* operator new[](std::size_t size) {
+  if (void* p = std::malloc(size)) return p;
+  throw std::bad_alloc();
+}
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
