@@ -29,8 +29,7 @@ CLI::Validator is_no_result() {
   return CLI::Validator(
       [](std::string& path) {
         return std::filesystem::path(path).extension() == ".jsonl"
-                   ? path +
-                         ": results are no meshes; workflow/study/report.py makes a page of them"
+                   ? path + ": results are no meshes; workflow/study/report.py makes a page of them"
                    : std::string();
       },
       "");
