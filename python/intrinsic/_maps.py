@@ -185,15 +185,15 @@ class _Maps:
                     *, cut: Literal["auto"] | ArrayLike | None = None,
                     start: Literal["input", "delaunay"] | None = None, flip: bool = True,
                     progress: Progress = None) -> PlaneMap | ConformalMap:
-        """Maps a disk to the plane: a `PlaneMap`.
+        """Maps a surface to the plane: a `PlaneMap`.
 
         `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
         "spectral" or "lscm": as conformal as possible with a free border; or "conformal":
         discretely conformal, with scale 1 on the border, see `uniformize()`, whose `start` it
         has and whose `ConformalMap` it returns. Clouds of points have the method "spectral".
 
-        `cut` is "auto" to cut any surface open to disks along short curves, or an array of edges of
-        shape (k, 2), as pairs of vertices. Of faces that form no oriented manifold, each is mapped
+        `cut` is "auto" to cut any surface open to disks along short curves, the default if it is no
+        disk, or an array of edges of shape (k, 2), as pairs of vertices. Of faces that form no oriented manifold, each is mapped
         once, and edges of more than two faces are cut.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
@@ -204,6 +204,8 @@ class _Maps:
             raise ValueError(f'start="{start}" is of conformal maps; give it with '
                              'method="conformal"')
         is_cloud = self._is_cloud()
+        if cut is None and not is_cloud and not self._is_disk():
+            cut = "auto"
         surface, original = (self, None) if is_cloud else self._cut_open(cut, progress)
         core = self._core if is_cloud else surface._flipped(flip)
         if method == "harmonic":  # which inserts vertices
@@ -259,12 +261,12 @@ class _Maps:
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
                                              progress))
 
-    def eigen(self, k: int, *, flip: bool = True,
+    def eigen(self, count: int = 10, *, flip: bool = True,
               progress: Progress = None) -> tuple[Numbers, Numbers]:
-        """Returns the `k` smallest eigenvalues of the Laplacian, of shape (k,), in 1 / area, and
-        the eigenfunctions, of shape (n, k), orthonormal in the mass matrix. There are at most as
-        many as vertices, and fewer are returned if `k` is larger."""
-        count = _arrays.whole(k, "k", "the number of eigenfunctions")
+        """Returns the `count` smallest eigenvalues of the Laplacian, of shape (count,), in
+        1 / area, and the eigenfunctions, of shape (n, count), orthonormal in the mass matrix. There
+        are at most as many as vertices, and fewer are returned if `count` is larger."""
+        count = _arrays.whole(count, "count", "the number of eigenfunctions")
         return _core.eigen(self._flipped(flip), count, progress)
 
     def deform(self, handles: ArrayLike | Mapping[int, ArrayLike],
@@ -292,6 +294,10 @@ class _Maps:
             raise ValueError(f"displacements has the shape {moved.shape}; give a row for each of "
                              f"{len(rows)} handles")
         return _core.deform(core, rows, moved, energy, progress)
+
+    def _is_disk(self):
+        found = self.report["input"]
+        return (found["components"], found["genus"], found["boundary_loops"]) == (1, 0, 1)
 
     def _is_cloud(self):
         return _core.sheets(self._core) > 2

@@ -115,9 +115,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         """
         return Surface._of(_core.delaunay(self._core, *self._kept(keep), progress))
 
-    def refine(self, *, min_angle: float = 25, size: ArrayLike | None = None,
+    def refine(self, *, min_angle: float = 25, max_edge_length: ArrayLike | None = None,
                max_circumradius: float | None = None, max_insertions: int | None = None,
-               order: Literal["first-come", "largest-first", "worst-first"] = "first-come",
+               order: Literal["first", "largest", "worst"] = "first",
                conforming: bool = False, keep: ArrayLike | None = None,
                odt_length: float | None = None, progress: Progress = None) -> Surface:
         """Returns the Delaunay triangulation with vertices inserted until faces meet criteria.
@@ -125,24 +125,26 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         Parameters:
             min_angle: least angle of faces in degrees; up to 30 refinement always ends. Faces that
                 cannot have it are in `statistics["refine"]`.
-            size: largest length of edges, in units of the vertices: a number, or one for each
-                vertex of the input, of shape (n,).
+            max_edge_length: largest length of edges, in units of the vertices: a number, or one
+                for each vertex of the input, of shape (n,).
             max_circumradius: of faces, in units of the vertices.
             max_insertions: cap on their number.
-            order: "first-come", "largest-first" or "worst-first".
+            order: which face comes next: "first" come, "largest" or "worst".
             conforming: whether kept edges that are not Delaunay are split.
             keep, progress: see `delaunay()`.
             odt_length: then moves the inserted vertices to an optimal Delaunay triangulation with
                 edges up to this length; best with arithmetic="double".
         """
-        _arrays.expect_word(order, "order", ("first-come", "largest-first", "worst-first"))
-        sizes, longest = None, size
-        if size is not None and not _arrays.is_single(size):
-            sizes, longest = _arrays.numbers(size, "size", (self.number_of_input_vertices,)), None
+        _arrays.expect_word(order, "order", ("first", "largest", "worst"))
+        sizes, longest = None, max_edge_length
+        if longest is not None and not _arrays.is_single(longest):
+            sizes, longest = _arrays.numbers(longest, "max_edge_length",
+                                             (self.number_of_input_vertices,)), None
             if len(sizes) and not sizes.min() > 0:
-                raise ValueError(f"size[{sizes.argmin()}] is {sizes.min()}; give positive lengths")
+                raise ValueError(f"max_edge_length[{sizes.argmin()}] is {sizes.min()}; give "
+                                 "positive lengths")
         if longest is not None:
-            longest = _arrays.number(longest, "size")
+            longest = _arrays.number(longest, "max_edge_length")
         if max_circumradius is not None:
             max_circumradius = _arrays.number(max_circumradius, "max_circumradius")
         if max_insertions is not None:
@@ -269,29 +271,29 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
 
     # ---- The input and the triangulation --------------------------------------------------------
 
-    def to_input(self, u: ArrayLike, how: Literal["l2", "pointwise"] = "l2", *,
+    def to_input(self, u: ArrayLike, method: Literal["l2", "pointwise"] = "l2", *,
                  progress: Progress = None) -> Numbers:
         """Takes values at the vertices of the triangulation, of shape (n,) or (n, k), to those of
         the input: a row for each of them.
 
-        `how` is "l2": the nearest function there, which keeps integrals; or "pointwise": the values
+        `method` is "l2": the nearest function there, which keeps integrals; or "pointwise": the values
         at its vertices.
         """
-        return self._transfer(u, how, True, self.number_of_vertices, progress)
+        return self._transfer(u, method, True, self.number_of_vertices, progress)
 
-    def from_input(self, u: ArrayLike, how: Literal["l2", "pointwise"] = "l2", *,
+    def from_input(self, u: ArrayLike, method: Literal["l2", "pointwise"] = "l2", *,
                    progress: Progress = None) -> Numbers:
         """Takes values at the vertices of the input to those of the triangulation. See
-        `to_input()` for shapes and `how`."""
-        return self._transfer(u, how, False, self.number_of_input_vertices, progress)
+        `to_input()` for shapes and `method`."""
+        return self._transfer(u, method, False, self.number_of_input_vertices, progress)
 
-    def _transfer(self, u, how, to_input, size, progress):
-        _arrays.expect_word(how, "how", ("l2", "pointwise"))
+    def _transfer(self, u, method, to_input, size, progress):
+        _arrays.expect_word(method, "method", ("l2", "pointwise"))
         values = _arrays.numbers(u, "u")
         if values.ndim not in (1, 2) or len(values) != size:
             raise ValueError(f"u has the shape {values.shape}; give a row for each of the {size} "
                              "vertices")
-        result = _core.transfer(self._core, values, to_input, how == "l2", progress)
+        result = _core.transfer(self._core, values, to_input, method == "l2", progress)
         return result[:, 0] if values.ndim == 1 else result
 
     def locate(self, points: int | Point | ArrayLike | Sequence[int | Point], *,

@@ -183,12 +183,6 @@ Surface_ptr delaunay(Surface& s, const std::optional<Integers>& keep,
   return improved_copy(s, {}, kept(s, keep, sharp_angle), watch);
 }
 
-IT::Refinement_order order_of(const std::string& name) {
-  if (name == "largest-first") return IT::Refinement_order::largest_first;
-  if (name == "worst-first") return IT::Refinement_order::worst_first;
-  return IT::Refinement_order::first_come;
-}
-
 Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& sizes,
                    std::optional<double> max_edge_length, std::optional<double> max_circumradius,
                    std::optional<std::uint64_t> max_insertions, const std::string& order,
@@ -200,7 +194,7 @@ Surface_ptr refine(Surface& s, double min_angle, const std::optional<Doubles>& s
   if (max_edge_length) criteria.maximum_edge_length = *max_edge_length;
   if (max_circumradius) criteria.maximum_circumradius = *max_circumradius;
   criteria.maximum_insertions = max_insertions;
-  criteria.order = order_of(order);
+  criteria.order = IT::refinement_order(order);
   criteria.is_conforming = conforming;
   criteria.odt_length = odt_length;
   if (sizes) criteria.lengths.assign(sizes->data(), sizes->data() + sizes->size());
@@ -274,6 +268,7 @@ void bind_improve(py::module_& m) {
   m.def("delaunay", &delaunay);
   m.def("refine", &refine);
   m.def("adapt", &adapt);
+  m.attr("defaults") = object_of(IT::report_of_defaults());
   m.def("statistics", &statistics_of);
   m.def("report", &report_of_input);
   m.def("page", &page);

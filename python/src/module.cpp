@@ -16,9 +16,10 @@ namespace {
 
 // Options in messages of the program, as Python has them.
 std::string in_python(std::string message) {
-  static constexpr std::array<std::array<std::string_view, 2>, 12> names{
+  static constexpr std::array<std::array<std::string_view, 2>, 13> names{
       {{"--arithmetic exact", "arithmetic=\"exact\""},
        {"--domain points", "intrinsic.points(points)"},
+       {"--domain tufted", "domain=\"tufted\""},
        {"--arithmetic", "arithmetic"},
        {"--mollification", "mollification"},
        {"--domain", "domain"},

@@ -169,8 +169,8 @@ def flips(x):
 
 def refined_by(**options):
     def measure(x):
-        scaled = {k: v * x.scale if k in ("size", "max_circumradius", "odt_length") else v
-                  for k, v in options.items()}
+        lengths = "max_edge_length", "max_circumradius", "odt_length"
+        scaled = {k: v * x.scale if k in lengths else v for k, v in options.items()}
         t = x.s.refine(max_insertions=300, **scaled)
         return [t.number_of_vertices, t.number_of_faces, in_order(x.space(t.points)),
                 t.statistics["quality"]["min_angle_deg"]]
@@ -232,7 +232,7 @@ def subdivision_in_detail(x):
 def transferred(x):
     u = function(x)
     return [x.rows(x.d.to_input(u)), x.rows(x.d.from_input(u)),
-            x.rows(x.d.to_input(u, how="pointwise"))]
+            x.rows(x.d.to_input(u, method="pointwise"))]
 
 
 def constants(x):

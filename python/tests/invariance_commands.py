@@ -110,8 +110,8 @@ def distance_refined(x, path, folder):
 
 
 def heat(x, path, folder):
-    program.run("distance", path, "--source", str(at_vertex(x, 0)), "-o", folder / "d.txt", "--on",
-                "input")
+    program.run("distance", path, "--method", "heat", "--source", str(at_vertex(x, 0)), "-o",
+                folder / "d.txt", "--on", "input")
     return [x.rows(table(folder / "d.txt")[:, 0]) / x.scale]
 
 

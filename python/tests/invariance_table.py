@@ -47,10 +47,10 @@ TABLE = {
     # Circumcenters make congruent faces after some steps, which are ties: so few are inserted. The
     # sheets of a soup are congruent, too.
     "Surface.refine": [
-        combinatorial(m.refined_by(min_angle=30, order="worst-first"),
+        combinatorial(m.refined_by(min_angle=30, order="worst"),
                       on=ORIENTED + ("Moebius", "book")),
-        combinatorial(m.refined_by(size=0.6, order="largest-first"), on=ORIENTED + ("book",)),
-        combinatorial(m.refined_by(max_circumradius=0.4, order="largest-first"), on=MESHES),
+        combinatorial(m.refined_by(max_edge_length=0.6, order="largest"), on=ORIENTED + ("book",)),
+        combinatorial(m.refined_by(max_circumradius=0.4, order="largest"), on=MESHES),
         combinatorial(m.refined_by(min_angle=20), on=MESHES, changes=tuple(RIGID))],
     "Surface.adapt": [combinatorial(m.adapted, on=CURVED, changes=tuple(RIGID)),
                       combinatorial(m.adapted_enough, on=ORIENTED)],

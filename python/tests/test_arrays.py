@@ -107,7 +107,7 @@ class Arrays(unittest.TestCase):
                  "one length"),
                 (lambda: s.delaunay(keep=[[0, 24]]), r"keep\[0\]: no edge"),
                 (lambda: s.delaunay(keep=[[0, 99]]), "99"),
-                (lambda: s.refine(size=np.zeros(len(V))), r"size\[0\]"),
+                (lambda: s.refine(max_edge_length=np.zeros(len(V))), r"max_edge_length\[0\]"),
                 (lambda: s.refine(min_angle=70), "angle"),
                 (lambda: s.mass("heavy"), "heavy"),
                 (lambda: s.to_input(np.ones(3)), "25"),

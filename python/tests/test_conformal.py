@@ -337,8 +337,7 @@ class Words(unittest.TestCase):
         for message, call in (
                 ("take the 2 components one by one", lambda: two.uniformize()),
                 ("cones", lambda: two.uniformize()),
-                ("cloud of points", lambda: points.cut()),
-                ("cut it open", lambda: it.Surface(V, F).parametrize("lscm"))):
+                ("cloud of points", lambda: points.cut())):
             with self.assertRaisesRegex(ValueError, message) as caught:
                 call()
             for word in ("cut_open()", "change the angles", "repair"):

@@ -444,7 +444,7 @@ class Same_as_the_program(program.Comparison):
             options = [o for a, b in ends for o in ("--path", f"{a},{b}")]
             self.expect_curves(path, s.network(ends, certify=True), *options)
             network = s.network(ends[:1], method="flips", certify=True)
-            self.expect_curves(path, network, *options[:2], "--along-edges")
+            self.expect_curves(path, network, *options[:2], "--method", "flips")
 
     def test_points_in_faces_waypoints_and_loops(self):
         path, V, F = program.mesh("elephant.off")

@@ -280,7 +280,7 @@ class Same_as_the_program(program.Comparison):
         for method in ("exact", "heat"):
             program.run("distance", path, "--method", method, "--sources", self.folder / "sets.txt",
                         "-o", self.folder / "d.npy")
-            np.testing.assert_array_equal(s.distances(sets, method=method).T,
+            np.testing.assert_array_equal(s.distances(sets, method=method),
                                           np.load(self.folder / "d.npy"))
             found = program.run("distance", path, "--method", method, "--pairs",
                                 self.folder / "pairs.txt")["distance"]["distances"]

@@ -84,9 +84,9 @@ class Hostile(With_folder):
                 ("max_distance", lambda x: s.log_map(0, max_distance=x)),
                 ("align", lambda x: s.direction_field(align=x)),
                 ("degree", lambda x: s.direction_field(x)),
-                ("degree", lambda x: s.connection_laplacian(x)), ("k", lambda x: s.eigen(x)),
+                ("degree", lambda x: s.connection_laplacian(x)), ("count", lambda x: s.eigen(x)),
                 ("min_angle", lambda x: s.refine(min_angle=x)),
-                ("size", lambda x: s.refine(size=x)),
+                ("max_edge_length", lambda x: s.refine(max_edge_length=x)),
                 ("max_circumradius", lambda x: s.refine(max_circumradius=x)),
                 ("max_insertions", lambda x: s.refine(max_insertions=x)),
                 ("odt_length", lambda x: s.refine(odt_length=x)),
@@ -166,7 +166,7 @@ class Hostile(With_folder):
         np.testing.assert_array_equal(copy.deepcopy(s.frames()).vertices, s.frames().vertices)
 
     def test_threads_that_share_a_surface(self):
-        s = it.Surface(*bumpy(12)).refine(size=0.3, max_insertions=300)
+        s = it.Surface(*bumpy(12)).refine(max_edge_length=0.3, max_insertions=300)
         far = s.number_of_vertices - 1
         works = [lambda: s.distance(0), lambda: s.distance(0, method="heat"), s.laplacian,
                  lambda: s.path(0, far), lambda: s.log_map(0), lambda: s.eigen(3),

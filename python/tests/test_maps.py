@@ -127,6 +127,12 @@ class Closed_forms(unittest.TestCase):
         whole = it.Surface(*grid()).parametrize("lscm", cut="auto")  # is a disk
         np.testing.assert_array_equal(whole.original_vertex, np.arange(81))
 
+    def test_surfaces_that_are_no_disks_are_cut_open(self):
+        m = it.Surface(*CUBE).parametrize()
+        self.assertTrue(m.certificate["injective"])
+        self.assertGreater(len(m.original_vertex), 8)
+        self.assertIsNone(it.Surface(*grid()).parametrize().original_vertex)  # is a disk
+
     def test_eigenvalues_of_a_square(self):
         s = it.Surface(*grid(33))
         values, functions = s.eigen(4)
@@ -155,7 +161,6 @@ class Arguments(unittest.TestCase):
         s, cube = it.Surface(*grid(4)), it.Surface(*CUBE)
         for message, call in (
                 ("does not exist", lambda: s.parametrize("fast")),
-                ("border", lambda: cube.parametrize()),
                 ("does not exist", lambda: cube.parametrize(cut="all")),
                 ("shape", lambda: cube.parametrize(cut=[0, 1])),
                 ("no edge joins", lambda: cube.parametrize(cut=[[0, 7]])),

@@ -170,7 +170,7 @@ class Program(program.Comparison):
                                                    *options, "--method", "exact")
                     self.expect_near(d, s.distance(p))
                     _, d = self.numbers_of_program("distance", path, "--source", self.word(p),
-                                                   *options)
+                                                   *options, "--method", "heat")
                     self.expect_near(d, s.distance(p, method="heat"))
 
     def test_distances_are_those_before_refinement(self):

@@ -95,7 +95,7 @@ class Program(program.Comparison):
                 program.run("refine", path, "--interpolation", self.folder / "p.mtx",
                             "--input-interpolation", self.folder / "q.mtx",
                             "-o", self.folder / "s.off")
-                t = it.read(path).refine(min_angle=30)
+                t = it.read(path).refine()
                 c = t.common_subdivision()
                 self.expect_same_matrix(c.P_intrinsic, self.matrix("p.mtx"))
                 self.expect_same_matrix(c.P_input, self.matrix("q.mtx"))

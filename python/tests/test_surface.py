@@ -54,10 +54,10 @@ class Values(With_folder):
         corners = np.sort(np.stack([t.faces, np.roll(t.faces, -1, axis=1)], axis=2), axis=2)
         self.assertTrue((corners == [0, 13]).all(axis=2).any())
         self.assertEqual(t.statistics["constraints"]["input_edges"], 1)
-        r = s.refine(min_angle=0, size=0.5)
+        r = s.refine(min_angle=0, max_edge_length=0.5)
         self.assertLessEqual(r.lengths.max(), 0.5)
         size = np.where(V[:, 0] < 5, 0.4, 100)
-        r = s.refine(min_angle=0, size=size)
+        r = s.refine(min_angle=0, max_edge_length=size)
         self.assertLessEqual(r.statistics["refine"]["max_relative_edge_length"], 1)
         self.assertEqual(len(r.points), r.number_of_vertices)
 
@@ -114,7 +114,7 @@ class Work(With_folder):
     def test_progress(self):
         calls = []
         s = it.Surface(*bumpy(60))
-        s.refine(min_angle=32, size=0.05, max_insertions=30000,
+        s.refine(min_angle=32, max_edge_length=0.05, max_insertions=30000,
                  progress=lambda stage, count, total: calls.append((stage, count)))
         self.assertTrue(calls)
         self.assertTrue(all(isinstance(n, int) for _, n in calls))
@@ -123,7 +123,7 @@ class Work(With_folder):
             raise LookupError("enough")
 
         with self.assertRaisesRegex(LookupError, "enough"):
-            s.refine(min_angle=32, size=0.01, progress=stop)
+            s.refine(min_angle=32, max_edge_length=0.01, progress=stop)
         self.assertEqual(s.delaunay().certificate, "exact")  # nothing is spoilt
 
     def test_interrupts(self):
@@ -132,7 +132,7 @@ class Work(With_folder):
         timer.start()
         start = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
-            s.refine(min_angle=30, size=0.002)
+            s.refine(min_angle=30, max_edge_length=0.002)
         self.assertLess(time.monotonic() - start, 30)
         timer.join()
 

@@ -150,7 +150,7 @@ class Units(unittest.TestCase):
             s = it.Surface(scale * V @ rotation(random), F)
             count = s.number_of_vertices
             sizes = np.full(count, scale)
-            for t, longest in ((s.refine(size=0.6 * scale), 0.6), (s.refine(size=sizes), 1)):
+            for t, longest in ((s.refine(max_edge_length=0.6 * scale), 0.6), (s.refine(max_edge_length=sizes), 1)):
                 # the longest edges of faces are bounded, and not far below
                 self.assertLessEqual(t.lengths.max(), longest * scale * (1 + 1e-12))
                 self.assertGreater(t.lengths.max(), longest * scale / 2)

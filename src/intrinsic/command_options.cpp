@@ -42,13 +42,14 @@ void add_laplacian_options(CLI::App& command, Options& options) {
 
 void add_transfer_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
+  command.get_option("IN")->allow_extra_args(false); // what follows is the field
   add("FIELD", options.field,
       "text file: on each line the values at a vertex, in the order of rows")
       ->required();
   add("--from", options.from, {CLI::IsMember({"input", "intrinsic"})},
       "triangulation that has the values: input (default) or intrinsic");
-  add("--method", options.method, {CLI::IsMember({"L2", "pointwise"})},
-      "L2 (the nearest function, default) or pointwise (values at vertices)");
+  add("--method", options.method, {CLI::IsMember({"l2", "pointwise"})},
+      "l2 (the nearest function, default) or pointwise (values at vertices)");
   add_output_option(command, "-o", options.output,
                     {Contents::values, Contents::valued_subdivision});
 }
@@ -62,8 +63,9 @@ void add_curve_options(CLI::App& command, Options& options) {
   add("--bezier", g.bezier, {curve_points(2)}, "Bezier curve with these control points; alone");
   add("--source", g.source, {curve_points(1)},
       "geodesics from a point to all vertices, in one triangulation; alone");
-  add("--along-edges", g.is_along_edges,
-      "curves start as shortest paths along edges: faster, geodesic, but often longer");
+  add("--method", g.method, {CLI::IsMember({"exact", "flips"})},
+      "exact (shortest paths, default), or flips (they start along edges: found faster, geodesic, "
+      "but often longer)");
   add("--shorten-to", g.relative_length, {between(1e-9, 1)},
       "stop when the length is at most this part of what it was");
   add("--joint-angle", g.joint_angle, {between(0, 180)},
@@ -111,12 +113,15 @@ void add_distance_searches(CLI::App& command, Options& options) {
               {Contents::values, Contents::subdivision, Contents::full_matrix});
   command.get_option("--source")->required(false);
   add_time_option(command, options);
-  add("--method", a.distance, {CLI::IsMember({"heat", "exact"})},
-      "heat (smooth, default), or exact (along shortest paths from points)");
+  add("--method", a.distance, {CLI::IsMember({"exact", "heat"})},
+      "exact (along shortest paths from points, default), or heat (smooth; the default with "
+      "--curve)");
+  command.callback([&a] {
+    if (a.distance.empty()) a.distance = a.curves.empty() ? defaults::distance_method : "heat";
+  });
   add("--targets", a.targets, {curve_points(1)},
-      "with --method exact: points; the search ends when their distances are known");
-  add("--max-distance", a.maximum_distance, {positive()},
-      "with --method exact: the search ends at this distance");
+      "points; the exact search ends when their distances are known");
+  add("--max-distance", a.maximum_distance, {positive()}, "the exact search ends at this distance");
   add("--curve", a.curves, {curve_points(2)},
       "a curve through points, along edges of the triangulation; closed if the last point is the "
       "first");
@@ -125,7 +130,7 @@ void add_distance_searches(CLI::App& command, Options& options) {
       "text file: the numbers of two vertices on each line; their distances are found");
   add("--sources", a.source_sets, {file_name},
       "text file: on each line the vertices of a set; the distances from each set are found, a "
-      "column of a matrix each");
+      "row of a matrix each");
 }
 
 // Lines of equal distance, and lines between cells.
@@ -140,7 +145,7 @@ void add_distance_lines(CLI::App& command, Options& options) {
       "distances of these lines: how many, evenly spaced (default 10), or a list, separated by "
       "commas; a whole number alone is how many");
   CLI::Option* const voronoi = add("--voronoi", a.voronoi, {file_of({Contents::curves})},
-                                   "with --method exact: write the lines between the cells of the "
+                                   "write the lines between the cells of the "
                                    "nearest source, or set of --sources, to " +
                                        extensions_of(Contents::curves));
   add("--cell-tolerance", a.cell_tolerance, {positive(), voronoi},
@@ -160,7 +165,7 @@ void add_parametrize_options(CLI::App& command, Options& options) {
   add_start_option(command, options);
   command.callback([&options] {
     if (options.application.cut.empty() && options.application.map != "conformal")
-      options.application.cut = "auto";
+      options.application.cut = defaults::cut;
   });
 }
 
@@ -206,7 +211,7 @@ void add_field_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   Application_options& a = options.application;
   add("--degree", a.degree, {CLI::Range(1, 12)},
-      "number of equivalent directions at a vertex: 1 vectors (default), 2 lines, 4 crosses");
+      "number of equivalent directions at a vertex: 1 vectors, 2 lines, 4 crosses (default)");
   add("--vectors", a.vectors, "text file of vectors that are kept, as for transport");
   add("--singularities", a.singularities, {file_of({Contents::points})},
       "write the singularities, points with their index, to " + extensions_of(Contents::points));
@@ -217,7 +222,7 @@ void add_field_options(CLI::App& command, Options& options) {
 
 void add_eigen_options(CLI::App& command, Options& options) {
   Option_adder{command}("--count", options.application.count, {CLI::PositiveNumber},
-                        "how many (default 10)");
+                        "how many; default " + std::to_string(defaults::count));
 }
 
 void add_edit_options(CLI::App& command, Options& options) {

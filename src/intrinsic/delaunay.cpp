@@ -6,8 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
-#include <iostream>
-#include <stdexcept>
 #include <string>
 
 namespace program {
@@ -30,7 +28,7 @@ void run_delaunay(const Options& options) {
 }
 
 void run_info(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded(options, progress, [&](auto& loaded) {
     Options as_it_is = options;
     as_it_is.no_flip = true;
@@ -38,10 +36,6 @@ void run_info(const Options& options) {
     Stopwatch watch;
     Output_files files;
     finish(json, options, files, watch);
-    if (!options.stats.empty()) return;
-    print_summary(std::cout, json);
-    if (!std::cout.flush())
-      throw std::runtime_error("standard output cannot be written; is the disk full?");
   });
 }
 

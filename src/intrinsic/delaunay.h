@@ -28,7 +28,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -151,11 +150,6 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Json json = improve_and_measure(loaded, options, progress, {});
-  if (const Json& count = json["delaunay"]["non_delaunay_edges"]; count != 0 && !options.no_flip)
-    std::cerr << options.input << ": " << count << " edges are not Delaunay"
-              << (Triangulation::Metric::is_exact
-                      ? ": their flips were refused; --correspondence none refuses none\n"
-                      : " as far as double arithmetic can tell; --arithmetic exact decides them\n");
   Stopwatch watch;
   Output_files files;
   if constexpr (Triangulation::has_correspondence)
@@ -169,13 +163,12 @@ void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   }
   write_matrices(loaded.triangulation, options, files);
   finish(json, options, files, watch);
-  print_summary_on_terminal(json);
 }
 
 /// runs the command with a correspondence
 template <class Correspondence>
 void run_delaunay_with(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<Correspondence>(options, progress,
                               [&](auto& loaded) { delaunay(loaded, options, progress); });
 }

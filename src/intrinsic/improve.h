@@ -10,6 +10,7 @@
 #include "statistics.h"
 #include "support/naming_file.h"
 #include "support/progress.h"
+#include "support/warnings.h"
 
 #include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
@@ -62,13 +63,12 @@ Json improve_and_measure(Loaded<Triangulation>& loaded, const Options& options, 
   Json json = loaded_json(loaded, options);
   Edge_labels<Triangulation> constrained = constrain(json);
   if (const std::size_t edges = loaded.metric.changed_edges; edges > 0)
-    progress.warn(options.input + ": " + std::to_string(edges) + " edges were shortened where " +
-                  options.metric + " violates the triangle inequality");
+    warn(std::to_string(edges) + " edges were shortened where " + options.metric +
+         " violates the triangle inequality");
   const IT::Improve_options asked = asked_improvement(options, loaded.sizes, progress);
   IT::Improved_surface improved = naming_spoilt(
       options, [&] { return IT::improve_soundly(t, loaded.points, asked, constrained); });
-  if (const std::string what = improved.shortcoming(); !what.empty())
-    progress.warn(options.input + ": " + what);
+  if (const std::string what = improved.shortcoming(); !what.empty()) warn(what);
   if (insert && insert()) {
     // with the parts of edges that split
     const auto kept = constrained_edges(t, loaded.constraints);

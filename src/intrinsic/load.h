@@ -57,7 +57,7 @@ std::vector<Point> input_points(const Loaded<Triangulation>& loaded) {
                                : loaded.points;
 }
 
-/// reads the wanted lengths of edges, one per vertex of the input; none without `--size`.
+/// reads the wanted lengths of edges, one per vertex of the input; none without a file.
 /// \throws std::runtime_error naming the line that is wrong
 std::vector<double> read_sizes(const Options& options, std::size_t vertices);
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "each_input.h"
 #include "option_groups.h"
 #include "options.h"
 #include "output_files.h"
@@ -12,6 +13,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -30,20 +32,18 @@ std::string names_of_commands() {
 }
 
 // Reports what is wrong with the command line, or prints the help; returns the exit code.
-int report_parse_error(const CLI::App& app, const CLI::ParseError& e, int argc, char** argv) {
-  if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && argc > 1) {
+int report_parse_error(const CLI::App& app, const CLI::ParseError& e,
+                       const std::vector<std::string>& arguments) {
+  if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && !arguments.empty()) {
     std::cerr << "intrinsic: there is no command \""
-              << program::legible(argv[1], program::longest_argument) << "\"; use "
+              << program::legible(arguments.front(), program::longest_argument) << "\"; use "
               << names_of_commands() << ", or --help\n";
     return program::misused;
   }
   return app.exit(e) == 0 ? 0 : program::misused;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) options.arguments.emplace_back(argv[i]);
-  CLI::App app("Intrinsic triangulations of triangle meshes, with exact predicates", "intrinsic");
+void add_commands(CLI::App& app, Options& options) {
   app.set_version_flag("--version", std::string("intrinsic ") + INTRINSIC_TRIANGULATIONS_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(32);
@@ -55,30 +55,46 @@ int run(int argc, char** argv) {
     for (const program::Option_group add : c.options) add(command, options);
     program::make_refinement_options_need_refine(command);
   }
+}
+
+int run_with_errors_reported(const std::vector<std::string>& arguments, bool is_for_one);
+
+int run_for_one(const std::vector<std::string>& arguments) {
+  return run_with_errors_reported(arguments, true);
+}
+
+// \param is_for_one whether the command line is that of a run for one of several inputs
+int run(const std::vector<std::string>& arguments, bool is_for_one) {
+  Options options;
+  options.arguments = arguments;
+  CLI::App app("Intrinsic triangulations of triangle meshes, with exact predicates", "intrinsic");
+  add_commands(app, options);
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& e) {
-    return report_parse_error(app, e, argc, argv);
+    return report_parse_error(app, e, arguments);
   }
   const Command& chosen = *std::ranges::find_if(
       program::commands(), [&](const Command& c) { return app.got_subcommand(c.name); });
+  options.command = chosen.name;
+  if (!options.inputs.empty()) options.input = options.inputs.front(); // the study has none
   std::string misuse = program::misuse(options);
   if (misuse.empty() && chosen.misuse != nullptr) misuse = chosen.misuse(options);
+  if (misuse.empty()) misuse = program::shared_file_misuse(options);
   if (!misuse.empty()) {
-    std::cerr << "intrinsic: " << misuse << '\n';
+    std::cerr << "intrinsic: " << program::legible(misuse) << '\n';
     return program::misused;
   }
+  if (!is_for_one && program::stands_for_others(options))
+    return program::run_each_input(*app.get_subcommands().front(), options, run_for_one);
   if (options.time_limit) program::end_at_time_limit(options);
   chosen.run(options);
   return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-  program::remove_incomplete_files_on_signals();
+int run_with_errors_reported(const std::vector<std::string>& arguments, bool is_for_one) {
   try {
-    return run(argc, argv);
+    return run(arguments, is_for_one);
   } catch (const std::bad_alloc&) {
     std::cerr << "intrinsic: there is not enough memory; use a machine with more, or a smaller "
                  "mesh\n";
@@ -86,4 +102,11 @@ int main(int argc, char** argv) {
     std::cerr << "intrinsic: " << program::legible(e.what()) << '\n';
   }
   return program::failed;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  program::remove_incomplete_files_on_signals();
+  return run_with_errors_reported(std::vector<std::string>(argv + 1, argv + argc), false);
 }

@@ -17,12 +17,16 @@ namespace {
 // The input, and how it is read.
 void add_input_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
-  add("IN", options.input,
+  add("IN", options.inputs,
       "mesh (" + extensions_of(Contents::mesh) + "), points (" +
           extensions_of(Contents::point_set) +
           ", or a mesh without faces) or intrinsic triangulation (" +
-          extensions_of(Contents::triangulation) + ")")
+          extensions_of(Contents::triangulation) +
+          "); - is standard input. With several, {} in options is the name of each without folder "
+          "and extension: -o {}.ply")
       ->required();
+  add("--input-format", options.input_format, {CLI::IsMember(input_formats())},
+      "format of standard input, by default guessed from its contents");
   add("--arithmetic", options.arithmetic, {CLI::IsMember({"exact", "double"})},
       "exact (certified predicates, default) or double")
       ->each([&options](const std::string&) { options.is_arithmetic_given = true; });
@@ -48,6 +52,10 @@ void add_report_options(CLI::App& command, Options& options) {
   add("--time-limit", options.time_limit, {between(1e-6, 1e9), Type{"SECONDS"}},
       "seconds after which the program gives up, with exit code 1, and writes nothing");
   add("--progress", options.logs_progress, "write lines with the current step to standard error");
+  CLI::Option* const quiet = add("--quiet", options.is_quiet, "print only errors");
+  add("--verbose", options.is_verbose,
+      "print more than the answer: what the input is, the triangulation, times")
+      ->excludes(quiet);
 }
 
 } // namespace
@@ -55,6 +63,7 @@ void add_report_options(CLI::App& command, Options& options) {
 CLI::Validator file_of(std::vector<Contents> offered) {
   return CLI::Validator(
       [offered = std::move(offered)](std::string& path) {
+        if (path == "-") path += first_extension_of(offered.front());
         for (const Contents contents : offered)
           if (is_file_of(contents, path)) return std::string();
         return path + ": the format is not offered; write " + listed_with_extensions(offered);
@@ -102,25 +111,30 @@ void add_metric_option(CLI::App& command, Options& options) {
 void add_refinement_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   IT::Refine_criteria& r = options.refinement;
-  add("--min-angle", r.minimum_angle, {between(0, 59)}, "least angle in degrees; default 30");
+  add("--min-angle", r.minimum_angle, {between(0, 59)},
+      "least angle in degrees; default 25; up to 30 refinement always ends");
   add("--max-circumradius", r.maximum_circumradius, {positive()}, "largest circumradius of faces");
-  add("--max-edge-length", r.maximum_edge_length, {positive()}, "largest length of edges");
-  add("--size", options.sizes, {file_name},
-      "largest length of edges at each vertex of the input: a text file with a number per vertex");
+  command
+      .add_option_function<std::string>(
+          "--max-edge-length",
+          [&options](const std::string& word) {
+            if (double x = 0; CLI::detail::lexical_cast(word, x))
+              options.refinement.maximum_edge_length = x;
+            else
+              options.sizes = word;
+          },
+          "largest length of edges; or at each vertex of the input: a text file with a number per "
+          "vertex")
+      ->check(positive_or_name());
   add("--max-insertions", r.maximum_insertions, {between(0, 1e18)},
       "cap on the number of insertions; default a million and ten per face");
   command
       .add_option_function<std::string>(
-          "--order",
-          [&r](const std::string& word) {
-            r.order = word == "worst"     ? IT::Refinement_order::worst_first
-                      : word == "largest" ? IT::Refinement_order::largest_first
-                                          : IT::Refinement_order::first_come;
-          },
+          "--order", [&r](const std::string& word) { r.order = IT::refinement_order(word); },
           "which face comes next: first (default), largest or worst")
       ->check(CLI::IsMember({"largest", "worst", "first"}));
   add("--conforming", r.is_conforming, "split kept edges until all edges are Delaunay");
-  add("--odt", r.odt_length, {positive()},
+  add("--odt-length", r.odt_length, {positive()},
       "then move inserted vertices to an optimal Delaunay triangulation, split edges longer than "
       "this, and refine to the least angle again");
 }
@@ -131,8 +145,8 @@ void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) 
   CLI::Option* const adaptive =
       add("--adaptive", options.is_adaptive,
           "refine where the Green's function of a vertex has large errors");
-  for (const char* other : {"--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
-                            "--order", "--conforming", "--odt"})
+  for (const char* other : {"--max-circumradius", "--max-edge-length", "--max-insertions",
+                            "--order", "--conforming", "--odt-length"})
     adaptive->excludes(other);
   if (has_vertex) add("--source", a.source, {adaptive}, "the vertex; default 0");
   add("--heat-time", a.heat_time, {positive(), adaptive},
@@ -172,8 +186,8 @@ void make_refinement_options_need_refine(CLI::App& command) {
   CLI::Option* const refine = command.get_option_no_throw("--refine");
   if (refine == nullptr) return;
   for (const char* const name :
-       {"--min-angle", "--max-circumradius", "--max-edge-length", "--size", "--max-insertions",
-        "--order", "--conforming", "--odt", "--adaptive"})
+       {"--min-angle", "--max-circumradius", "--max-edge-length", "--max-insertions", "--order",
+        "--conforming", "--odt-length", "--adaptive"})
     if (CLI::Option* const option = command.get_option_no_throw(name)) option->needs(refine);
 }
 
@@ -229,7 +243,7 @@ void add_result_options(CLI::App& command, Options& options) {
 }
 
 void add_time_option(CLI::App& command, Options& options) {
-  Option_adder{command}("--time", options.application.time_factor, {CLI::PositiveNumber},
+  Option_adder{command}("--time-factor", options.application.time_factor, {CLI::PositiveNumber},
                         "how long heat flows, in squares of the mean edge length; with --signed, "
                         "in squares of half of it (default 1)");
 }

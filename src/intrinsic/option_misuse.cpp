@@ -24,27 +24,16 @@ bool are_same_file(const std::string& a, const std::string& b) {
                                 std::filesystem::equivalent(a, b, ignored));
 }
 
-std::vector<std::string> outputs(const Options& o) {
-  std::vector<std::string> names{o.output,
-                                 o.application.singularities,
-                                 o.application.isolines,
-                                 o.application.voronoi,
-                                 o.mass,
-                                 o.laplacian,
-                                 o.interpolation,
-                                 o.input_interpolation,
-                                 o.stats,
-                                 o.records,
-                                 o.view,
-                                 o.cut.labels};
-  std::erase_if(names, [](const std::string& name) { return name.empty() || name == "-"; });
-  return names;
+bool are_same_output(const Output& a, const Output& b) {
+  const bool is_standard = is_standard_output(a.path);
+  return is_standard == is_standard_output(b.path) &&
+         (is_standard || are_same_file(a.path, b.path));
 }
 
 bool names_a_file_twice(const Options& o) {
-  const std::vector<std::string> names = outputs(o);
-  for (auto i = names.begin(); i != names.end(); ++i)
-    if (std::any_of(i + 1, names.end(), [&](const auto& n) { return are_same_file(*i, n); }))
+  const std::vector<Output> all = outputs(o);
+  for (auto i = all.begin(); i != all.end(); ++i)
+    if (std::any_of(i + 1, all.end(), [&](const auto& n) { return are_same_output(*i, n); }))
       return true;
   return false;
 }
@@ -54,10 +43,11 @@ std::string overwritten_input(const Options& o) {
   const Application_options& a = o.application;
   for (const std::string& in : {o.input, o.constraints, o.metric, o.sizes, o.field,
                                 o.geodesic.network, a.vectors, a.handles, a.pairs, a.source_sets})
-    for (const std::string& out : outputs(o))
-      if (std::error_code ignored;
-          !in.empty() && std::filesystem::is_regular_file(in, ignored) && are_same_file(in, out))
-        return out;
+    for (const Output& out : outputs(o))
+      if (std::error_code ignored; !in.empty() && !is_standard_output(out.path) &&
+                                   std::filesystem::is_regular_file(in, ignored) &&
+                                   are_same_file(in, out.path))
+        return out.path;
   return {};
 }
 
@@ -152,22 +142,23 @@ std::string distance_misuse(const Options& o) {
     if (const std::string misuse = batch_misuse(o); !misuse.empty()) return misuse;
   if (!a.voronoi.empty() &&
       (a.distance != "exact" || !a.targets.empty() || a.maximum_distance.has_value()))
-    return "cells need exact distances everywhere; give --voronoi with --method exact, without "
+    return "cells need exact distances everywhere; give --voronoi without --method heat, "
            "--targets and --max-distance";
-  if (!has_batch(a) && !o.output.empty() && is_file_of(Contents::full_matrix, o.output))
+  if (!has_batch(a) && !o.output.empty() && is_file_of(Contents::full_matrix, o.output) &&
+      !is_file_of(Contents::values, o.output))
     return o.output +
-           ": a matrix has a column for each set of sources; give them with --sources, "
+           ": a matrix has a row for each set of sources; give them with --sources, "
            "or write values to " +
            extensions_of(Contents::values);
   if (a.is_signed && (a.curves.empty() || !a.sources.empty()))
     return "only curves have sides; with --signed, give --curve and no --source";
   const bool is_exact = a.distance == "exact";
-  if (is_exact && (!a.curves.empty() || a.time_factor != 1))
-    return "exact distances start at points and need no time; leave --curve, --signed and --time "
-           "out, or use --method heat";
+  if (is_exact && (!a.curves.empty() || a.time_factor != defaults::time_factor))
+    return "exact distances start at points and need no time; leave --curve, --signed and "
+           "--time-factor out, or use --method heat";
   if (!is_exact && (!a.targets.empty() || a.maximum_distance))
-    return "only the search for exact distances can end early; give --targets and --max-distance "
-           "with --method exact";
+    return "only the search for exact distances can end early; leave --method heat out with "
+           "--targets and --max-distance";
   return {};
 }
 
@@ -195,7 +186,7 @@ std::string misuse(const Options& options) {
   if (const std::string name = overwritten_input(options); !name.empty())
     return name + ": the output is also an input; give it another name";
   if (lacks_correspondence(options))
-    return "the common subdivision, --size and --adaptive need a correspondence; use "
+    return "the common subdivision, lengths in a file and --adaptive need a correspondence; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt";
   if (has_other_correspondence(options))
     return "--adaptive keeps integer coordinates; use --correspondence integer";

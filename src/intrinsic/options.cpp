@@ -4,7 +4,47 @@
 #include "options.h"
 #include "support/file_formats.h"
 
+#include <string>
+#include <vector>
+
 namespace program {
+
+namespace {
+
+// What `-o` writes.
+std::string contents_of_output(const Options& o) {
+  const bool is_curve_command = o.command == "geodesic" && !o.geodesic.writes_subdivision;
+  if (is_file_of(Contents::triangulation, o.output)) return "the intrinsic triangulation";
+  if (is_curve_command) return "the curves";
+  if (o.command == "cut") return "the surface cut open";
+  if (is_file_of(Contents::values, o.output)) return "values, a line for each row";
+  if (!is_mesh_output(o)) return "a matrix";
+  const std::string surface = o.application.on == "input" ? "the mesh" : "the common subdivision";
+  const bool has_values = o.command != "delaunay" && o.command != "refine" &&
+                          is_file_of(Contents::valued_subdivision, o.output);
+  return surface + (has_values ? " with values" : "");
+}
+
+} // namespace
+
+std::vector<Output> outputs(const Options& o) {
+  std::vector<Output> all{{o.output, contents_of_output(o)},
+                          {o.laplacian, "the Laplacian"},
+                          {o.mass, "the mass matrix"},
+                          {o.interpolation, "the interpolation from the triangulation"},
+                          {o.input_interpolation, "the interpolation from the input"},
+                          {o.cut.labels, "labels of faces"},
+                          {o.application.isolines, "isolines"},
+                          {o.application.voronoi, "lines between cells"},
+                          {o.application.singularities, "singularities"},
+                          {o.view, "a page for the browser"},
+                          {o.records, "all records of statistics"},
+                          {o.stats, "statistics"}};
+  std::erase_if(all, [](const Output& output) { return output.path.empty(); });
+  return all;
+}
+
+bool is_standard_output(const std::string& path) { return path == "-" || path.starts_with("-."); }
 
 bool is_mesh_output(const Options& options) {
   return is_file_of(Contents::subdivision, options.output);

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "output_files.h"
+#include "options.h"
 
 #include <array>
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <iostream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <unistd.h>
 
@@ -18,7 +22,7 @@ namespace {
 constexpr std::array<int, 4> handled_signals = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
 // What the signal handler removes: plain arrays, as it may not allocate or lock.
-constexpr std::size_t maximal_files = 8;
+constexpr std::size_t maximal_files = 16;
 std::array<std::array<char, PATH_MAX>, maximal_files> incomplete_files;
 volatile std::sig_atomic_t number_of_incomplete_files = 0;
 
@@ -56,9 +60,16 @@ void append_incomplete_file(const std::string& path) {
 
 } // namespace
 
+void remove_on_signals(const std::string& path) {
+  const Signals_held_back guard;
+  append_incomplete_file(path);
+}
+
 void remove_incomplete_files() {
   for (int i = 0; i < number_of_incomplete_files; ++i)
-    unlink(incomplete_files[static_cast<std::size_t>(i)].data());
+    if (const char* const path = incomplete_files[static_cast<std::size_t>(i)].data();
+        unlink(path) != 0)
+      rmdir(path); // a folder that was made for a file before
 }
 
 void remove_incomplete_files_on_signals() {
@@ -74,6 +85,8 @@ Output_files::~Output_files() {
 }
 
 std::ostream& Output_files::open(const std::string& path) {
+  paths_.push_back(path);
+  if (is_standard_output(path)) return standard_output_;
   const Signals_held_back guard;
   files_.emplace_back(path);
   const std::string temporary = files_.back().temporary().string();
@@ -85,6 +98,9 @@ void Output_files::commit() {
   const Signals_held_back guard;
   for (auto& file : files_) file.commit();
   std::signal(SIGALRM, SIG_IGN); // the limit of time is met
+  const std::string text = std::move(standard_output_).str();
+  if (!(std::cout << text << std::flush))
+    throw std::runtime_error("standard output cannot be written; is the disk full?");
   files_.clear();
   number_of_incomplete_files = 0;
 }

@@ -10,14 +10,18 @@
 #include <filesystem>
 #include <list>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace program {
 
 /// makes the signals that end programs first remove files that are not complete.
 void remove_incomplete_files_on_signals();
+/// makes them remove a file, or a folder that is empty then, until files are complete.
+void remove_on_signals(const std::string& path);
 /// removes files that are not complete; a signal handler may call it.
 void remove_incomplete_files();
 
@@ -31,7 +35,7 @@ public:
   Output_files& operator=(const Output_files&) = delete;
   ~Output_files();
 
-  /// opens a file. \throws std::runtime_error naming the file
+  /// opens a file, or what goes to standard output. \throws std::runtime_error naming the file
   std::ostream& open(const std::string& path);
   /// writes a file: calls a function with its stream, and with its extension if it takes that.
   /// \throws std::runtime_error naming the file if it is not complete
@@ -48,11 +52,15 @@ public:
       throw std::runtime_error(path + ": the file cannot be written completely; is the disk full?");
     }
   }
+  /// returns the paths of all files so far.
+  const std::vector<std::string>& paths() const { return paths_; }
   /// completes all files. \throws std::runtime_error naming the file that cannot be completed
   void commit();
 
 private:
   std::list<CGAL::Intrinsic_triangulations::Replacing_file> files_;
+  std::vector<std::string> paths_;
+  std::ostringstream standard_output_; // what goes there when all files are complete
 };
 
 } // namespace program

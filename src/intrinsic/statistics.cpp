@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "statistics.h"
+#include "answers.h"
+#include "summary.h"
+#include "support/Figures.h"
+#include "support/warnings.h"
 
 #include <cstddef>
-#include <iostream>
 #include <iterator>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <sys/resource.h>
 
@@ -100,13 +103,13 @@ Json with_short_lists(const Json& json, const Options& options, Output_files& fi
 void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch) {
   json["seconds"]["write"] = watch.lap();
   json["peak_rss_mib"] = peak_rss_mib();
-  const bool to_standard_output = options.stats == "-";
   const Json shown = with_short_lists(json, options, files);
-  if (!options.stats.empty() && !to_standard_output)
-    files.open(options.stats) << shown.dump(2) << '\n';
+  if (!options.stats.empty()) files.open(options.stats) << shown.dump(2) << '\n';
+  for (const std::string& warning : warnings_of(Figures(json), options)) warn(warning);
+  const std::vector<std::string> written = files.paths();
   files.commit();
-  if (to_standard_output && !(std::cout << shown.dump(2) << std::endl))
-    throw std::runtime_error("standard output cannot be written; is the disk full?");
+  print_answer(json, options, written);
+  print_warnings(options);
 }
 
 } // namespace program

@@ -8,20 +8,15 @@
 #include "load.h"
 #include "options.h"
 #include "output_files.h"
+#include "support/Json.h"
 #include "support/messages.h"
 
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cstddef>
-#include <ostream>
 
 namespace program {
-
-/// JSON with keys in the order in which they are set. Numbers that are not finite become null.
-using Json = nlohmann::ordered_json;
 
 /// returns a report as JSON.
 Json json_of(const IT::Report& report);
@@ -45,17 +40,12 @@ Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
   return json;
 }
 
-/// prints statistics for people.
-void print_summary(std::ostream& out, const Json& json);
-/// prints the summary to standard error if that is a terminal.
-void print_summary_on_terminal(const Json& json);
-
 /// Lists have so many records in the statistics at most.
 inline constexpr std::size_t most_records = 1000;
 
 /*!
-\brief completes all outputs: adds the last measurements, writes the statistics and, if options name
-a file for them, all records, and commits the files.
+\brief completes a run: adds the last measurements, writes the statistics and, if options name a
+file for them, all records, commits the files, and prints the answer and what it lacks.
 \param json the statistics
 \param options where they go
 \param files the files written so far

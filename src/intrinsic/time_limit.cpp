@@ -8,7 +8,6 @@
 #include "support/progress.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -22,8 +21,13 @@ namespace program {
 
 namespace {
 
-// What the handler writes, before and after what was being done; it may not allocate.
-std::array<std::string, 2> message;
+// What the handler writes; it may not allocate.
+struct Message {
+  std::string begin;        // before what was being done
+  std::string end;          // after it
+  std::string end_refining; // after it, while refining
+};
+Message message;
 
 void write_to_standard_error(const char* text, std::size_t size) {
   while (size > 0) {
@@ -37,9 +41,11 @@ void write_to_standard_error(const char* text, std::size_t size) {
 extern "C" void end_at_the_limit(int) {
   remove_incomplete_files();
   const char* const stage = current_stage();
-  write_to_standard_error(message[0].data(), message[0].size());
+  const bool is_refining = std::strcmp(stage, "refining") == 0;
+  const std::string& end = is_refining ? message.end_refining : message.end;
+  write_to_standard_error(message.begin.data(), message.begin.size());
   write_to_standard_error(stage, std::strlen(stage));
-  write_to_standard_error(message[1].data(), message[1].size());
+  write_to_standard_error(end.data(), end.size());
   _exit(failed);
 }
 
@@ -51,11 +57,15 @@ void end_at_time_limit(const Options& options) {
   // the terminal may show a line of progress
   first << (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") << "intrinsic: " << options.input
         << ": the time limit of " << seconds << " s was reached while ";
-  message = {
-      first.str(),
+  message.begin = first.str();
+  message.end =
       std::string("; nothing was written; allow more time with --time-limit, or ask for less") +
-          (options.arithmetic == "exact" ? "; --arithmetic double is faster on hard meshes\n"
-                                         : "\n")};
+      (options.arithmetic == "exact" ? "; --arithmetic double is faster on hard meshes\n" : "\n");
+  message.end_refining =
+      options.refinement.minimum_angle > greatest_safe_angle
+          ? "; nothing was written; there is no guarantee above 30 degrees that refinement ends: "
+            "ask for --min-angle 30 or less, or stop it with --max-insertions\n"
+          : message.end;
   std::signal(SIGALRM, end_at_the_limit);
   sigset_t alarm;
   sigemptyset(&alarm);

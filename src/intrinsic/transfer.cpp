@@ -32,7 +32,7 @@ Functions functions_of(const Number_table& table) {
 template <class Triangulation>
 Transferred transfer(const Triangulation& t, const IT::Common_subdivision& s,
                      const Functions& given, const Options& options) {
-  const bool from_input = options.from == "input", is_l2 = options.method == "L2";
+  const bool from_input = options.from == "input", is_l2 = options.method == "l2";
   Transferred result{given, given, {}, {}};
   if (from_input)
     result.intrinsic = is_l2 ? IT::L2_transfer(t, s, IT::Transfer_direction::to_intrinsic)(given)
@@ -118,13 +118,12 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
       write_values(out, from_input ? result.intrinsic : result.input);
     });
   finish(json, options, files, watch);
-  print_summary_on_terminal(json);
 }
 
 } // namespace
 
 void run_transfer(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { transfer(loaded, options, progress); });
 }

@@ -3,6 +3,7 @@
 
 #include "view.h"
 #include "support/messages.h"
+#include "support/warnings.h"
 
 #include <CGAL/Intrinsic_operators/improvement/describe_delaunay.h>
 
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -43,8 +43,7 @@ void describe_map(std::ostream& text, const Json& conformal) {
   if (is_known(residual))
     text << "\n"
          << conformal["cones"] << " cones; angles are right up to "
-         << conformal[residual].get<double>()
-         << " radians" << (is_proven ? ", proven" : "");
+         << conformal[residual].get<double>() << " radians" << (is_proven ? ", proven" : "");
 }
 
 std::string description(const Json& json) {
@@ -82,8 +81,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
   const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
   if (!report.is_complete())
-    std::cerr << options.view << ": " << report.description()
-              << "; --view-limit allows a larger page, and -o writes all to a file\n";
+    warn(options.view + ": " + report.description() +
+         "; --view-limit allows a larger page, and -o writes all to a file");
 }
 
 } // namespace program

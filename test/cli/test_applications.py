@@ -56,6 +56,7 @@ class Stored(Applications):
         for arithmetic in ("exact", "double"):
             self.stats("delaunay", mesh, "--arithmetic", arithmetic, "-o", "t.idt")
             for command, *rest in (("distance", "--source", "3,5:0.25:0.25:0.5"),
+                                   ("distance", "--source", "3", "--method", "heat"),
                                    ("eigen", "--count", "3"),
                                    ("logmap", "--source", "44"),
                                    ("parametrize", "--method", "harmonic")):
@@ -167,7 +168,7 @@ class Distance(Applications):
 
     def test_on_a_sphere_is_near_the_angle_and_never_below_the_chord(self):
         for options in ((), ("--refine",), ("--arithmetic", "double")):
-            stats, d = self.distances("--source", "0,50", *options)
+            stats, d = self.distances("--source", "0,50", "--method", "heat", *options)
             self.assertEqual((d[0], d[50]), (0, 0))
             self.assertEqual(stats["unreached_vertices"], 0)
             for p, x in zip(self.points, d):
@@ -178,7 +179,7 @@ class Distance(Applications):
                 self.assertLess(abs(x - angle), 0.16)
 
     def test_from_a_point_in_a_face_refined_about_it(self):
-        stats, d = self.distances("--source", "7:0.2:0.3:0.5", "--refine")
+        stats, d = self.distances("--source", "7:0.2:0.3:0.5", "--refine", "--method", "heat")
         self.assertGreater(min(d[:len(self.points)]), 0)
         self.assertGreater(stats["max"], 2)
         run = self.run_program("distance", self.sphere, "--source", "7:0.2:0.3:0.5", "--refine",
@@ -248,11 +249,13 @@ class Distance(Applications):
 
     def test_says_what_is_missing(self):
         for options in ((), ("--signed",), ("--source", "1", "--signed"), ("--curve", "1"),
-                        ("--source", "1", "--time", "0"), ("--source", "1", "--targets", "2"),
-                        ("--source", "1", "--max-distance", "2"),
+                        ("--source", "1", "--time-factor", "0"),
+                        ("--method", "heat", "--source", "1", "--targets", "2"),
+                        ("--method", "heat", "--source", "1", "--max-distance", "2"),
+                        ("--source", "1", "--time-factor", "2"),
                         ("--method", "exact", "--source", "1", "--max-distance", "0"),
                         ("--method", "exact", "--curve", "1,2"),
-                        ("--method", "exact", "--source", "1", "--time", "2")):
+                        ("--method", "exact", "--source", "1", "--time-factor", "2")):
             self.assertEqual(self.run_program("distance", self.sphere, *options).code, 2, options)
         self.assert_fails(self.run_program("distance", self.sphere, "--source", "9999"), "9999")
 

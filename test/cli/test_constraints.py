@@ -55,7 +55,7 @@ class Constraints(Cli_test):
         border = 4 * math.hypot(4, 1)
         for constraint, length in ((("--constrain", kept), border + 8), ((), border)):
             stats = self.stats("refine", self.rhombus, "--arithmetic", "double", "-o", "t.idt",
-                               "--max-edge-length", "0.5", *constraint)
+                               "--min-angle", "30", "--max-edge-length", "0.5", *constraint)
             self.assertEqual(stats["refine"]["unsatisfied"]["refused"], 0)
             self.assert_close(self.length_on_input_edges("t.idt"), length, 1e-12)
         for kind in KINDS:
@@ -78,7 +78,7 @@ class Constraints(Cli_test):
     def test_optimization_keeps_constrained_edges(self):
         kept = self.write("c.txt", "0 1\n")
         stats = self.stats("refine", self.rhombus, "--arithmetic", "double", "-o", "t.idt",
-                           "--constrain", kept, "--odt", "0.5")
+                           "--constrain", kept, "--odt-length", "0.5")
         self.assertGreater(stats["odt"]["splits"] + stats["odt"]["moves"], 0)
         self.assert_close(self.length_on_input_edges("t.idt"), 4 * math.hypot(4, 1) + 8, 1e-9)
 

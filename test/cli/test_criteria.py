@@ -31,7 +31,7 @@ class Sizes(Cli_test):
         wanted = lambda p: 0.03 + 0.02 * p[0]
         sizes = self.write_sizes([wanted(p) for p in self.points])
         for kind in ("integer", "crossings", "signposts"):
-            stats = self.stats("refine", self.mesh, "--size", sizes, "--mass", "m.mtx",
+            stats = self.stats("refine", self.mesh, "--max-edge-length", sizes, "--mass", "m.mtx",
                                "--mass-kind", "galerkin", "--interpolation", "p.mtx",
                                "--input-interpolation", "q.mtx", "--correspondence", kind)
             self.assertEqual(stats["refine"]["status"], "done")
@@ -49,7 +49,7 @@ class Sizes(Cli_test):
 
     def test_constant_sizes_are_a_bound_of_all_lengths(self):
         sizes = self.write_sizes([0.3] * len(self.points))
-        stats = self.stats("refine", self.mesh, "--size", sizes)
+        stats = self.stats("refine", self.mesh, "--max-edge-length", sizes)
         bound = self.stats("refine", self.mesh, "--max-edge-length", "0.3")
         self.assertEqual(stats["refine"]["insertions"], bound["refine"]["insertions"])
         for key in ("angle_histogram", "min_angle_deg", "max_angle_deg"):
@@ -61,12 +61,12 @@ class Sizes(Cli_test):
         for scale in (1, 2.0 ** 40, 2.0 ** -40):
             mesh = self.write_off("s.off", [tuple(scale * x for x in p) for p in points], faces)
             sizes = self.write_sizes([scale * (0.2 + 0.1 * p[0]) for p in points])
-            insertions.add(self.stats("refine", mesh, "--size", sizes)["refine"]["insertions"])
+            insertions.add(self.stats("refine", mesh, "--max-edge-length", sizes)["refine"]["insertions"])
         self.assertEqual(len(insertions), 1)
 
     def test_large_sizes_change_nothing(self):
         sizes = self.write_sizes([1e6] * len(self.points))
-        self.assertEqual(self.stats("refine", self.mesh, "--size", sizes)["quality"],
+        self.assertEqual(self.stats("refine", self.mesh, "--max-edge-length", sizes)["quality"],
                          self.stats("refine", self.mesh)["quality"])
 
     def test_what_is_wrong_is_named_with_its_line(self):
@@ -78,25 +78,25 @@ class Sizes(Cli_test):
                             ("# sizes\n1\nnan\n", ("f.txt:3", "nan")), ("1\ninf\n", ("f.txt:2", "inf")),
                             ("1\n1 2\n", ("f.txt:2", "2 numbers")), ("1 2\n1 2\n", ("f.txt:1", "one")),
                             ("", ("f.txt", "no numbers")), ("x\n", ("f.txt:1", "\"x\""))):
-            run = self.run_program("refine", self.mesh, "--size", self.write("f.txt", text))
+            run = self.run_program("refine", self.mesh, "--max-edge-length", self.write("f.txt", text))
             self.assert_fails(run, *words)
-        self.assert_fails(self.run_program("refine", self.mesh, "--size", "none.txt"), "none.txt")
+        self.assert_fails(self.run_program("refine", self.mesh, "--max-edge-length", "none.txt"), "none.txt")
         sizes = self.write_sizes([1] * n)
-        self.assertEqual(self.run_program("refine", self.mesh, "--size", sizes,
+        self.assertEqual(self.run_program("refine", self.mesh, "--max-edge-length", sizes,
                                           "--correspondence", "none").code, 2)
         self.run_program("delaunay", self.mesh, "-o", "t.idt", "--arithmetic", "double",
                          "--correspondence", "none")
-        self.assert_fails(self.run_program("refine", "t.idt", "--size", sizes), "t.idt",
+        self.assert_fails(self.run_program("refine", "t.idt", "--max-edge-length", sizes), "t.idt",
                           "start from the mesh")
 
     def test_a_stored_triangulation_is_refined_to_sizes(self):
         sizes = self.write_sizes([0.2 + 0.1 * abs(p[0]) for p in self.points])
-        asked = self.stats("refine", self.mesh, "--size", sizes)
+        asked = self.stats("refine", self.mesh, "--max-edge-length", sizes)
         self.run_program("delaunay", self.mesh, "-o", "t.idt")
-        stored = self.stats("refine", "t.idt", "--size", sizes, "-o", "r.idt")
+        stored = self.stats("refine", "t.idt", "--max-edge-length", sizes, "-o", "r.idt")
         self.assertGreater(stored["refine"]["insertions"], 0)
         self.assertEqual(stored["refine"]["insertions"], asked["refine"]["insertions"])
-        again = self.stats("refine", "r.idt", "--size", sizes)
+        again = self.stats("refine", "r.idt", "--max-edge-length", sizes)
         self.assertEqual(again["refine"]["insertions"], 0)
 
 
@@ -110,6 +110,7 @@ class Adaptive_refinement(Cli_test):
     def test_goes_on_until_the_error_is_small(self):
         for arithmetic in ("exact", "double"):
             stats = self.stats("refine", self.mesh, "--adaptive", "--tolerance", "0.01",
+                               "--min-angle", "30",
                                "--laplacian", "l.mtx", "--arithmetic", arithmetic)
             adaptive = stats["adaptive"]
             self.assertEqual((adaptive["status"], adaptive["source"]), ("done", 0))
@@ -180,7 +181,7 @@ class Adaptive_refinement(Cli_test):
         self.assert_fails(self.run_program("refine", two, "--adaptive"), "two.off", "connected")
         for arguments in (("--source", "1"), ("--tolerance", "1"), ("--max-vertices", "9"),
                           ("--adaptive", "--order", "worst"), ("--adaptive", "--tolerance", "0"),
-                          ("--adaptive", "--max-edge-length", "1"), ("--adaptive", "--odt", "1"),
+                          ("--adaptive", "--max-edge-length", "1"), ("--adaptive", "--odt-length", "1"),
                           ("--adaptive", "--source", "-1"),
                           ("--adaptive", "--correspondence", "crossings"),
                           ("--adaptive", "--correspondence", "none")):

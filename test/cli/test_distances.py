@@ -24,27 +24,17 @@ class Distances(Cli_test):
             return [float(line) for line in file]
 
     def read_npy(self, name):
-        """The columns of a matrix in NumPy's format, without NumPy."""
+        """The rows of a matrix in NumPy's format, without NumPy."""
         with open(self.path(name), "rb") as file:
             data = file.read()
         self.assertEqual(data[:8], b"\x93NUMPY\x01\x00")
         size, = struct.unpack("<H", data[8:10])
         self.assertEqual((10 + size) % 64, 0)
         header = ast.literal_eval(data[10:10 + size].decode())
-        self.assertEqual((header["descr"], header["fortran_order"]), ("<f8", True))
+        self.assertEqual((header["descr"], header["fortran_order"]), ("<f8", False))
         rows, columns = header["shape"]
         values = struct.unpack(f"<{rows * columns}d", data[10 + size:])
-        return [values[rows * i:rows * (i + 1)] for i in range(columns)]
-
-    def read_array(self, name):
-        """The columns of an array in Matrix Market format."""
-        with open(self.path(name), encoding="ascii") as file:
-            self.assertEqual(file.readline(), "%%MatrixMarket matrix array real general\n")
-            lines = [line for line in file if not line.startswith("%")]
-        rows, columns = map(int, lines[0].split())
-        values = [float(x) for x in lines[1:]]
-        self.assertEqual(len(values), rows * columns)
-        return [values[rows * i:rows * (i + 1)] for i in range(columns)]
+        return [values[columns * i:columns * (i + 1)] for i in range(rows)]
 
     def column(self, vertices, *options):
         """The distances of all vertices of the file, of one run."""
@@ -132,7 +122,7 @@ class Pairs(Distances):
 
 
 class Sources(Distances):
-    def test_columns_are_those_of_single_runs(self):
+    def test_rows_are_those_of_single_runs(self):
         n = len(self.points)
         sets = [[3], [0, 7, 100], [self.random.randrange(n) for _ in range(25)]]
         self.write("sets.txt", "".join(" ".join(map(str, s)) + "\n" for s in sets))
@@ -141,25 +131,25 @@ class Sources(Distances):
                 run = ("distance", self.mesh, "--method", method, "--sources",
                        self.path("sets.txt"), *options)
                 stats = self.stats(*run, "-o", self.path("d.npy"))
-                self.stats(*run, "-o", self.path("d.mtx"))
-                columns = self.read_npy("d.npy")
-                self.assertEqual(columns, list(map(tuple, self.read_array("d.mtx"))))
-                self.assertEqual((len(columns), len(columns[0])), (3, n))
+                self.stats(*run, "-o", self.path("d.txt"))
+                rows = self.read_npy("d.npy")
+                self.assertEqual(rows, list(map(tuple, self.read_rows("d.txt"))))
+                self.assertEqual((len(rows), len(rows[0])), (3, n))
                 stats = stats["distance"]
                 self.assertEqual((stats["sets"], stats["status"], stats["unreached"], stats["min"],
-                                  stats["max"]), (3, "done", 0, 0, max(map(max, columns))))
-                for s, column in zip(sets, columns):
-                    for x, y in zip(column, self.column(s, "--method", method, *options)):
+                                  stats["max"]), (3, "done", 0, 0, max(map(max, rows))))
+                for s, row in zip(sets, rows):
+                    for x, y in zip(row, self.column(s, "--method", method, *options)):
                         self.assertAlmostEqual(x, y, delta=1e-12)
 
     def test_searches_end_at_a_distance(self):
         self.write("sets.txt", "0\n5\n")
         stats = self.stats("distance", self.mesh, "--method", "exact", "--max-distance", "0.5",
-                           "--sources", self.path("sets.txt"), "-o", self.path("d.mtx"))["distance"]
-        known = [x for column in self.read_array("d.mtx") for x in column if x < math.inf]
+                           "--sources", self.path("sets.txt"), "-o", self.path("d.txt"))["distance"]
+        known = [x for row in self.read_rows("d.txt") for x in row if x < math.inf]
         self.assertEqual(len(known) + stats["unreached"], 2 * len(self.points))
         self.assertGreater(stats["unreached"], 0)
-        for x, exact in zip(self.read_array("d.mtx")[0], self.column([0], "--method", "exact")):
+        for x, exact in zip(self.read_rows("d.txt")[0], self.column([0], "--method", "exact")):
             if exact <= 0.5:
                 self.assertAlmostEqual(x, exact, delta=1e-12)
 
@@ -167,15 +157,15 @@ class Sources(Distances):
         self.write("sets.txt", "0\n")
         sets = self.path("sets.txt")
         for options, word in ((("--sources", sets), "-o"),
-                              (("--sources", sets, "-o", "d.txt"), ".npy or .mtx"),
+                              (("--sources", sets, "-o", "d.vtp"), ".npy or .txt"),
                               (("--sources", sets, "--pairs", sets, "-o", "d.npy"), "one of them"),
                               (("--sources", sets, "--source", "0", "-o", "d.npy"), "--source"),
                               (("--sources", sets, "--view", "v.html", "-o", "d.npy"), "--source"),
                               (("--pairs", sets, "-o", "d.npy"), ".txt"),
                               (("--pairs", sets, "--max-distance", "1"), "--max-distance"),
                               (("--source", "0", "-o", "d.npy"), "--sources"),
-                              (("--sources", sets, "-o", sets + ".npy", "--max-distance", "1"),
-                               "--method exact"),
+                              (("--sources", sets, "-o", sets + ".npy", "--max-distance", "1",
+                                "--method", "heat"), "--method heat"),
                               (("--source", "0", "--levels", "3"), "--isolines")):
             run = self.run_program("distance", self.mesh, *options)
             self.assertEqual(run.code, 2, run.err)

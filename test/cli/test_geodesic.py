@@ -261,7 +261,7 @@ class Refinement(Geodesic_test):
     def test_optimization_keeps_curves(self):
         points, faces = jittered_grid(9)
         mesh = self.write_off("g.off", points, faces)
-        stats = self.stats("geodesic", mesh, "--path", "23,76", "--path", "0,9", "--refine", "--odt",
+        stats = self.stats("geodesic", mesh, "--path", "23,76", "--path", "0,9", "--refine", "--odt-length",
                            "0.2", "--arithmetic", "double", "--subdivision", "-o", "s.ply")
         self.assertGreater(stats["odt"]["splits"] + stats["odt"]["moves"], 0)
         on_curve = sorted(p for p, curve in self.vertices("s.ply") if curve == 0)

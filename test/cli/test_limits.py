@@ -24,7 +24,7 @@ class Limits(Cli_test):
 
     def test_what_doubles_spoil_is_not_written(self):
         mesh = self.write_off("fan.off", *parabola_fan(250))
-        for options in ([], ["--odt", "5"], ["--correspondence", "crossings"]):
+        for options in ([], ["--odt-length", "5"], ["--correspondence", "crossings"]):
             run = self.run_program("refine", mesh, "--arithmetic", "double", "-o", "out.ply",
                                    "--stats", "out.json", "--view", "out.html", *options)
             self.assert_fails(run, "fan.off", "--arithmetic exact", "nothing was written")
@@ -45,7 +45,7 @@ class Limits(Cli_test):
     def test_files_beside_the_mesh_are_read_as_far_as_they_describe_it(self):
         mesh = self.rough_grid(2)
         for command, line in ((["delaunay", mesh, "--metric"], "1.5"),
-                              (["refine", mesh, "--size"], "0.5"),
+                              (["refine", mesh, "--max-edge-length"], "0.5"),
                               (["transfer", mesh], "1 2"),
                               (["edit", mesh, "--handles"], "0 1 2 3"),
                               (["transport", mesh, "--vectors"], "0 90")):
@@ -70,14 +70,14 @@ class Limits(Cli_test):
     def test_times_of_heat(self):
         mesh = self.rough_grid(3)
         for time in ("1e300", "1e-300"):
-            for source in (["--source", "0"], ["--signed", "--curve", "0,5"]):
-                self.assert_fails(self.run_program("distance", mesh, "--time", time, *source),
+            for source in (["--source", "0", "--method", "heat"], ["--signed", "--curve", "0,5"]):
+                self.assert_fails(self.run_program("distance", mesh, "--time-factor", time, *source),
                                   "g.off", "time factor", "between")
             vectors = self.write("v.txt", "0 30\n")
             for arguments in (["transport", mesh, "--vectors", vectors],
                               ["logmap", mesh, "--source", "0", "--method", "polar"],
                               ["logmap", mesh, "--source", "0", "--method", "affine"]):
-                self.assert_fails(self.run_program(*arguments, "--time", time),
+                self.assert_fails(self.run_program(*arguments, "--time-factor", time),
                                   "g.off", "time factor", "between")
 
     def test_fields_that_follow_curvature_closely_tend_to_it(self):
@@ -122,7 +122,8 @@ class Limits(Cli_test):
 
     def test_limit_of_time_that_is_met_does_nothing(self):
         mesh = self.rough_grid(5)
-        run = self.run_program("delaunay", mesh, "-o", "a.ply", "--time-limit", "50")
+        run = self.run_program("delaunay", mesh, "-o", "a.ply", "--time-limit", "50",
+                               "--quiet")
         self.assertEqual((run.code, run.out, run.err), (0, "", ""))
         for word in ("0", "-1", "nan", "soon"):
             run = self.run_program("delaunay", mesh, "--time-limit", word)

@@ -61,7 +61,7 @@ class Options(Cli_test):
         self.assert_misused("delaunay", self.mesh, "--mollification", "some")
         self.assert_misused("delaunay", self.mesh, "--mass", "m.mtx")
         self.assert_misused("laplacian", self.mesh, "--mass-kind", "full")
-        self.assert_misused("delaunay", self.mesh, "extra.off")
+        self.assert_misused("transfer", self.mesh, "extra.txt", "extra.off")
         self.assert_misused("delaunay", self.mesh, "--correspondence", "some")
         self.assert_misused("laplacian", self.mesh, "--correspondence", "integer")
         self.assert_misused("delaunay", self.mesh, "-o", "out.txt", word=".idt")
@@ -120,9 +120,10 @@ class Options(Cli_test):
             self.assertEqual(shown, expected)
 
     def test_numbers_that_mean_nothing(self):
-        for option in ("--odt", "--max-circumradius", "--max-edge-length"):
+        for option in ("--odt-length", "--max-circumradius", "--max-edge-length"):
             for number in ("nan", "inf", "-1", "0", "many"):
-                self.assert_misused("refine", self.mesh, option, number)
+                if (option, number) != ("--max-edge-length", "many"):  # may be a file
+                    self.assert_misused("refine", self.mesh, option, number)
         for number in ("nan", "-1", "1e999", "59.5"):
             self.assert_misused("refine", self.mesh, "--min-angle", number)
         for number in ("-1", "nan", "1.5", "1e30"):
@@ -132,8 +133,8 @@ class Options(Cli_test):
 
     def test_messages_on_usage_are_short(self):
         lengthy = "x" * 5000
-        for arguments in ((lengthy,), ("delaunay", self.mesh, lengthy), ("delaunay", self.mesh, "-o", lengthy),
-                          ("refine", self.mesh, "--odt", lengthy), ("refine", self.mesh, "--odt", "0"),
+        for arguments in ((lengthy,), ("transfer", self.mesh, "u.txt", lengthy), ("delaunay", self.mesh, "-o", lengthy),
+                          ("refine", self.mesh, "--odt-length", lengthy), ("refine", self.mesh, "--odt-length", "0"),
                           ("refine", self.mesh, "--order", lengthy), ("info", "--" + lengthy),
                           ("refine", self.mesh, "--max-insertions", "-1"),
                           ("refine", self.mesh, "--min-angle", "9" * 3000),
@@ -159,7 +160,7 @@ class Options(Cli_test):
                 self.assertEqual(stats["input"]["genus"], 0)
 
     def test_standard_output_has_only_what_is_asked_for(self):
-        run = self.run_program("delaunay", self.mesh, "-o", "a.idt", "--stats", "s.json")
+        run = self.run_program("delaunay", self.mesh, "-o", "a.idt", "--stats", "s.json", "--quiet")
         self.assertEqual((run.code, run.out, run.err), (0, "", ""))
         self.assertEqual(self.files(), ["a.idt", "m.off", "s.json"])
         run = self.run_program("info", self.mesh)

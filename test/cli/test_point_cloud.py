@@ -175,7 +175,7 @@ class Point_cloud(Cli_test):
         self.assertEqual(stats["domain"]["duplicated_points"], 4)
         entries = self.check_laplacian("l.mtx", strange)
         self.assertFalse(any(i >= n and x != 0 for (i, _), x in entries.items()))
-        self.assertIn("4 points are at the place of another", self.run_program("info", mesh).out)
+        self.assertIn("4 points at the place of another", self.run_program("info", mesh).out)
         # far on a line: among its neighbours, which lie on the line, a point has no triangle
         line = points + [(1000 + i, 3, 0) for i in range(20)]
         stats = self.stats("laplacian", self.write_xyz("l.xyz", line), "--neighbors", "5")

@@ -29,7 +29,7 @@ class Refine(Cli_test):
         self.assertEqual(len(inserted), 1)  # whoever looks, vertices are the same places
 
     def test_histograms_count_every_angle(self):
-        stats = self.stats("refine", self.mesh)
+        stats = self.stats("refine", self.mesh, "--min-angle", "30")
         angles = stats["quality"]["angle_histogram"]
         # a closed surface of genus 0: F = 2 V - 4
         vertices = stats["input"]["vertices"] + stats["refine"]["insertions"]
@@ -79,7 +79,7 @@ class Refine(Cli_test):
         self.assertGreaterEqual(faces_now * largest, stats["area"]["input"])
 
     def test_optimal_delaunay_triangulation_follows(self):
-        stats = self.stats("refine", self.mesh, "--arithmetic", "double", "--odt", "0.2")
+        stats = self.stats("refine", self.mesh, "--arithmetic", "double", "--odt-length", "0.2")
         odt = stats["odt"]
         self.assertEqual(odt["status"], "converged")
         self.assertGreater(odt["moves"], 0)

@@ -120,7 +120,8 @@ class Curves_on_one_sheet(Cli_test):
         return sum(math.dist(places[a], places[b]) for a, b in edges)
 
     def refined(self, mesh, *arguments, is_one_path=True):
-        stats = self.stats("geodesic", mesh, "--refine", "--subdivision", "-o", "s.ply", *arguments)
+        stats = self.stats("geodesic", mesh, "--refine", "--min-angle", "30", "--subdivision", "-o",
+                           "s.ply", *arguments)
         refine = stats["refine"]
         self.assertEqual(refine["status"], "done")
         self.assertEqual(refine["unsatisfied"]["refused"], 0)
@@ -169,7 +170,7 @@ class Optimal_delaunay(Cli_test):
 
     def test_takes_no_more_vertices_than_allowed(self):
         for most in 0, 1, 17, 60:
-            stats = self.stats("refine", self.square(), "--odt", "0.02", "--max-insertions",
+            stats = self.stats("refine", self.square(), "--odt-length", "0.02", "--max-insertions",
                                str(most))
             self.assertLessEqual(stats["refine"]["insertions"] + stats["odt"]["splits"] +
                                  stats["odt"]["insertions"], most)
@@ -177,10 +178,10 @@ class Optimal_delaunay(Cli_test):
 
     def test_refuses_lengths_that_need_too_many(self):
         for length in 1e-9, 1e-100, 1e-300:
-            run = self.run_program("refine", self.square(), "--odt", repr(length))
+            run = self.run_program("refine", self.square(), "--odt-length", repr(length))
             self.assert_fails(run, "q.off", "vertices", "longer")
         vertices = 1 / (0.1 * 0.1 * math.sqrt(3) / 2)
-        self.assertGreater(self.stats("refine", self.square(), "--odt", "0.1")["odt"]["splits"],
+        self.assertGreater(self.stats("refine", self.square(), "--odt-length", "0.1")["odt"]["splits"],
                            vertices / 2)
 
 

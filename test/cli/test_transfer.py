@@ -65,7 +65,7 @@ class Transfer(Cli_test):
         field = self.write_field("f.txt", self.points)
         for options in ((), ("--refine",)):
             wanted = self.intrinsic_points(*options)
-            for method in ("L2", "pointwise"):
+            for method in ("l2", "pointwise"):
                 for arithmetic in ("exact", "double"):
                     stats = self.stats("transfer", self.mesh, field, "-o", "g.txt", "--method",
                                        method, "--arithmetic", arithmetic, *options)
@@ -92,7 +92,7 @@ class Transfer(Cli_test):
                     field = self.write_field("f.txt", self.rough(vertices))
                 best, copy = (self.stats("transfer", self.mesh, field, "--method", method, "--from",
                                          direction, *options)["transfer"]
-                              for method in ("L2", "pointwise"))
+                              for method in ("l2", "pointwise"))
                 self.assertAlmostEqual(best["integral_on_input"][0], best["integral_on_intrinsic"][0], 9)
                 self.assertLess(best["L2_distance"][0], copy["L2_distance"][0])
 
@@ -152,7 +152,7 @@ class Transfer(Cli_test):
                           "start from the mesh")
         for arguments in ((), (field, "-o", "s.off"), (field, "--method", "best"),
                           (field, "--from", "there"), (field, "--min-angle", "20"),
-                          (field, "--adaptive"), (field, "--size", field)):
+                          (field, "--adaptive"), (field, "--max-edge-length", field)):
             self.assertEqual(self.run_program("transfer", self.mesh, *arguments).code, 2, arguments)
 
 

@@ -48,7 +48,7 @@ class Cells(Cli_test):
 
     def test_bad_usage(self):
         self.write("sets.txt", "0\n")
-        for options in (("--source", "0", "--voronoi", "l.obj"),
+        for options in (("--source", "0", "--method", "heat", "--voronoi", "l.obj"),
                         ("--source", "0", "--method", "exact", "--max-distance", "1",
                          "--voronoi", "l.obj"),
                         ("--pairs", self.path("sets.txt"), "--method", "exact",

@@ -112,7 +112,6 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Output_files files;
   write_results(loaded, computed, options, json, files, progress, watch);
   finish(json, options, files, watch);
-  print_summary_on_terminal(json);
 }
 
 } // namespace
@@ -120,7 +119,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
 void run_application(const Options& options, const Solver<IT::Exact_euclidean_traits>& exact,
                      const Solver<IT::Euclidean_traits<double>>& approximate) {
   expect_writable_results(options);
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<IT::Integer_coordinates>(
       options, progress,
       [&](auto& loaded) {

@@ -7,7 +7,7 @@
 #include "../support/naming_file.h"
 #include "../support/progress.h"
 #include "../support/text_lines.h"
-#include "Column_writer.h"
+#include "Row_writer.h"
 #include "application.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
@@ -184,7 +184,7 @@ Computed distances_of(const Triangulation& t, const Sources& sets, const Places&
   return computed;
 }
 
-// Writes the distances of the vertices of the file, a column for each set of sources.
+// Writes the distances of the vertices of the file, a row for each set of sources.
 template <class Triangulation>
 Computed distance_matrix(const Triangulation& t, const Sources& sets, const Options& options,
                          Progress& progress) {
@@ -194,7 +194,7 @@ Computed distance_matrix(const Triangulation& t, const Sources& sets, const Opti
     const IT::Distance_options asked = asked_of(options.application, progress);
     const std::size_t rows = t.input().number_of_rows();
     IT::Distances<Triangulation> find(t);
-    Column_writer file(out, options.output, rows, sets.size());
+    Row_writer file(out, options.output, sets.size(), rows);
     Range range;
     const IT::Status status = find.for_each_column(
         sets,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../commands.h"
+#include "../support/warnings.h"
 #include "application.h"
 #include "conformal_results.h"
 #include "prescribed_angles.h"
@@ -92,9 +93,9 @@ IT::Uniformize_options asked_options(const Uniformize_options& asked, Progress& 
     // up to a gigabyte in all
     constexpr std::uint64_t many = 1'000'000;
     if (crossings >= many)
-      progress.warn("edges cross at " + std::to_string(crossings) +
-                    " places; a layout with as many pieces takes long and much memory, scale "
-                    "factors alone, in a file .txt, do not");
+      progress.say("edges cross at " + std::to_string(crossings) +
+                   " places; a layout with as many pieces takes long and much memory, scale "
+                   "factors alone, in a file .txt, do not");
   };
   return options;
 }
@@ -128,9 +129,8 @@ Json json_of(const IT::Uniformization& found, const Uniformize_options& asked) {
 }
 
 // Says what the result lacks.
-void warn_of_status(const IT::Uniformization& found, const Options& options, Progress& progress) {
+void warn_of_status(const IT::Uniformization& found) {
   std::ostringstream words;
-  words << options.input << ": ";
   if (found.status == IT::Status::inaccurate)
     words << "angles are right, but rounding has turned over pieces of the map; cones, or other "
              "ones, bring scales nearer to each other";
@@ -140,7 +140,7 @@ void warn_of_status(const IT::Uniformization& found, const Options& options, Pro
   else
     words << "the solver has stopped before the angles were right: they differ by up to "
           << found.metric.residual << " radians; take other angles or cones";
-  if (found.status != IT::Status::done) progress.warn(words.str());
+  if (found.status != IT::Status::done) warn(words.str());
 }
 
 // Text has the values alone.
@@ -180,7 +180,7 @@ Computed uniformized(const Triangulation& t, const Points& points, const Options
       "conformal",
       json_of(found, options.uniformize),
       {{"u", Eigen::VectorXd::Map(found.u.data(), static_cast<Eigen::Index>(found.u.size()))}}};
-  warn_of_status(found, options, progress);
+  warn_of_status(found);
   if (!options.uniformize.cones.empty()) {
     computed.marks.name = "cones";
     for (const std::uint32_t v : found.cones())

@@ -79,7 +79,6 @@ IT::Cut_surface cut_surface(Loaded<Triangulation>& loaded, const Options& option
   if (!options.cut.levels.empty()) return cut_along(isoline_labels(loaded, options, json));
   if (!options.cut.makes_disks) {
     const auto found = find_curves(loaded, options, false, json, progress);
-    warn_of_cap(json, options);
     return cut_along(found);
   }
   progress.show("finding a cut");
@@ -151,7 +150,7 @@ void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progre
 } // namespace
 
 void run_cut(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { cut(loaded, options, progress); });
 }

@@ -7,11 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
-#include <iostream>
 #include <string>
 #include <string_view>
-
-#include <unistd.h>
 
 namespace program {
 
@@ -67,24 +64,8 @@ Json curves_json(const IT::Found_curves& found) {
   return json;
 }
 
-void warn_of_cap(const Json& json, const Options& options) {
-  if (json["geodesic"]["status"] == "cap")
-    std::cerr << options.input << ": shortening did not end after " << json["geodesic"]["flips"]
-              << " flips in double arithmetic; use --arithmetic exact\n";
-}
-
-void print_geodesic_summary_on_terminal(const Json& json) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  const Json& g = json["geodesic"];
-  std::cerr << "curves          " << g["curves"].size() << ": " << g["status"].get<std::string>()
-            << (g["certified"] ? ", certified" : "") << "\nlength          " << g["length"]
-            << ", before " << g["initial_length"] << "\nflips           " << g["flips"] << "; "
-            << g["joints"] << " joints, " << g["exact_ties"] << " exact ties\n";
-  if (json.contains("refine")) print_summary_on_terminal(json);
-}
-
 void run_geodesic(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { geodesic(loaded, options, progress); });
 }

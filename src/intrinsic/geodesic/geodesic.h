@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <iterator>
 #include <ostream>
 #include <stdexcept>
@@ -65,7 +64,7 @@ IT::Curves_along_edges<Triangulation> find_curves(Loaded<Triangulation>& loaded,
   const bool is_viewed = is_drawn && !options.view.empty();
   Curve_progress shown(json, progress);
   IT::Find_curves_options how;
-  how.is_along_edges = g.is_along_edges;
+  how.is_along_edges = g.method == "flips";
   how.are_edges = options.refines || g.writes_subdivision ||
                   (!options.output.empty() && !is_file_of(Contents::curves, options.output));
   how.is_traced = is_viewed || (is_drawn && !options.output.empty());
@@ -88,11 +87,6 @@ IT::Curves_along_edges<Triangulation> find_curves(Loaded<Triangulation>& loaded,
   shown.end();
   return found;
 }
-
-/// prints what became of curves to standard error if that is a terminal.
-void print_geodesic_summary_on_terminal(const Json& json);
-/// reports curves that are not known to be geodesic.
-void warn_of_cap(const Json& json, const Options& options);
 
 /// returns for each vertex of a common subdivision the number of a curve that passes it, or -1.
 template <class Triangulation>
@@ -156,7 +150,6 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     json = loaded_json(loaded, options);
     shorten(json);
   }
-  warn_of_cap(json, options);
   Stopwatch watch;
   Output_files files;
   if (options.geodesic.writes_subdivision || !options.view.empty())
@@ -173,7 +166,6 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     });
   }
   finish(json, options, files, watch);
-  print_geodesic_summary_on_terminal(json);
 }
 
 } // namespace program

@@ -89,6 +89,16 @@ inline CLI::Validator positive() {
       "NUMBER");
 }
 
+/// returns a check that a word is a positive number, or none: then it is the name of a file.
+inline CLI::Validator positive_or_name() {
+  return CLI::Validator(
+      [](std::string& word) {
+        double x = 0;
+        return CLI::detail::lexical_cast(word, x) ? positive()(word) : std::string();
+      },
+      "NUMBER|FILE");
+}
+
 } // namespace program
 
 #endif // INTRINSIC_SUPPORT_COMMAND_LINE_H

@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 1> triangulation{"idt"};
 constexpr std::array<std::string_view, 1> values{"txt"};
 constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
-constexpr std::array<std::string_view, 2> full_matrix{"npy", "mtx"};
+constexpr std::array<std::string_view, 2> full_matrix{"npy", "txt"};
 
 // in the order of `Contents`
 constexpr std::array<Format, 11> formats{
@@ -66,6 +66,17 @@ std::string extensions_of(Contents contents) {
   for (const std::string_view extension : format(contents).extensions)
     words.emplace_back(".").append(extension);
   return listed(words);
+}
+
+std::string first_extension_of(Contents contents) {
+  return std::string(".").append(format(contents).extensions.front());
+}
+
+std::vector<std::string> input_formats() {
+  std::vector<std::string> words;
+  for (const Contents c : {Contents::mesh, Contents::point_set, Contents::triangulation})
+    for (const std::string_view extension : format(c).extensions) words.emplace_back(extension);
+  return words;
 }
 
 std::string listed_with_extensions(const std::vector<Contents>& contents) {

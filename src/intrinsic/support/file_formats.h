@@ -28,6 +28,10 @@ enum class Contents {
 bool is_file_of(Contents contents, const std::string& path);
 /// returns the extensions of files with such contents: ".vtp, .obj or .ply".
 std::string extensions_of(Contents contents);
+/// returns the first of them, with its dot.
+std::string first_extension_of(Contents contents);
+/// returns the extensions of all files that can be an input, without dots.
+std::vector<std::string> input_formats();
 /// returns several contents with their extensions: "values to .txt or curves to .obj or .vtp".
 std::string listed_with_extensions(const std::vector<Contents>& contents);
 

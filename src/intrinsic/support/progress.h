@@ -27,6 +27,9 @@ private:
 /// returns the current stage; a signal handler may call it.
 const char* current_stage();
 
+/// clears the line that shows the current stage, if there is one.
+void clear_progress_line();
+
 /*!
 \brief shows the current stage on standard error: in one line of a terminal, after the first second;
 or in lines of a log, one for each stage and one for every second. Without a log, and if standard
@@ -35,7 +38,8 @@ error is not a terminal, it shows nothing.
 class Progress {
 public:
   /// \param logs whether to write a log
-  explicit Progress(bool logs);
+  /// \param is_quiet whether to say nothing
+  explicit Progress(bool logs, bool is_quiet = false);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// clears the line.
@@ -48,16 +52,15 @@ public:
   \return true: visitors that return it go on
   */
   bool show(const char* stage, const std::string& detail = {});
-  /// writes a line to standard error that says what the result lacks.
-  void warn(const std::string& message);
+  /// writes a line to standard error at once: why what follows takes long.
+  void say(const std::string& message);
 
 private:
   using Clock = std::chrono::steady_clock;
 
   void log(const char* stage, const std::string& detail, Clock::time_point now);
 
-  bool logs_, is_terminal_;
-  bool is_shown_ = false;
+  bool logs_, is_quiet_, is_terminal_;
   Clock::time_point start_, last_;
 };
 

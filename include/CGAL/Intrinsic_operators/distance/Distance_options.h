@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_DISTANCE_DISTANCE_OPTIONS_H
 
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -38,8 +39,8 @@ struct Distance_options {
   Distance_method method = Distance_method::exact; ///< how they are found
   /// How far an exact search goes, in the units of the input.
   double maximum_distance = std::numeric_limits<double>::infinity();
-  double time_factor = 1;            ///< of the flow of heat, see `Heat_distance`
-  std::size_t number_of_threads = 0; ///< for many sets or pairs; 0: as many as processors
+  double time_factor = defaults::time_factor; ///< of the flow of heat, see `Heat_distance`
+  std::size_t number_of_threads = 0;          ///< for many sets or pairs; 0: as many as processors
   /// Is called with what is done, how much of it, and how much there is, 0 if that is unknown;
   /// returns whether to go on.
   std::function<bool(Distance_step, std::uint64_t, std::uint64_t)> progress{};

@@ -5,12 +5,14 @@
 #define CGAL_INTRINSIC_OPERATORS_IMPROVEMENT_IMPROVE_OPTIONS_H
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 /*!
@@ -20,16 +22,24 @@ What is asked of `improve()`.
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// returns the order with a name: "largest", "worst", or else "first".
+inline Refinement_order refinement_order(std::string_view name) {
+  return name == "largest" ? Refinement_order::largest_first
+         : name == "worst" ? Refinement_order::worst_first
+                           : Refinement_order::first_come;
+}
+
 /// Which faces refinement splits. Lengths are in the units of the input.
 struct Refine_criteria {
-  double minimum_angle = 30; ///< in degrees; up to 30 refinement always ends
+  /// In degrees; up to 30 refinement always ends.
+  double minimum_angle = defaults::min_angle;
   double maximum_circumradius = std::numeric_limits<double>::infinity(); ///< of faces
   double maximum_edge_length = std::numeric_limits<double>::infinity();  ///< of all edges
   /// How long edges may be at each of the user's vertices, linear between them; empty: anything.
   /// It needs a correspondence.
   std::vector<double> lengths{};
   std::optional<std::uint64_t> maximum_insertions = std::nullopt; ///< see `delaunay_refine()`
-  Refinement_order order = Refinement_order::first_come;          ///< in which faces are split
+  Refinement_order order = refinement_order(defaults::order);     ///< in which faces are split
   bool is_conforming = false; ///< whether kept edges that are not Delaunay are split
   /// Length of edges to which inserted vertices are moved then, by `odt_optimize()`; 0: they stay.
   double odt_length = 0;
@@ -40,9 +50,10 @@ struct Adapt_criteria {
   std::uint32_t source = 0; ///< the vertex, by its row in the input
   /// Of the heat kernel there, in squares of the mean edge; 0: the harmonic Green's function.
   double heat_time = 0;
-  double tolerance = 0.01; ///< in units of the root of the area, or of the norm of the kernel
-  std::size_t maximum_vertices = 100000; ///< where refinement ends
-  double minimum_angle = 25;             ///< of faces, in degrees
+  /// In units of the root of the area, or of the norm of the kernel.
+  double tolerance = defaults::tolerance;
+  std::size_t maximum_vertices = defaults::max_vertices; ///< where refinement ends
+  double minimum_angle = defaults::min_angle;            ///< of faces, in degrees
 };
 
 /// What `improve()` does at the time, and what it counts.

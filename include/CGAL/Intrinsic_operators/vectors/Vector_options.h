@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
@@ -36,8 +37,10 @@ enum class Vector_step : std::uint8_t {
 
 /// How vectors are found.
 struct Vector_options {
-  double time_factor = 1;     ///< of the flow of heat, see `Vector_heat_method`
-  std::size_t neighbors = 30; ///< of each point of a cloud, see `Point_cloud_vectors`
+  /// Of the flow of heat, see `Vector_heat_method`.
+  double time_factor = defaults::time_factor;
+  /// Of each point of a cloud, see `Point_cloud_vectors`.
+  std::size_t neighbors = defaults::neighbors;
   /// How far logarithms along shortest paths go, in the units of the input.
   double maximum_distance = std::numeric_limits<double>::infinity();
   /// Is called with what is done, and how much of it; returns whether to go on. On clouds of points

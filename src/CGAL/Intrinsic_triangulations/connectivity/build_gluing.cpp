@@ -23,8 +23,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-template Gluing unglued_triangles(std::uint32_t,
-                                  const std::vector<std::array<std::uint32_t, 3>>&);
+template Gluing unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
 
 Sides_by_edge sides_by_edge(const Gluing& g) {
   const auto end = [&](std::uint32_t h) { return g.origin[Gluing::next(h)]; };
@@ -73,7 +72,7 @@ void fail_nonmanifold(const Gluing& g, std::span<const Edge_side> sides,
   throw Invalid_input(Element_kind::edge, sides[0].halfedge,
                       edge_with_faces(g, sides, names) +
                           "; remove faces or duplicate vertices so that at most two remain, or "
-                          "take the tufted cover");
+                          "take the tufted cover with --domain tufted");
 }
 
 Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::uint32_t>& names) {

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_REFINEMENT_REFINEMENT_SETTINGS_H
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <concepts>
@@ -21,7 +22,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Refinement_settings {
   static constexpr double any = std::numeric_limits<double>::infinity();
 
-  double minimum_angle = 25, maximum_circumradius = any, maximum_edge_length = any;
+  double minimum_angle = defaults::min_angle, maximum_circumradius = any, maximum_edge_length = any;
   Refinement_order order = Refinement_order::first_come;
   bool is_conforming = false;
   std::optional<std::uint64_t> maximum_insertions = std::nullopt;
@@ -29,7 +30,7 @@ struct Refinement_settings {
   Refinement_settings() = default;
   template <class NP>
   explicit Refinement_settings(const NP& np)
-      : minimum_angle(value_or<tags::minimum_angle>(np, 25.)),
+      : minimum_angle(value_or<tags::minimum_angle>(np, defaults::min_angle)),
         maximum_circumradius(value_or<tags::maximum_circumradius>(np, any)),
         maximum_edge_length(value_or<tags::maximum_edge_length>(np, any)),
         order(value_or<tags::order>(np, Refinement_order::first_come)),

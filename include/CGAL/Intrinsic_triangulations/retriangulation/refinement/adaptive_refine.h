@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -158,7 +159,7 @@ struct Adaptive_limits {
   template <class NP>
   explicit Adaptive_limits(const NP& np)
       : error(value_or<tags::tolerance>(np, 0.)), share(value_or<tags::bulk>(np, 0.5)),
-        angle(value_or<tags::minimum_angle>(np, 25.)),
+        angle(value_or<tags::minimum_angle>(np, defaults::min_angle)),
         vertices(value_or<tags::maximum_vertices>(np, std::size_t{100000})),
         rounds(value_or<tags::maximum_rounds>(np, std::size_t{100})) {
     if (!(error >= 0)) throw std::invalid_argument("the tolerance must not be negative");

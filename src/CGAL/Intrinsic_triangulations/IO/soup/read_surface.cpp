@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 
 #include <array>
 #include <cstddef>
@@ -59,9 +60,8 @@ Read_surface make_surface(Triangle_soup soup, const Surface_options& options) {
   Read_surface made;
   Surface_facts& facts = made.facts;
   if (soup.triangles.empty()) {
-    constexpr std::size_t usual_neighbors = 30;
-    Point_cloud cloud = make_point_cloud(soup.points, options.neighbors.value_or(usual_neighbors),
-                                         options.mollification);
+    Point_cloud cloud = make_point_cloud(
+        soup.points, options.neighbors.value_or(defaults::neighbors), options.mollification);
     made.input = std::move(cloud.input);
     facts.domain = std::move(cloud.report);
     facts.cloud = std::move(cloud.points);

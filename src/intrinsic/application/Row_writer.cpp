@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "Column_writer.h"
+#include "Row_writer.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 
@@ -14,24 +14,19 @@ namespace program {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> matrix_market{"mtx"};
+constexpr std::array<std::string_view, 1> numpy{"npy"};
 
 } // namespace
 
-Column_writer::Column_writer(std::ostream& out, const std::string& path, std::size_t rows,
-                             std::size_t columns)
-    : out_(out), is_binary_(!CGAL::Intrinsic_triangulations::has_extension(path, matrix_market)) {
+Row_writer::Row_writer(std::ostream& out, const std::string& path, std::size_t rows,
+                       std::size_t columns)
+    : out_(out), is_binary_(CGAL::Intrinsic_triangulations::has_extension(path, numpy)) {
+  if (!is_binary_) return;
   const std::string m = std::to_string(rows), n = std::to_string(columns);
-  if (!is_binary_) {
-    out_.text("%%MatrixMarket matrix array real general\n% distances: a row per vertex, a column "
-              "per set of sources\n",
-              m, " ", n, "\n");
-    return;
-  }
   // Version 1.0: magic, version, length of the dictionary, which ends where a multiple of 64 does.
   constexpr std::size_t prefix = 10, multiple = 64;
   std::string dictionary =
-      "{'descr': '<f8', 'fortran_order': True, 'shape': (" + m + ", " + n + "), }";
+      "{'descr': '<f8', 'fortran_order': False, 'shape': (" + m + ", " + n + "), }";
   dictionary.append(multiple - (prefix + dictionary.size() + 1) % multiple, ' ');
   dictionary += '\n';
   out_.text("\x93NUMPY");
@@ -40,15 +35,16 @@ Column_writer::Column_writer(std::ostream& out, const std::string& path, std::si
   out_.text(dictionary);
 }
 
-void Column_writer::write(std::span<const double> column) {
-  for (const double x : column)
+void Row_writer::write(std::span<const double> row) {
+  for (const double x : row)
     if (is_binary_)
       out_.binary(x);
     else
-      out_.line(x);
+      out_.words(x);
+  if (!is_binary_) out_.line();
 }
 
-void Column_writer::finish() {
+void Row_writer::finish() {
   if (!out_.flush()) throw std::runtime_error("the matrix cannot be written completely");
 }
 
