@@ -152,8 +152,8 @@ const Lines map_lines{
     {"cut open", "along {/cut/edges edge} of length {/cut/length}"}};
 
 const Lines uniform_lines{
-    {"target", "{/conformal/target}, from the triangles: {/conformal/start}; status "
-               "{/conformal/status}"},
+    {"target", "{/conformal/target}; status {/conformal/status}"},
+    {"scaled", "the lengths of the {/conformal/start} triangles"},
     {"angles", "right up to {/conformal/residual} radians; proven: {/conformal/proven_residual}"},
     {"angles", "right up to {/conformal/residual} radians, not proven",
      [](const Figures& f) { return f.at("/conformal/proven_residual").is_null(); }},

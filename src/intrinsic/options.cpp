@@ -22,7 +22,8 @@ std::string contents_of_output(const Options& o) {
   const std::string surface = o.application.on == "input" ? "the mesh" : "the common subdivision";
   const bool has_values = o.command != "delaunay" && o.command != "refine" &&
                           is_file_of(Contents::valued_subdivision, o.output);
-  return surface + (has_values ? " with values" : "");
+  const bool is_map = o.command == "parametrize" || o.command == "uniformize";
+  return surface + (is_map ? " with its map" : has_values ? " with values" : "");
 }
 
 } // namespace
