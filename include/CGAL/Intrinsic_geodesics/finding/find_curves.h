@@ -73,8 +73,7 @@ public:
   }
 
 private:
-  // Asks whether to go on.
-  bool ask(std::uint64_t count) {
+  bool ask(std::uint64_t count) { // whether to go on
     if (options_.progress && !options_.progress(stage_, count)) is_cancelled_ = true;
     return !is_cancelled_;
   }
@@ -104,11 +103,11 @@ private:
   void find_on_faces(const Wanted& wanted) {
     if (!t_.input().names().is_cover() || !begin(Curve_stage::paths_on_faces)) return;
     Paths_on_faces<Triangulation> find(t_);
-    const Visitor visitor{this};
     for (std::size_t i = 0; i < wanted.size() && !is_cancelled_; ++i)
       if (const Wanted_curve& c = wanted[i];
           find.can_find(c.places.size(), c.is_loop, c.stays_at_places))
-        on_faces_[i] = naming(c, [&] { return find(c.places, parameters::visitor(visitor)); });
+        on_faces_[i] =
+            naming(c, [&] { return find(c.places, parameters::visitor(Visitor{this})); });
   }
 
   // Adds all other curves to the network.
@@ -158,6 +157,7 @@ private:
     for (Traced_curve& initial : added.initial) {
       Found_curve& curve = found_.curves.emplace_back();
       curve.initial_length = initial.length;
+      curve.way.status = initial.status;
       if (options_.keeps_initial) curve.initial = std::move(initial);
     }
     return true;

@@ -103,7 +103,8 @@ struct Added_geodesics {
   Status status = Status::done;
   /// The curve where it failed.
   std::size_t failed = 0;
-  /// The initial shortest paths of each curve.
+  /// The initial shortest paths of each curve; `inaccurate` if a search gave up, and they may be
+  /// longer.
   std::vector<Traced_curve> initial;
   /// Vertices where curves cross. They are fixed.
   std::vector<typename Triangulation::vertex_descriptor> crossings;
@@ -175,6 +176,7 @@ private:
                                     c.vertices[(i + 1) % n], side, result_.shortening, np_);
       if (result_.status != Status::done) return false;
       append(side.way, initial);
+      if (side.search != Status::done) initial.status = side.search;
       sides.push_back(std::move(side));
     }
     result_.initial.push_back(std::move(initial));
