@@ -25,7 +25,7 @@ fi
 
 bash "$root/cmake/install_dependencies.sh" \
   g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboost-dev \
-  libeigen3-dev libsuitesparse-dev libspectra-dev libcli11-dev nlohmann-json3-dev libjs-three
+  libeigen3-dev libspectra-dev libcli11-dev nlohmann-json3-dev libjs-three
 
 if [[ ! -f "$build/build.ninja" ]]; then # else keep what was chosen, such as to build the tests
   (cd -- "$root" && cmake --preset release -DINTRINSIC_TRIANGULATIONS_BUILD_TESTS=OFF)
@@ -47,3 +47,6 @@ echo "Intrinsic Delaunay triangulation, drawn on the surface: $output.ply"
 echo "The same, to look at in a browser:                      $output.html"
 echo "Its statistics, shown above:                            $output.delaunay.json"
 echo "Its Laplacian, MatrixMarket:                            $output.laplacian.mtx"
+echo
+echo "The program is $intrinsic. To call it by its name in this shell:"
+echo "  export PATH=\"$build/bin:\$PATH\"; source <(intrinsic --completion bash)"

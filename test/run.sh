@@ -11,7 +11,7 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 bash "$root/cmake/install_dependencies.sh" \
   g++ cmake ninja-build libcgal-dev libcgal-demo libgmp-dev libmpfr-dev libboost-dev \
-  libeigen3-dev libsuitesparse-dev libspectra-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libjs-three libgtest-dev doxygen \
+  libeigen3-dev libspectra-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev libjs-three libgtest-dev doxygen \
   libjs-mathjax doxygen-awesome-css python3 python3-matplotlib python3-pandas \
   pybind11-dev python3-dev python3-numpy python3-scipy python3-hypothesis
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "describe_options.h"
 #include "each_input.h"
 #include "option_groups.h"
 #include "options.h"
@@ -50,6 +51,7 @@ void add_commands(CLI::App& app, Options& options) {
   app.failure_message([](const CLI::App* a, const CLI::Error& e) {
     return program::legible(CLI::FailureMessage::simple(a, e), program::longest_argument);
   });
+  program::add_descriptions(app);
   for (const Command& c : program::commands()) {
     CLI::App& command = *app.add_subcommand(c.name, c.help);
     for (const program::Option_group add : c.options) add(command, options);
