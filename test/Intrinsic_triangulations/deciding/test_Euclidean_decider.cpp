@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -65,6 +67,36 @@ TEST(Euclidean_decider,
   }
 }
 
+std::size_t long_sharpenings(const IT::Predicate_statistics& s) {
+  std::size_t n = 0;
+  for (const auto& [bits, count] : s.sharpenings)
+    if (bits > 106) n += count;
+  return n;
+}
+
+// All faces together lie over eight triangles per flip, so that flips are repeated first; errors of
+// a hundred flips in a row exceed 106 bits.
+TEST(Euclidean_decider, unfold_faces_where_errors_of_repeated_flips_exceed_106_bits) {
+  Exact t(two_parabolas(100, 0.5).input());
+  Counted u(two_parabolas(100, 0.5).input());
+  const auto check = [](auto& x) {
+    IT::flip_to_delaunay(x);
+    const typename std::decay_t<decltype(x)>::Metric::Scope scope;
+    std::vector<IT::Indexed_face> all;
+    for (const auto f : faces(x.mesh())) {
+      const auto h = halfedge(f, x.mesh()), n = next(h, x.mesh()), l = next(n, x.mesh());
+      all.push_back({x.index(f), {h.index / 2, n.index / 2, l.index / 2}});
+    }
+    x.decider().sharpen(all);
+    for (const IT::Indexed_face& f : all) EXPECT_TRUE(x.metric().is_narrow(f));
+    const IT::Predicate_statistics& s = x.metric().statistics();
+    EXPECT_GT(s.sharpenings.at(106), all.size()); // once by flips, then by unfolding
+    EXPECT_EQ(long_sharpenings(s), 0U);
+  };
+  check(t);
+  check(u);
+}
+
 // flips edges that can be, at random
 template <class T>
 void flip_at_random(T& t, std::mt19937& random, std::size_t tries) {
@@ -86,7 +118,8 @@ std::size_t check_signs(const T& t) {
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); h += 2) {
     if (view.is_border(h) || view.is_border(h ^ 1U) || view.face(h) == view.face(h ^ 1U)) continue;
     const auto& d = unfolder(view, t.correspondence(), h);
-    const std::optional<double> weight = ladder.weight(t.input().metric(), d, statistics, 512, 512);
+    const std::optional<double> weight =
+        ladder.weight(t.input().metric(), d, statistics, 0, 512, 512);
     const auto left = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 512).front(),
                wide = ladder.enclosures(t.input().metric(), IT::Unfolded_faces{{d}}, 53).front();
     // by the strip under the edge alone

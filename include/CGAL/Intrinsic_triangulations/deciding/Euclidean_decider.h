@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.h>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
 #include <CGAL/Interval_nt.h>
@@ -69,10 +70,18 @@ public:
     if (!memory_.are_weighed && asks_for_all()) find_weights();
     if (const auto weight = known_weight(d)) return *weight;
     if (const auto weight = metric().stored_weight(d)) return *weight;
-    if (sign(d, Delaunay_expression()) == ZERO) return 0;
-    return this->with_figure(d, [this](const auto& figure) {
-      return *memory_.ladder.weight(this->input_metric(), figure, metric().statistics());
-    });
+    // Users get the nearest double, which does not depend on the way of computation. Statistics
+    // allow an error, so that angles near 1e-9 need no more than 106 bits, and mostly no sign.
+    const bool is_rough = tolerance > Enclosed_values::weight_tolerance;
+    const auto weight = [&](unsigned bits) {
+      return this->with_figure(d, [&](const auto& figure) {
+        return memory_.ladder.weight(this->input_metric(), figure, metric().statistics(),
+                                     is_rough ? tolerance : 0, bits);
+      });
+    };
+    if (is_rough)
+      if (const auto w = weight(106)) return *w;
+    return sign(d, Delaunay_expression()) == ZERO ? 0 : *weight(Mpfr_number::most_bits);
   }
 
   // Makes stored intervals of faces narrow, and the doubles beside them accurate: to 2^-41 of the
@@ -96,24 +105,25 @@ public:
 
   // Calls a function with the number of each face and intervals that contain its values, computed
   // in at least `bits` bits: 106 or more if flips are repeated, since repeating them in doubles
-  // would only give the stored intervals again. Returns the bits.
+  // would only give the stored intervals again.
   template <class Visit>
-  unsigned for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
-                              const Visit& visit) const {
-    if ((asks_for_faces() && !can_unfold_soon()) || !this->can_unfold(faces)) {
-      bits = std::max(bits, 106U);
-      memory_.ladder.for_each_enclosure(this->input_metric(), this->replayed(faces), bits, visit);
-    } else {
-      for (std::size_t i = 0; i < faces.size(); ++i) // thousands of triangles may be under each
-        visit(i, this->with_figure(faces.subspan(i, 1),
-                                   [&](const auto& figure) { return enclosure(figure, bits); }));
-    }
-    return bits;
+  void for_each_enclosure(std::span<const Indexed_face> faces, unsigned bits,
+                          const Visit& visit) const {
+    if (repeats_flips(faces))
+      repeat_flips(faces, std::max(bits, 106U), visit);
+    else
+      unfold(faces, bits, visit);
   }
 
 private:
+  // Areas count down to 2^-1000 of squared lengths (`Enclosed_values::is_narrow()`), which takes
+  // 1,041 bits and those that unfolding loses, or flips, which lose more.
   static constexpr unsigned most_bits = 4096;
-  static constexpr unsigned few_passes = 4; // without coordinates
+  // These numbers bound the time at worst. On the data set it is the same, within noise, with a
+  // quarter of each and with four times as many.
+  static constexpr unsigned few_passes = 4;            // without coordinates
+  static constexpr std::size_t flips_per_step = 4;     // before a pass
+  static constexpr std::size_t steps_per_crossing = 8; // of a pass over all faces
 
   const Metric& metric() const { return t_.metric(); }
 
@@ -144,19 +154,50 @@ private:
     return s;
   }
 
+  // Errors grow with each flip that is repeated, while those of unfolded triangles only add up. So
+  // flips are repeated in 106 bits, and where that is not enough, unfolding starts with doubles.
   void narrow(std::vector<Indexed_face> wide) const {
-    const auto is_narrow = [this](const Indexed_face& f) { return metric().is_narrow(f); };
-    unsigned last = 0;
+    const auto are_narrow = [&] {
+      std::erase_if(wide, [this](const Indexed_face& f) { return metric().is_narrow(f); });
+      return wide.empty();
+    };
+    const auto refine = [&](std::size_t i, const Face_values<FT>& better) {
+      metric().refine(wide[i], better);
+    };
+    const auto count = [&](unsigned bits) {
+      metric().statistics().sharpenings[bits] += wide.size();
+    };
+    if (are_narrow()) return;
+    if (repeats_flips(wide)) {
+      count(106);
+      repeat_flips(wide, 106, refine);
+    }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
-      std::erase_if(wide, is_narrow);
-      if (wide.empty()) return true;
-      if (bits <= last) return false; // the bits that flips were repeated in
-      last = for_each_enclosure(wide, bits, [&](std::size_t i, const Face_values<FT>& better) {
-        metric().refine(wide[i], better);
-      });
-      metric().statistics().sharpenings[last] += wide.size();
+      if (are_narrow()) return true;
+      const bool is_unfolded = this->can_unfold(wide, triangles_per_long_flip);
+      if (!is_unfolded && bits <= 106) return false; // flips were repeated in these
+      count(bits);
+      if (is_unfolded)
+        unfold(wide, bits, refine);
+      else
+        repeat_flips(wide, bits, refine);
       return false;
     });
+  }
+
+  // whether to compute values of faces from flips that are repeated, all at once
+  bool repeats_flips(std::span<const Indexed_face> faces) const {
+    return (asks_for_faces() && !can_unfold_soon()) || !this->can_unfold(faces);
+  }
+  template <class Visit>
+  void repeat_flips(std::span<const Indexed_face> faces, unsigned bits, const Visit& visit) const {
+    memory_.ladder.for_each_enclosure(this->input_metric(), this->replayed(faces), bits, visit);
+  }
+  // or from the input triangles under each: there may be thousands
+  template <class Visit>
+  void unfold(std::span<const Indexed_face> faces, unsigned bits, const Visit& visit) const {
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      visit(i, enclosure(this->unfolded(faces.subspan(i, 1)), bits));
   }
   void sharpen_all() const {
     std::vector<Indexed_face> wide;
@@ -236,7 +277,7 @@ private:
   bool asks_for_faces() const { return !memory_.are_sharp && asks_for_all(); }
   bool asks_for_all() const {
     if (const Flip_list* flips = places_.flips())
-      return !can_unfold_soon() || memory_.steps > flips->size() / 4;
+      return !can_unfold_soon() || memory_.steps > flips->size() / flips_per_step;
     // where vertices were inserted: as many steps as one pass along the input edges takes, and one
     // over all triangles under faces
     if (memory_.steps <= memory_.enough_steps) return false;
@@ -244,7 +285,7 @@ private:
     if (memory_.steps <= c.number_of_edges()) return false;
     memory_.enough_steps = c.number_of_edges();
     for (std::uint32_t e = 0; e < c.number_of_edges(); ++e)
-      memory_.enough_steps += 8 * number_of_crossings(c, e);
+      memory_.enough_steps += steps_per_crossing * number_of_crossings(c, e);
     return memory_.steps > memory_.enough_steps;
   }
   // whether there are coordinates, or it pays to make some, which follow moves

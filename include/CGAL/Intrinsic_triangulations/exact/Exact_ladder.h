@@ -97,13 +97,14 @@ public:
   not tell it, as where it is zero.
   \param input, diamond see `sign()`
   \param statistics counts the bits that it took
+  \param error relative error with which another double does, too, below 1/2
   \param most_bits, first_bits the most to try, and those to begin with: 106, 256 or more
   \pre with the default, the weight is not zero: then it is always found
   */
   template <class Figure>
   std::optional<double>
   weight(const Input_metric& input, const Figure& diamond, Predicate_statistics& statistics,
-         unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
+         double error = 0, unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
   /// returns the same where 106 bits tell it, for many diamonds, each of two faces joined along the
   /// first side of each.

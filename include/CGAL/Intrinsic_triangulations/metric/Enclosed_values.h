@@ -139,6 +139,9 @@ public:
     return Flipped{flipped_nonnegative(enclosure(d)), flipped_consistently(approximation(d))};
   }
 
+  /// Greatest error of stored weights that users get, unless they allow larger ones.
+  static constexpr double weight_tolerance = 0x1p-40;
+
   /*!
   \brief returns the weight of an edge between two faces from the doubles, if the intervals prove it
   accurate enough:
@@ -148,7 +151,7 @@ public:
   energy in the two faces of functions that change by one along the edge. The default is just below
   the 1e-12 that `measures.h` states.
   */
-  std::optional<double> stored_weight(const Diamond& d, double tolerance = 0x1p-40) const {
+  std::optional<double> stored_weight(const Diamond& d, double tolerance = weight_tolerance) const {
     const FT &ij = squared_length_[d.ij], &a_f = quadruple_area_[d.f], &a_g = quadruple_area_[d.g];
     const auto [q_f, q_g] = numerators(d);
     const double left = cotangent_weight(d.ij, d.jk, d.ki, d.f),

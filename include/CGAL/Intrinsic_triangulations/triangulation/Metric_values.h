@@ -144,8 +144,8 @@ public:
   }
   /// returns half the sum of the cotangents of the angles opposite the edge of a diamond; see
   /// `Enclosed_values::stored_weight()` for the tolerance, which other traits ignore.
-  double cotangent_weight(const Diamond& d,
-                          double tolerance = 0x1p-40) const requires EuclideanMetric<Metric> {
+  double cotangent_weight(const Diamond& d, double tolerance = Enclosed_values::weight_tolerance)
+      const requires EuclideanMetric<Metric> {
     if constexpr (internal::Has_enclosures<Metric>)
       return self().decider().cotangent_weight(d, tolerance);
     else

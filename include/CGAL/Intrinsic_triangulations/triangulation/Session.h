@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
+#include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
@@ -68,15 +69,15 @@ public:
 
   With exact traits it is zero exactly where the opposite angles sum to pi, and never negative
   on a locally Delaunay edge; where stored values are not accurate enough, it is the double
-  nearest to the exact weight. Dimensionless.
+  nearest to the exact weight, or one within a tolerance beyond the default. Dimensionless.
   \param e an edge
   \param tolerance with exact traits, the greatest error of the weight of an edge between two faces,
   relative to itself or to min(1, E), where E is the least Dirichlet energy in the two faces of
   functions that change by one along the edge; statistics of many edges need less than the default
   \pre the faces at the edge have an area
   */
-  double cotangent_weight(edge_descriptor e, double tolerance = 0x1p-40) const requires
-      EuclideanMetric<typename Triangulation::Metric> {
+  double cotangent_weight(edge_descriptor e, double tolerance = Enclosed_values::weight_tolerance)
+      const requires EuclideanMetric<typename Triangulation::Metric> {
     const auto null = boost::graph_traits<Mesh>::null_face();
     halfedge_descriptor h = halfedge(e, t_.mesh());
     if (face(h, t_.mesh()) == null) h = opposite(h, t_.mesh());

@@ -106,7 +106,8 @@ void replay(const Input_metric& input, const Replayed_faces& faces, const Visit&
 template <class Number>
 void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
                          const Exact_ladder::Visit& visit) {
-  constexpr std::size_t many = 1024; // for which rounding is changed together
+  // for which rounding is changed together; a megabyte in 256 bits
+  constexpr std::size_t many = 1024;
   std::vector<Face_values<Number>> some;
   std::size_t visited = 0;
   const auto hand_out = [&] {
@@ -146,8 +147,8 @@ std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& inp
 
 template <class Figure>
 std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figure& diamond,
-                                           Predicate_statistics& statistics, unsigned most_bits,
-                                           unsigned first_bits) {
+                                           Predicate_statistics& statistics, double error,
+                                           unsigned most_bits, unsigned first_bits) {
   std::optional<double> result;
   raise_precision(first_bits, most_bits, [&](unsigned bits) {
     const auto find_nearest = [&](auto& numbers) {
@@ -155,6 +156,7 @@ std::optional<double> Exact_ladder::weight(const Input_metric& input, const Figu
       // in the end it is in the middle between two doubles, or beyond all of them
       result = bits < Mpfr_number::most_bits ? nearest_double(weight)
                                              : std::optional(weight.to_double());
+      if (!result && weight.is_narrow(error)) result = weight.to_double();
     };
     ++statistics.sharpenings[bits];
     if (bits == 106) {
@@ -190,8 +192,10 @@ template Sign Exact_ladder::sign(const Input_metric&, const Replayed_faces&,
                                  std::vector<Face_values<Interval_nt<false>>>&,
                                  Predicate_statistics&);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Unfolded_diamond&,
-                                                    Predicate_statistics&, unsigned, unsigned);
+                                                    Predicate_statistics&, double, unsigned,
+                                                    unsigned);
 template std::optional<double> Exact_ladder::weight(const Input_metric&, const Replayed_diamond&,
-                                                    Predicate_statistics&, unsigned, unsigned);
+                                                    Predicate_statistics&, double, unsigned,
+                                                    unsigned);
 
 } // namespace CGAL::Intrinsic_triangulations

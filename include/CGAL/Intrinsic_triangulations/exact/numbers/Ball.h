@@ -85,6 +85,13 @@ public:
                                            : Uncertain<Sign>::indeterminate();
   }
 
+  /// tells whether `to_double()` has at most a relative error, whichever number of it is meant.
+  /// \param error below 1/2
+  bool is_narrow(double error) const {
+    // neither infinite nor so small that it is rounded more
+    return radius_ <= magnitude_ * (error / 2) && magnitude_ < 0x1p1000 && magnitude_ > 0x1p-900;
+  }
+
   /// tells whether center and radius are the same.
   bool is_identical(const Ball& other) const {
     return center_ == other.center_ && radius_ == other.radius_;
