@@ -153,7 +153,8 @@ private:
     double constant;
   };
 
-  static constexpr std::size_t few_steps = 32; // whose results are not worth freeing
+  // whose results are not worth freeing: in 256 bits they take seven kilobytes
+  static constexpr std::size_t few_steps = 32;
 
   void find_last_uses() {
     std::vector<char> is_used_later(steps_.size());

@@ -224,6 +224,8 @@ private:
 
   // relative area that a face with a straight angle has by rounding after many moves
   static constexpr double straight_tolerance = 1e-7;
+  // Area by squared side of a face that may be such a one. If it is none, `straight_edge()` finds
+  // no straight angle, and only time is lost.
   static constexpr double doubtful_quality = 1e-9;
 
   Triangulation& t_;

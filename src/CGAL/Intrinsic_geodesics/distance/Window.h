@@ -27,7 +27,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /// except near vertices that are as close together.
 inline constexpr double window_angle_tolerance = 4e-13;
 
-/// Distances that differ by less, relative to them, count as equal.
+/// Distances that differ by less, relative to them, count as equal: by sixteen units in the last
+/// place, for the rounding of two legs, a hypotenuse and sums.
 inline constexpr double window_distance_tolerance = 0x1p-48;
 
 /*!

@@ -59,7 +59,7 @@ private:
   // Labels begin and end with those of the ends of the side: so those around a face fit.
   void add_breaks(std::uint32_t side) {
     const Face_corner& c = table_.corners[side];
-    constexpr double rounding = 1e-12;
+    constexpr double rounding = 1e-12; // of distances that are sums of up to 9000 lengths
     const bool is_border = !c.has_one_neighbor(); // or several faces go on
     if (!is_border && has_one_label(side)) return;
     const Plane_point from{0, 0}, to{c.length, 0};

@@ -244,7 +244,8 @@ static std::vector<std::uint32_t> distinct_points(const std::vector<std::array<d
 static std::vector<Local_triangulator::Point>
 points_to_triangulate(const std::vector<std::array<double, 3>>& points,
                       const std::vector<std::uint32_t>& members) {
-  constexpr int most = 100; // up to there they are left as they are
+  // Up to there they are left as they are: fourth powers of the largest are from 2^-400 to 2^404.
+  constexpr int most = 100;
   double largest = 0;
   for (const std::uint32_t v : members)
     for (const double x : points[v]) largest = std::max(largest, std::abs(x));

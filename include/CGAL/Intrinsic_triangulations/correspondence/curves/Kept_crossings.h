@@ -260,7 +260,8 @@ public:
   }
 
 private:
-  // Steps per edge after which storing is tried, and the most crossings per edge, on average.
+  // Steps per edge after which storing is tried, and the most crossings per edge, on average: these
+  // take half a kilobyte, in numbers of 32 bits.
   static constexpr std::size_t patience = 32, most_per_edge = 128;
 
   void keep(const Edge_crossings& all);

@@ -27,7 +27,7 @@ struct thresholds {
   static constexpr double all_image_steps = 0x1p22;
   /// What each face of a surface adds to `all_image_steps`.
   static constexpr double image_steps_of_face = 0x1p5;
-  /// Cost of a proof that is not counted.
+  /// Cost of a proof that is not counted: two milliseconds.
   static constexpr double few_image_steps = 0x1p12;
 
   /// Number of roots whose signs are changed where there are too many for a proof that a value is

@@ -232,7 +232,9 @@ private:
   }
 
   static constexpr double limit = std::numbers::pi / 3;
-  static constexpr double same = 0x1p-20; // relative difference of distances taken for rounding
+  // Relative difference of distances taken for rounding. They are powers of two: others differ by a
+  // half.
+  static constexpr double same = 0x1p-20;
 
   std::vector<std::uint32_t> segment_; // of an edge, or none
   std::vector<Segment> segments_;

@@ -272,7 +272,8 @@ private:
     }
   }
 
-  static constexpr int number_of_tries = 6; // directions, all around
+  // Directions, all around: six points at a distance from the center have it from each other, too.
+  static constexpr int number_of_tries = 6;
 
   Triangulation& t_;
   const Mesh& mesh_;

@@ -237,6 +237,7 @@ private:
     return is_identity ? Element_names() : Element_names(std::move(names));
   }
 
+  // Covers of triangles have two, those of clouds six: so many are a damaged file.
   static constexpr std::uint32_t most_sheets = 1U << 16;
   static constexpr int maximal_exponent = 2200; // beyond that of the quotient of any two doubles
 

@@ -79,8 +79,8 @@ private:
 
   // The normals of most area, up to sign.
   std::vector<Direction> frequent_normals() const {
-    constexpr std::size_t most = 8;
-    constexpr double steps = 32;
+    constexpr std::size_t most = 8; // a box with its corners cut off has seven, up to sign
+    constexpr double steps = 32;    // within two degrees they are one
     std::map<std::array<long, 3>, std::size_t> bins;
     std::vector<Direction> sums;
     for (std::size_t t = 0; t < normals_.size(); ++t) {
@@ -116,7 +116,7 @@ private:
 
   // twice the area of the faces at the lowest place
   double base_area(const Direction& up) const {
-    constexpr double flat = 1e-3;
+    constexpr double flat = 1e-3; // half a pixel where the surface fills 1000
     const double top = range(up)[0] + flat;
     double sum = 0;
     for (std::size_t t = 0; t < triangles_.size(); ++t)

@@ -79,6 +79,7 @@ public:
   }
 
 private:
+  // as the manual states; so many marks take 320 kilobytes
   static constexpr std::size_t most_fields = 64, most_marks = 20000;
 
   // What the page shows: all if there is room for it. Else curves leave most of it to the surface.

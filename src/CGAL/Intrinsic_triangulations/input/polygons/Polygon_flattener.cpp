@@ -40,6 +40,8 @@ public:
   double largest_change() const;
 
 private:
+  // Newton's steps square the error, so that ten reach rounding from anywhere near; a polygon that
+  // needs a hundred is left as it is. A billionth of a step is rounding.
   static constexpr int maximal_steps = 100, maximal_halvings = 30;
 
   using Pair = std::array<double, 2>;
