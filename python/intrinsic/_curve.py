@@ -7,14 +7,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, overload
 
+import numpy as np
+
+from ._files import save_curves, save_surface
+from ._pages import Shown
 from ._points import Point
 
 if TYPE_CHECKING:
     from ._surface import Surface
-    from ._types import Integers, Matrix, Numbers
+    from ._types import Integers, Matrix, Numbers, Path
 
 
-class Curve:
+class Curve(Shown):
     """A curve over the faces of the user's mesh, straight between its n points.
 
     - `points`: the points in space, of shape (n, 3); None if the surface has no coordinates.
@@ -50,14 +54,23 @@ class Curve:
 
     __slots__ = ("points", "faces", "corners", "barycentric", "vertices", "length", "bounds",
                  "is_closed", "status", "initial_length", "level", "number_of_level", "left",
-                 "right", "_way")
+                 "right", "_way", "_surface")
 
-    def __init__(self, parts):
+    def __init__(self, parts, surface=None):
         for name in self.__slots__:
             setattr(self, name, parts.get(name.lstrip("_")))
+        self._surface = surface
 
     def __reduce__(self):
-        return type(self), ({name.lstrip("_"): getattr(self, name) for name in self.__slots__},)
+        return type(self), ({name.lstrip("_"): getattr(self, name) for name in self.__slots__
+                             if name != "_surface"},)
+
+    def _add_to_page(self, contents):
+        contents.add_curve(self)
+
+    def save(self, path: Path) -> None:
+        """Writes the curve to a file .vtp, .obj or .ply."""
+        save_curves(path, [self])
 
     def places(self) -> list[Point]:
         """Returns the points as a list of `Point`s; they have no sense in faces with more than
@@ -72,7 +85,26 @@ class Curve:
         return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
 
 
-class Network(Sequence[Curve]):
+class Curves(Shown, list):
+    """A list of `Curve`s of one surface."""
+
+    @property
+    def _surface(self):
+        return next((c._surface for c in self), None)
+
+    def _add_to_page(self, contents):
+        for curve in self:
+            contents.add_curve(curve, curve.number_of_level)
+
+    def save(self, path: Path) -> None:
+        """Writes the curves to a file .vtp, .obj or .ply, each with its number."""
+        save_curves(path, self)
+
+    def __repr__(self):
+        return f"<intrinsic.Curves: {len(self)} curves, length {sum(c.length for c in self):.6g}>"
+
+
+class Network(Shown, Sequence[Curve]):
     """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
 
     `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
@@ -87,10 +119,11 @@ class Network(Sequence[Curve]):
     certified: bool | None
     obstacle: str | None
 
-    __slots__ = ("curves", "status", "flips", "certified", "obstacle", "_edges")
+    __slots__ = ("curves", "status", "flips", "certified", "obstacle", "_edges", "_surface")
 
-    def __init__(self, parts):
-        self.curves = [Curve(c) for c in parts["curves"]]
+    def __init__(self, parts, surface):
+        self.curves = [Curve(c, surface) for c in parts["curves"]]
+        self._surface = surface
         self.status = parts["status"]
         self.flips = parts["flips"]
         self.certified = parts["is_certified"]
@@ -102,7 +135,15 @@ class Network(Sequence[Curve]):
 
     def __setstate__(self, state):
         self.curves, self.status, self.flips, self.certified, self.obstacle = state
-        self._edges = None  # stay behind: cuts insert the curves again
+        self._edges = self._surface = None  # stay behind: cuts insert the curves again
+
+    def _add_to_page(self, contents):
+        for curve in self.curves:
+            contents.add_curve(curve)
+
+    def save(self, path: Path) -> None:
+        """Writes the curves to a file .vtp, .obj or .ply, each with its number."""
+        save_curves(path, self.curves)
 
     @property
     def length(self) -> float:
@@ -125,7 +166,7 @@ class Network(Sequence[Curve]):
         return f"<intrinsic.Network: {len(self)} curves, length {self.length:.6g}>"
 
 
-class Cut:
+class Cut(Shown):
     """A surface cut open: triangles, and where all their parts come from.
 
     The first vertices are those of the user's mesh, with their numbers; then come points where
@@ -160,16 +201,37 @@ class Cut:
         rows, columns, weights = parts["interpolation"]
         shape = len(self.original_vertex), users
         self.interpolation = coo_matrix((weights, (rows, columns)), shape=shape).tocsr()
-        self._surface = None
+        self._pieces = None
 
     @property
     def surface(self) -> Surface:
         """The pieces as a `Surface`."""
-        if self._surface is None:
+        if self._pieces is None:
             from ._surface import Surface
 
-            self._surface = Surface(self.points, self.faces)
-        return self._surface
+            self._pieces = Surface(self.points, self.faces)
+        return self._pieces
+
+    @property
+    def _surface(self):
+        return None if self.points is None else self.surface
+
+    def _component_of_vertex(self):
+        component = np.zeros(len(self.original_vertex), dtype=np.int64)
+        component[self.faces] = self.component[:, None]
+        return component
+
+    def save(self, path: Path, *, plain: bool = False) -> None:
+        """Writes the pieces to a file .ply, .obj, .off, .stl or .vtp; .ply and .vtp have the
+        number of the component at each vertex. `plain`: see `Surface.save()`."""
+        save_surface(path, self.surface, [("component", self._component_of_vertex())], plain)
+
+    def _add_to_page(self, contents):
+        contents.add_field("component", self._component_of_vertex())
+        face, side = np.nonzero(self.curve_of_side)
+        ends = self.faces[face, side], self.faces[face, (side + 1) % 3]
+        for i, j, label in zip(*ends, self.curve_of_side[face, side]):
+            contents.curves.append((self.points[[i, j]], False, int(label) - 1))
 
     @property
     def number_of_components(self) -> int:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _arrays, _core
-from ._curve import Curve, Cut, Network
+from ._curve import Curve, Curves, Cut, Network
 from ._points import expect_one, joined
 
 if TYPE_CHECKING:
@@ -101,7 +101,7 @@ class _Curves:
     def _network(self, curves, waypoints, method, certify, progress):
         options = (_is_shortest(method), _arrays.flag(waypoints, "waypoints"),
                    _arrays.flag(certify, "certify"))
-        return Network(_core.curves(self._core, curves, *options, progress))
+        return Network(_core.curves(self._core, curves, *options, progress), self)
 
     def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.
@@ -119,7 +119,7 @@ class _Curves:
         far = _arrays.not_negative(length, "length")
         direction = _direction(direction)
         core = self._flipped() if isinstance(direction, complex) else self._core
-        return Curve(_core.trace(core, self._places(p, "p"), direction, far))
+        return Curve(_core.trace(core, self._places(p, "p"), direction, far), self)
 
     def isolines(self, u: ArrayLike, levels: int | ArrayLike = 10, *,
                  progress: Progress = None) -> list[Curve]:
@@ -141,8 +141,8 @@ class _Curves:
             levels = _core.even_levels(values, count)
         else:
             levels = _arrays.numbers(levels, "levels", (None,))
-        return [Curve(line) for line in _core.isolines(self._core, values, levels,
-                                                    progress)]
+        return Curves(Curve(line, self) for line in _core.isolines(self._core, values, levels,
+                                                                   progress))
 
     def cut(self, curves: Network | Curve | Iterable[Curve] | None = None, *, through: Places = (),
             progress: Progress = None) -> Cut:

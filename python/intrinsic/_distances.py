@@ -10,14 +10,16 @@ from typing import TYPE_CHECKING, NamedTuple, overload
 import numpy as np
 
 from . import _arrays, _core
-from ._curve import Curve
+from ._curve import Curve, Curves
+from ._files import save_curves
+from ._pages import Shown
 from ._points import is_point, place_arrays
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
     from numpy.typing import ArrayLike, NDArray
-    from ._types import DistanceMethod, Integers, Numbers, Place, Places, Progress
+    from ._types import DistanceMethod, Integers, Numbers, Path, Place, Places, Progress
 
 
 class FarthestPoints(NamedTuple):
@@ -25,6 +27,12 @@ class FarthestPoints(NamedTuple):
 
     vertices: Integers
     radius: float
+
+    def __repr__(self):
+        return f"<intrinsic.FarthestPoints: {len(self.vertices)} vertices, radius {self.radius:.6g}>"
+
+    def _add_to_page(self, contents):
+        contents.add_marks(contents.surface.points[self.vertices])
 
 
 class Junctions(NamedTuple):
@@ -36,8 +44,23 @@ class Junctions(NamedTuple):
     corners: Integers
     cells: list[list[int]]
 
+    def __repr__(self):
+        return f"<intrinsic.Junctions: {len(self.cells)} points>"
 
-class Voronoi(NamedTuple):
+    def _add_to_page(self, contents):
+        contents.add_marks(self.points, name="junctions")
+
+
+class _Cells(NamedTuple):
+    labels: Integers
+    distances: Numbers
+    areas: Numbers
+    boundaries: list[Curve]
+    junctions: Junctions
+    status: str
+
+
+class Voronoi(Shown, _Cells):
     """A surface divided among sources: each point belongs to the nearest one.
 
     `labels` and `distances` have an entry per vertex: the number of the cell (-1 where no path
@@ -45,12 +68,24 @@ class Voronoi(NamedTuple):
     cell on their `left` and one on their `right`.
     """
 
-    labels: Integers
-    distances: Numbers
-    areas: Numbers
-    boundaries: list[Curve]
-    junctions: Junctions
-    status: str
+    _surface = None  # stays behind in pickles
+
+    def __reduce__(self):
+        return type(self), tuple(self)
+
+    def save(self, path: Path) -> None:
+        """Writes the boundaries to a file .vtp, .obj or .ply, each with its number."""
+        save_curves(path, self.boundaries)
+
+    def __repr__(self):
+        return f"<intrinsic.Voronoi: {len(self.areas)} cells, {len(self.boundaries)} boundaries, " \
+               f"{self.status}>"
+
+    def _add_to_page(self, contents):
+        contents.add_field("cell", self.labels)
+        contents.add_field("distance", self.distances)
+        for curve in self.boundaries:
+            contents.add_curve(curve, -1)
 
 
 def _method(method, max_distance, time_factor):
@@ -186,8 +221,11 @@ class _Distances:
         places = found["junctions"]
         junctions = Junctions(places["points"], places["faces"], places["barycentric"],
                               places["corners"], found["cells_at_junctions"])
-        return Voronoi(found["labels"], found["distances"], found["areas"],
-                       [Curve(b) for b in found["boundaries"]], junctions, found["status"])
+        result = Voronoi(found["labels"], found["distances"], found["areas"],
+                         Curves(Curve(b, self) for b in found["boundaries"]), junctions,
+                         found["status"])
+        result._surface = self
+        return result
 
     def farthest_points(self, n: int, *, start: int | ArrayLike = 0,
                         progress: Progress = None) -> FarthestPoints:

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Network
+from ._pages import Shown
 from ._points import Point, expect_one, is_point
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from ._types import Integers, Numbers, Place, Places, Progress, SignedCurves
 
 
-class VectorField:
+class VectorField(Shown):
     """A tangent vector at each vertex of a surface.
 
     `coordinates`, of shape (n, 2), are in the polar coordinates of the vertex: the real axis runs
@@ -33,6 +34,16 @@ class VectorField:
     def __init__(self, core, field, neighbors):
         self._core, self._field, self._neighbors = core, field, neighbors
         self.coordinates = field.coordinates
+
+    @property
+    def _surface(self):
+        from ._surface import Surface
+
+        return Surface._of(self._core)
+
+    def _add_to_page(self, contents):
+        vectors = self.vectors
+        contents.add_vectors(vectors if vectors.ndim == 3 else vectors[None])
 
     def __len__(self) -> int:
         return len(self.coordinates)
@@ -57,7 +68,7 @@ class VectorField:
         return _core.field_axes_in_space(self._core, self._field, self._neighbors)
 
 
-class Frames:
+class Frames(Shown):
     """The axes in which vectors have two coordinates: those of `Surface.transport()`, `log_map()`
     and others. Arrays are computed when they are asked for.
     """
@@ -68,6 +79,9 @@ class Frames:
 
     def __repr__(self):
         return f"<intrinsic.Frames: {self._core.number_of_vertices} vertices>"
+
+    def _add_to_page(self, contents):
+        contents.add_vectors(self.vertices.transpose(1, 0, 2))
 
     @property
     def vertices(self) -> Numbers:
@@ -139,6 +153,12 @@ class Singularities(NamedTuple):
     def __len__(self):
         return len(self.faces)
 
+    def __repr__(self):
+        return f"<intrinsic.Singularities: {len(self)}, sum of indices {int(self.index.sum())}>"
+
+    def _add_to_page(self, contents):
+        contents.add_marks(self.points, self.index, "singularities")
+
 
 class DirectionField(VectorField):
     """Equivalent directions at each vertex, `degree` of them at equal angles: vectors, lines,
@@ -161,6 +181,11 @@ class DirectionField(VectorField):
         super().__init__(core, field, neighbors)
         self.degree = degree
         self.singularities = Singularities(faces, weights, points, index)
+
+    def _add_to_page(self, contents):
+        super()._add_to_page(contents)
+        if len(self.singularities):
+            self.singularities._add_to_page(contents)
 
     @property
     def vectors(self):

@@ -11,16 +11,18 @@ from typing import TYPE_CHECKING, NamedTuple, overload
 import numpy as np
 
 from . import _arrays, _core
+from ._files import save_surface
+from ._pages import PageContents, Shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any, Literal
     from numpy.typing import ArrayLike, NDArray
     from ._surface import Surface
-    from ._types import Angle, Integers, Numbers, Progress
+    from ._types import Angle, Integers, Numbers, Path, Progress
 
 
-class PlaneMap:
+class PlaneMap(Shown):
     """A map of a surface to the plane, linear on the faces of `surface`.
 
     `uv`, of shape (n, 2), has the place of each vertex of `surface`: of those of the mesh, and of
@@ -51,6 +53,21 @@ class PlaneMap:
         self.injective_on_input = None
         self.original_vertex = None
 
+    @property
+    def _surface(self):
+        return self.surface
+
+    def save(self, path: Path, *, plain: bool = False) -> None:
+        """Writes the surface with its places in the plane, `u` and `v`, to a file .obj, where they
+        are texture coordinates, .ply or .vtp. `plain`: see `Surface.save()`."""
+        save_surface(path, self.surface, zip("uv", self.uv.T), plain)
+
+    def _add_to_page(self, contents):
+        if contents.surface.number_of_vertices != len(self.uv):
+            raise ValueError("the map is of another surface, which was cut open or refined; "
+                             "let the map show itself: map.show()")
+        contents.texture = self.uv
+
     def __repr__(self):
         return f"<intrinsic.PlaneMap: {len(self.uv)} vertices, {self.status}>"
 
@@ -74,8 +91,12 @@ class Layout(NamedTuple):
     input_faces: Integers
     seams: Integers
 
+    def __repr__(self):
+        return f"<intrinsic.Layout: {len(self.uv)} vertices, {len(self.polygons)} pieces, " \
+               f"{len(self.seams)} seams>"
 
-class ConformalMap:
+
+class ConformalMap(Shown):
     """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
 
     `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
@@ -109,7 +130,8 @@ class ConformalMap:
     certificate: dict[str, Any] | Any
     distortion: dict[str, float] | Any
 
-    def __init__(self, found):
+    def __init__(self, found, surface):
+        self._surface = surface
         sphere = found.pop("sphere", None)
         layout = found.pop("layout", None)
         self.no_layout = None
@@ -119,6 +141,39 @@ class ConformalMap:
         if sphere is not None:
             self.points = sphere.pop("positions")
         self.layout = None if layout is None else _layout(layout)
+
+    def _pieces(self):
+        """Returns the pieces of the layout as a surface."""
+        from ._surface import Surface
+
+        return Surface(self.layout.points, self.layout.polygons)
+
+    def save(self, path: Path, *, plain: bool = False) -> None:
+        """Writes the pieces of the layout, cut open, with their places in the plane, `u` and `v`,
+        to a file .obj, where they are texture coordinates, .ply or .vtp. `plain`: see
+        `Surface.save()`."""
+        if self.layout is None:
+            raise ValueError("the map has no layout in the plane; save its positions or scales")
+        save_surface(path, self._pieces(), zip("uv", self.layout.uv.T), plain)
+
+    def _page_contents(self):
+        if self.layout is None or self._surface is None or not len(self.layout.points):
+            return super()._page_contents()
+        contents = PageContents(self._pieces())
+        contents.texture, contents.is_disk = self.layout.uv, self.target == "disk"
+        points = self._surface.points
+        for ends in self.layout.seams:
+            contents.curves.append((points[ends], False, 0))
+        if self.cones:
+            contents.add_marks(points[list(self.cones)], name="cones")
+        return contents
+
+    def _add_to_page(self, contents):
+        contents.add_field("logarithm of scale", self.u)
+        if self.positions is not None:
+            x, y, z = self.positions.T
+            contents.add_field("longitude", np.degrees(np.arctan2(y, x)))
+            contents.add_field("latitude", np.degrees(np.arcsin(np.clip(z, -1, 1))))
 
     def __repr__(self):
         return f"<intrinsic.ConformalMap to the {self.target}: {len(self.u)} vertices, " \
@@ -259,7 +314,7 @@ class _Maps:
         given = (cones, "cones") if isinstance(cones, dict) else (angles, "angles")
         arrays = _angle_arrays(*given, core.number_of_input_vertices)
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
-                                             progress))
+                                             progress), self)
 
     def eigen(self, count: int = 10, *, flip: bool = True,
               progress: Progress = None) -> tuple[Numbers, Numbers]:

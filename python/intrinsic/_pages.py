@@ -1,47 +1,241 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces as pages for browsers and notebooks."""
+"""Surfaces and results as pages for browsers and notebooks. The library writes all pages; here
+results become what it takes."""
 
 from __future__ import annotations
 
+import html
 import os
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from . import _arrays, _core
 
 if TYPE_CHECKING:
     from typing import Any
-    from ._types import Path
+    from ._surface import Surface
+    from ._types import Path, Places
+
+
+class PageContents:
+    """What a page shows on a surface: fields, places in the plane, curves, vectors, points."""
+
+    def __init__(self, surface):
+        self.surface = surface
+        self.fields = []  # name, numbers, whether they name classes
+        self.texture, self.is_disk, self.is_logarithm = None, False, False
+        self.curves, self.marks = [], []  # points, whether closed, label
+        self.marks_name = "points"
+        self.places, self.vectors, self.degree = np.zeros((0, 3)), np.zeros((0, 3)), 1
+
+    def add_curve(self, curve, label=None):
+        """Adds a curve, in a colour of its own, or dark if the label is -1."""
+        if curve.points is not None:
+            label = len(self.curves) if label is None else label
+            self.curves.append((curve.points, curve.is_closed, label))
+
+    def add_marks(self, points, labels=None, name="points"):
+        """Adds points in space with labels."""
+        labels = np.zeros(len(points), dtype=int) if labels is None else labels
+        self.marks += [(np.asarray(p)[None, :], False, int(i)) for p, i in zip(points, labels)]
+        self.marks_name = name
+
+    def add_vectors(self, vectors):
+        """Adds vectors in space, of shape (degree, n, 3), at the first n vertices."""
+        self.degree, n, _ = vectors.shape
+        places = self.surface.points[:n]
+        self.places = np.repeat(places, self.degree, axis=0)
+        self.vectors = vectors.transpose(1, 0, 2).reshape(-1, 3)
+
+    def add_field(self, name, values):
+        """Adds numbers at vertices; whole numbers and truth values name classes."""
+        values = np.asarray(values)
+        if values.dtype.kind not in "biuf":
+            raise ValueError(f"{name} has no numbers but {values.dtype}; give an array of numbers")
+        self.fields.append((name, values.astype(float), values.dtype.kind in "biu"))
+
+    def is_plain(self):
+        """Tells whether nothing was added."""
+        return not (self.fields or self.curves or self.marks or len(self.vectors)) \
+            and self.texture is None
+
+    def write(self, megabytes):
+        """Returns the page."""
+        core = self.surface._core
+        if core.points is None:
+            raise ValueError("the surface has lengths and no points, so that nothing can be drawn")
+        if self.fields or self.texture is not None:  # which are linear on Delaunay triangles
+            core = self.surface._flipped()
+        title, text = _core.description(core)
+        numbers = [f for f in self.fields if not f[2]]
+        return _core.page(core, {
+            "title": title, "text": text, "fields": self.fields, "texture": self.texture,
+            "is_disk": self.is_disk, "is_logarithm": self.is_logarithm, "curves": self.curves,
+            "marks": self.marks, "marks_name": self.marks_name,
+            "vectors": (self.places, self.vectors),
+            "are_arrows": self.degree == 1, "has_edges": self.is_plain(),
+            "isolines": 20 if numbers else 0}, megabytes)
+
+
+def _add_array(contents, a, name):
+    """Adds an array by its shape; see `Surface.show()`."""
+    n = contents.surface.number_of_vertices, contents.surface.number_of_input_vertices
+    if a.ndim == 1 and len(a) in n:
+        if a.dtype.kind == "c":
+            contents.add_vectors(contents.surface.frames().to_space(a)[None])
+        else:
+            contents.add_field(name, a)
+    elif a.ndim == 2 and len(a) in n and a.shape[1] == 2:
+        contents.texture, contents.is_logarithm = a.astype(float), True
+    elif a.ndim == 2 and len(a) in n and a.shape[1] == 3:
+        contents.add_vectors(a[None].astype(float))
+    elif a.ndim == 3 and a.shape[1] in n and a.shape[2] == 3:
+        contents.add_vectors(a.astype(float))
+    elif a.ndim == 2 and (len(a) in n or a.shape[1] in n):
+        _add_functions(contents, name, a)
+    else:
+        raise ValueError(f"an array of the shape {a.shape} cannot be shown on a surface with "
+                         f"{n[0]} vertices; give a number or a vector for each of them")
+
+
+def _add_functions(contents, name, a):
+    """Adds the columns of an array, or its rows if these have the length of the surface."""
+    a = np.asarray(a)
+    n = contents.surface.number_of_vertices, contents.surface.number_of_input_vertices
+    columns = [a] if a.ndim == 1 else list(a.T if len(a) in n else a)
+    for k, column in enumerate(columns):
+        contents.add_field(name if len(columns) == 1 else f"{name} {k}", column)
+
+
+def _add(contents, result, name):
+    """Adds a result, or several."""
+    if hasattr(result, "_add_to_page"):
+        result._add_to_page(contents)
+    elif isinstance(result, np.ndarray):
+        _add_array(contents, result, name)
+    elif isinstance(result, dict):
+        for key, values in result.items():
+            _add_functions(contents, str(key), values)
+    elif isinstance(result, tuple) and len(result) == 2 and np.ndim(result[0]) == 1 \
+            and np.ndim(result[1]) == 2:  # of eigen()
+        for value, function in zip(result[0], np.asarray(result[1]).T):
+            contents.add_field(f"eigenvalue {value:.4g}", function)
+    elif isinstance(result, (list, tuple)) and not all(np.ndim(x) == 0 for x in result):
+        for part in result:
+            _add(contents, part, name)
+    elif isinstance(result, (list, tuple)) and result:
+        _add_array(contents, np.asarray(result), name)
+    else:
+        raise TypeError(f"{type(result).__name__} cannot be shown; give values at vertices, or what "
+                        "methods of Surface return")
+
+
+def _contents(surface, results, marks):
+    contents = PageContents(surface)
+    for i, result in enumerate(results):
+        _add(contents, result, "values" if len(results) == 1 else f"values {i}")
+    if marks is not None:
+        faces, weights, vertices = surface._places(marks, "marks")
+        corners = _core.input_triangles(surface._core)[0]
+        points = surface.points
+        contents.add_marks([points[v] if v >= 0 else w @ points[corners[f]]
+                            for f, w, v in zip(faces, weights, vertices)])
+    return contents
+
+
+def _frame(page):
+    """Returns a page as a part of another one."""
+    page = html.escape(page, quote=True)
+    return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
+
+
+def _is_notebook():
+    import sys
+
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell is not None and hasattr(shell, "kernel")
+
+
+def _present(page, path, open_browser):
+    """Shows a page: in a notebook there, else from a file, in a browser."""
+    import tempfile
+    import webbrowser
+
+    if path is None and _is_notebook():
+        from IPython.display import HTML, display
+
+        display(HTML(_frame(page)))
+        return None
+    if path is None:
+        handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
+        os.close(handle)
+    path = os.fspath(path)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(page)
+    if open_browser and not webbrowser.open("file://" + os.path.abspath(path)):
+        print(path)
+    return path
+
+
+class Shown:
+    """Results that show themselves on their surface."""
+
+    __slots__ = ()
+
+    def _page_contents(self):
+        """Returns what the page of this result shows."""
+        if self._surface is None:
+            raise ValueError("the result has no surface in space, or left it behind when it was "
+                             "pickled; give it to show() of a surface")
+        contents = PageContents(self._surface)
+        self._add_to_page(contents)
+        return contents
+
+    def html(self, *, megabytes: float = 30) -> str:
+        """Returns a page for browsers that shows the result on its surface."""
+        return self._page_contents().write(megabytes)
+
+    def show(self, *, path: Path | None = None, open_browser: bool = True) -> str | None:
+        """Shows the page of `html()`, as `Surface.show()` does."""
+        return _present(self.html(), path, open_browser)
+
+    def _repr_html_(self):
+        contents = None if self._surface is None else self._page_contents()
+        if contents is None or contents.surface.points is None:
+            return None
+        return _frame(contents.write(8))
 
 
 class _Pages:
-    def html(self, *, megabytes: float = 30) -> str:
-        """Returns a page for browsers that shows the triangulation on the surface."""
-        return _core.page(self._core, _arrays.number(megabytes, "megabytes"))
+    def html(self, *results: Any, marks: Places | None = None, megabytes: float = 30) -> str:
+        """Returns a page for browsers that shows results on the surface, or, without results, the
+        triangulation. See `show()` for what it takes.
 
-    def show(self, path: Path | None = None, *, open_browser: bool = True) -> str:
-        """Writes the page of `html()` to a file, by default a temporary one, and opens it."""
-        import tempfile
-        import webbrowser
+        `megabytes` is the most that the page may have: it shows less if it needs more.
+        """
+        return _contents(self, results, marks).write(_arrays.number(megabytes, "megabytes"))
 
-        open_browser = _arrays.flag(open_browser, "open_browser")
-        if path is None:
-            handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
-            os.close(handle)
-        path = _arrays.file_name(path)
-        with open(path, "w", encoding="utf-8") as page:
-            page.write(self.html())
-        if open_browser:
-            webbrowser.open("file://" + os.path.abspath(path))
-        return path
+    def show(self, *results: Any, marks: Places | None = None, path: Path | None = None,
+             open_browser: bool = True) -> str | None:
+        """Shows results on the surface, together on one page, or the triangulation.
+
+        `results` are what methods return, lists of these, and arrays for the vertices: of numbers,
+        shape (n,), where whole numbers name classes; of vectors in space, (n, 3), or complex ones
+        in polar coordinates; of places in the plane as of `log_map()`, (n, 2); of functions, as of
+        `eigen()` and `distances()`; or dicts from names to arrays of numbers. `marks` are points
+        that are marked.
+
+        In a notebook, the page appears there. Elsewhere it is written to `path`, by default a
+        temporary file, and a browser opens it unless `open_browser` is false; where there is no
+        browser, the name of the file is printed. Returns that name, in notebooks None.
+        """
+        return _present(self.html(*results, marks=marks), path, open_browser)
 
     def _repr_html_(self):
-        if self._core.points is None:
-            return None
-        import html
-
-        page = html.escape(self.html(megabytes=8), quote=True)
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
+        return None if self._core.points is None else _frame(self.html(megabytes=8))
 
     def to_pyvista(self) -> Any:
         """Returns the common subdivision as a pyvista.PolyData, if PyVista is installed."""

@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _arrays
+from ._pages import Shown
 
 if TYPE_CHECKING:
     from typing import Any
+    from ._surface import Surface
     from ._types import Integers, Matrix, Numbers
 
 
-class CommonSubdivision:
+class CommonSubdivision(Shown):
     """The coarsest mesh in which every edge of the input and of a triangulation is a path.
 
     Attributes:
@@ -39,7 +41,8 @@ class CommonSubdivision:
     P_input: Matrix
     P_intrinsic: Matrix
 
-    def __init__(self, parts: dict[str, Any]) -> None:
+    def __init__(self, parts: dict[str, Any], surface: Surface) -> None:
+        self._surface = surface
         self.points = parts["V"] if parts["has_points"] else None
         self.corners = parts["corners"]
         self.begins = parts["begins"]
@@ -48,6 +51,9 @@ class CommonSubdivision:
         self.sheet = parts["sheet"]
         self.P_input = _arrays.sparse(parts["P_input"])
         self.P_intrinsic = _arrays.sparse(parts["P_intrinsic"])
+
+    def _add_to_page(self, contents):
+        pass  # pages show the triangulation on the common subdivision
 
     @property
     def polygons(self) -> list[Integers]:

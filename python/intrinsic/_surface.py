@@ -11,6 +11,7 @@ from . import _arrays, _core, _options, _pickles  # noqa: F401: pickles are regi
 from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
+from ._files import save_surface
 from ._maps import _Maps
 from ._operators import _Learning
 from ._pages import _Pages
@@ -317,13 +318,19 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
     def common_subdivision(self, *, progress: Progress = None) -> CommonSubdivision:
         """Returns the coarsest mesh in which edges of the input and of the triangulation are paths.
         """
-        return CommonSubdivision(_core.common_subdivision(self._core, progress))
+        return CommonSubdivision(_core.common_subdivision(self._core, progress), self)
 
     # ---- Keeping --------------------------------------------------------------------------------
 
-    def save(self, path: Path) -> None:
-        """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it."""
-        _core.save(self._core, _arrays.file_name(path))
+    def save(self, path: Path, *, plain: bool = False) -> None:
+        """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it. To
+        .ply, .obj, .off, .stl and .vtp writes the common subdivision; with `plain`, .ply without
+        labels and edges and .off without colours, for readers that take nothing else."""
+        path, plain = _arrays.file_name(path), _arrays.flag(plain, "plain")
+        if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
+            save_surface(path, self, (), plain)
+        else:
+            _core.save(self._core, path)
 
     def __reduce__(self):
         return Surface._of, (self._core,)

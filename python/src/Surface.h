@@ -205,6 +205,10 @@ void bind_curves(py::module_& m);
 void bind_fields(py::module_& m);
 /// adds those on maps.
 void bind_maps(py::module_& m);
+/// adds what writes pages.
+void bind_pages(py::module_& m);
+/// adds what writes files of other programs.
+void bind_files(py::module_& m);
 
 } // namespace python
 

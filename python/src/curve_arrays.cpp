@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace python {
@@ -29,6 +30,15 @@ std::array<std::int64_t, 3> corners_from(const IT::Input& input, std::uint32_t h
 }
 
 } // namespace
+
+std::vector<IT::Polyline> polylines_of(const py::handle& curves) {
+  std::vector<IT::Polyline> result;
+  for (const py::handle item : curves) {
+    const auto [points, is_closed, label] = item.cast<std::tuple<Doubles, bool, std::int32_t>>();
+    result.push_back({points_of(points), is_closed, label});
+  }
+  return result;
+}
 
 void expect_on_input(const IT::Input& input, const IT::Traced_curve& curve,
                      const std::string& name) {

@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_geodesics/cuts/Cut_surface.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -36,6 +37,9 @@ struct Curve_edges {
   std::shared_ptr<const IT::Input> input; ///< that of the triangulation
   std::function<IT::Cut_surface()> cut;   ///< cuts along all of them
 };
+
+/// returns curves for files and pages: triples of points, whether a curve is closed, and its label.
+std::vector<IT::Polyline> polylines_of(const py::handle& curves);
 
 /// adds the class to the module: an object that can be pickled, but has no members there.
 void bind_way(py::module_& m);

@@ -7,13 +7,8 @@
 #include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
-#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
-
-#include <three_js.h>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +18,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -220,45 +214,17 @@ py::object report_of_input(Surface& s) {
   return object_of(with_triangulation(s, [&](auto& t) { return report_of(s, t); }));
 }
 
-// The scripts of pages: those that were compiled in, or those of this machine.
-IT::Three_js scripts() {
-  IT::Three_js all{std::string(embedded::three_js()),
-                   std::string(embedded::trackball_controls_js())};
-  if (all.three.empty() || all.trackball_controls.empty()) all = IT::find_three_js();
-  if (all.three.empty() || all.trackball_controls.empty())
-    refuse("the page needs three.js; install Debian's package libjs-three");
-  return all;
-}
-
-// A page that shows the triangulation.
-std::string page(Surface& s, double megabytes) {
+// The title of pages, and what they say of the surface.
+py::tuple description(Surface& s) {
   Watch watch;
   // as Python has it, which is UTF-8 whatever bytes the file's name has
-  const auto title = py::cast<std::string>(
-      object_of(IT::Report(std::filesystem::path(s.name).filename().string())));
-  return with_triangulation(s, watch, [&](auto& t) {
-    if (s.points.empty())
-      refuse("the surface has lengths and no points, so that nothing can be drawn");
-    const IT::Three_js three = scripts();
-    IT::Common_subdivision d = IT::common_subdivision(t);
-    IT::label_with_polygons(d, t.input().names().polygon_of_triangle);
-    const IT::Element_counts& n = s.facts.counts;
-    const std::string text = std::to_string(n.vertices) + " vertices, " + std::to_string(n.faces) +
-                             " faces; " + IT::describe_delaunay(statistics(s, t, watch));
-    IT::Html_view view;
-    view.title = title;
-    view.description = text;
-    view.three = three.three;
-    view.trackball_controls = three.trackball_controls;
-    view.marks_name = {};
-    view.maximum_size = static_cast<std::size_t>(1e6 * megabytes);
-    std::ostringstream out;
-    const IT::Html_view_report report =
-        IT::write_html_view(out, d, IT::positions(d, s.points, t.input()), view);
-    if (!report.is_complete())
-      watch.warn(report.description() + "; megabytes allows a larger page");
-    return out.str();
-  });
+  const py::object title = object_of(IT::Report(std::filesystem::path(s.name).filename().string()));
+  return py::make_tuple(title, with_triangulation(s, watch, [&](auto& t) {
+                          const IT::Element_counts& n = s.facts.counts;
+                          return std::to_string(n.vertices) + " vertices, " +
+                                 std::to_string(n.faces) + " faces; " +
+                                 IT::describe_delaunay(statistics(s, t, watch));
+                        }));
 }
 
 } // namespace
@@ -271,7 +237,7 @@ void bind_improve(py::module_& m) {
   m.attr("defaults") = object_of(IT::report_of_defaults());
   m.def("statistics", &statistics_of);
   m.def("report", &report_of_input);
-  m.def("page", &page);
+  m.def("description", &description);
 }
 
 } // namespace python

@@ -64,6 +64,8 @@ PYBIND11_MODULE(_core, m) {
   bind_curves(m);
   bind_fields(m);
   bind_maps(m);
+  bind_pages(m);
+  bind_files(m);
 }
 
 } // namespace python

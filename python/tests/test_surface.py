@@ -100,7 +100,7 @@ class Values(With_folder):
         page = it.Surface(V, F).delaunay().html()
         self.assertIn("<html", page)
         self.assertIn("iframe", it.Surface(V, F)._repr_html_())
-        path = it.Surface(V, F).show(self.folder / "page.html", open_browser=False)
+        path = it.Surface(V, F).show(path=self.folder / "page.html", open_browser=False)
         self.assertGreater(os.path.getsize(path), 1000)
 
 

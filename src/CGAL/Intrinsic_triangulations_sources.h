@@ -10,6 +10,7 @@ All sources of the package `Intrinsic_triangulations`, for programs that do not 
 exactly one of their sources includes this file.
 */
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/read_polylines.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.cpp>

@@ -50,8 +50,21 @@ void add_transfer_options(CLI::App& command, Options& options) {
       "triangulation that has the values: input (default) or intrinsic");
   add("--method", options.method, {CLI::IsMember({"l2", "pointwise"})},
       "l2 (the nearest function, default) or pointwise (values at vertices)");
-  add_output_option(command, "-o", options.output,
+  add_output_option(command, options, "-o", options.output,
                     {Contents::values, Contents::valued_subdivision});
+  add_view_option(command, options, "the functions");
+}
+
+void add_shown_options(CLI::App& command, Options& options) {
+  const Option_adder add(command);
+  add("FILE", options.shown,
+      "what the page shows: values, a text file with the values at a vertex on each line, whole "
+      "numbers in colours of their own; or curves, an .obj file with lines")
+      ->expected(0, -1);
+  add("-o", options.view, {file_name},
+      "write the page to this file; by default to a temporary one, which a browser opens");
+  add("--view-limit", options.view_limit, {between(2, 2000), Type{"MB"}},
+      "most megabytes of the page, which shows less if it needs more; default 30");
 }
 
 // ---- geodesic, cut -----------------------------------------------------------------------------
@@ -96,7 +109,7 @@ void add_cut_options(CLI::App& command, Options& options) {
       "isolines of a function: a text file with a number for each vertex of the mesh");
   add("--to-disk", options.cut.makes_disks,
       "make a disk of each component by a short cut along geodesics");
-  add_output_option(command, "-o", options.output, {Contents::cut_surface});
+  add_output_option(command, options, "-o", options.output, {Contents::cut_surface});
   add("--labels", options.cut.labels, {file_of({Contents::values})},
       "write on each line the component of a face, and the face of the mesh that it is in, to "
       ".txt");
@@ -172,7 +185,8 @@ void add_parametrize_options(CLI::App& command, Options& options) {
 void add_uniformize_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   Uniformize_options& u = options.uniformize;
-  add_output_option(command, "-o", options.output, {Contents::values, Contents::subdivision});
+  add_output_option(command, options, "-o", options.output,
+                    {Contents::values, Contents::subdivision});
   add_view_option(command, options, "a checkerboard of the layout, or the logarithm of the scale");
   add_metric_option(command, options);
   CLI::Option* const angles =
@@ -263,6 +277,10 @@ const std::vector<Command> table{
      run_transfer,
      {common, add_transfer_options, add_refine_flag, add_constraint_options, add_metric_option,
       add_refinement_options, add_adaptive_options}},
+    {"view",
+     "show a mesh or an intrinsic triangulation as it is in a browser, with values and curves",
+     run_view,
+     {common, add_shown_options}},
     {"geodesic",
      "make curves on the surface geodesic: paths, loops, networks",
      run_geodesic,

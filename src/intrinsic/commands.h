@@ -14,6 +14,8 @@ namespace program {
 void run_delaunay(const Options& options);
 /// does the same, and takes functions from one triangulation to the other.
 void run_transfer(const Options& options);
+/// writes a page that shows what was loaded, with values and curves, and opens it.
+void run_view(const Options& options);
 /// makes curves geodesic, refines with them as constraints and writes files, as options say.
 void run_geodesic(const Options& options);
 /// cuts the surface open along curves, and writes it with labels, as options say.

@@ -28,6 +28,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -91,6 +92,16 @@ Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const O
   return {std::move(s), std::move(points), std::move(triangles)};
 }
 
+/// writes a common subdivision with fields in the format of an extension.
+inline void write_mesh(std::ostream& out, const std::string& extension,
+                       const IT::Common_subdivision& s, const std::vector<Point>& points,
+                       std::span<const IT::Subdivision_field> fields, const Options& options) {
+  if (is_plain(options))
+    IT::write_plain_subdivision(out, extension, s, points, fields);
+  else
+    IT::write_common_subdivision(out, extension, s, points, fields);
+}
+
 /// writes a matrix. \param what what it is, for the comment in the file
 inline void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
                          const std::string& what, Output_files& files) {
@@ -130,7 +141,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
   progress.show("writing");
   if (is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out, const std::string& extension) {
-      IT::write_common_subdivision(out, extension, s, points);
+      write_mesh(out, extension, s, points, {}, options);
     });
   if (!options.interpolation.empty())
     write_matrix(options.interpolation, IT::interpolation_from_intrinsic(s),

@@ -5,6 +5,7 @@
 #include "asked_curves.h"
 #include "support/surface_words.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -76,9 +77,17 @@ CLI::Validator curve_points(std::size_t least) {
                         "POINTS");
 }
 
-void add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                       const std::vector<Contents>& offered) {
-  Option_adder{command}(name, path, {file_of(offered)}, "write " + listed_with_extensions(offered));
+void add_output_option(CLI::App& command, Options& options, const std::string& name,
+                       std::string& path, const std::vector<Contents>& offered) {
+  const Option_adder add(command);
+  add(name, path, {file_of(offered)}, "write " + listed_with_extensions(offered));
+  const auto is_surface = [](Contents c) {
+    return c == Contents::subdivision || c == Contents::valued_subdivision;
+  };
+  if (std::ranges::any_of(offered, is_surface))
+    add("--plain", options.is_plain,
+        "write surfaces as .ply without labels and edges, .off without colours, and .obj cut open "
+        "where places in the plane differ, for readers that take nothing else");
 }
 
 void add_view_option(CLI::App& command, Options& options, const std::string& what) {
@@ -177,7 +186,7 @@ void add_correspondence_options(CLI::App& command, Options& options) {
                         {CLI::IsMember({"none", "integer", "signposts", "crossings"})},
                         "how to store where edges run on the input: integer (coordinates, "
                         "default), signposts, crossings or none");
-  add_output_option(command, "-o", options.output,
+  add_output_option(command, options, "-o", options.output,
                     {Contents::subdivision, Contents::triangulation});
   add_view_option(command, options, "the triangulation");
 }
@@ -222,7 +231,7 @@ void add_joined_curve_options(CLI::App& command, Options& options) {
 void add_results(CLI::App& command, Options& options, bool has_sources,
                  const std::vector<Contents>& outputs) {
   const Option_adder add(command);
-  add_output_option(command, "-o", options.output, outputs);
+  add_output_option(command, options, "-o", options.output, outputs);
   add("--on", options.application.on, {CLI::IsMember({"subdivision", "input", "intrinsic"})},
       "where results are: subdivision (on the common subdivision, default), input, or intrinsic "
       "(values only)");

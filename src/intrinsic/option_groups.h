@@ -38,8 +38,8 @@ CLI::Validator file_of(std::vector<Contents> offered);
 CLI::Validator curve_points(std::size_t least);
 /// adds an option that names a file to be written with one of several contents; its help lists
 /// them with their extensions.
-void add_output_option(CLI::App& command, const std::string& name, std::string& path,
-                       const std::vector<Contents>& offered);
+void add_output_option(CLI::App& command, Options& options, const std::string& name,
+                       std::string& path, const std::vector<Contents>& offered);
 /// adds a page that shows something.
 void add_view_option(CLI::App& command, Options& options, const std::string& what);
 

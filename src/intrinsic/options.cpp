@@ -51,6 +51,10 @@ bool is_mesh_output(const Options& options) {
   return is_file_of(Contents::subdivision, options.output);
 }
 
+bool is_plain(const Options& options) {
+  return options.is_plain || options.application.on == "input";
+}
+
 bool has_constraints(const Options& options) {
   return options.sharp_angle || !options.constraints.empty();
 }

@@ -97,6 +97,7 @@ struct Options {
   std::optional<std::size_t> neighbors = std::nullopt; ///< of each point of a point cloud
   std::string polygons = defaults::polygons; ///< what is made of nonplanar ones: `fan` or `planar`
   std::string output;                        ///< empty: none
+  bool is_plain = false;                     ///< whether meshes have only what all readers expect
   std::string view;                          ///< page that shows the triangulation; empty: none
   double view_limit = 30;                    ///< most megabytes of the page
   std::string mass;                          ///< empty: none
@@ -119,10 +120,11 @@ struct Options {
   CGAL::Intrinsic_triangulations::Adapt_criteria adaptive;
   Geodesic_options geodesic;
   Application_options application;
-  std::string sizes;          ///< file of wanted lengths of edges, one per vertex; empty: none
-  std::string metric;         ///< file of factors or tensors; empty: lengths are those in space
-  std::string field;          ///< file of values at vertices that are transferred
-  std::string from = "input"; ///< triangulation that has the field: `input` or `intrinsic`
+  std::string sizes;              ///< file of wanted lengths of edges, one per vertex; empty: none
+  std::string metric;             ///< file of factors or tensors; empty: lengths are those in space
+  std::string field;              ///< file of values at vertices that are transferred
+  std::vector<std::string> shown; ///< files of values and curves that a page shows
+  std::string from = "input";     ///< triangulation that has the field: `input` or `intrinsic`
   std::string method = defaults::transfer_method; ///< `l2` or `pointwise`
   std::vector<std::string> study;                 ///< what follows the command `study`
   std::vector<std::string> arguments;             ///< all that follows the name of the program
@@ -142,6 +144,9 @@ struct Output {
 std::vector<Output> outputs(const Options& options);
 /// tells whether a path is standard output: `-`, or that with an extension, such as `-.txt`.
 bool is_standard_output(const std::string& path);
+/// tells whether meshes are written without labels, edges and colours: if that is asked for, and
+/// where results are on the mesh of the file, whose labels tell nothing.
+bool is_plain(const Options& options);
 /// tells whether the output is the common subdivision, not the intrinsic triangulation.
 bool is_mesh_output(const Options& options);
 /// tells whether distances are asked for in batches: of pairs, or from many sets of sources.

@@ -72,8 +72,8 @@ void write_values(std::ostream& out, const Functions& values) {
   }
 }
 
-void write_fields(const std::string& path, const Transferred& r, const IT::Common_subdivision& s,
-                  const std::vector<Point>& points, Output_files& files) {
+// The functions on both triangulations, at the vertices of their common subdivision.
+std::vector<IT::Subdivision_field> fields_of(const Transferred& r) {
   std::vector<IT::Subdivision_field> fields;
   const auto add = [&](const std::string& name, const Functions& values) {
     for (Eigen::Index k = 0; k < values.cols(); ++k)
@@ -81,9 +81,24 @@ void write_fields(const std::string& path, const Transferred& r, const IT::Commo
   };
   add("field_on_input", r.input_on_subdivision);
   add("field_on_intrinsic", r.intrinsic_on_subdivision);
-  files.write(path, [&](std::ostream& out, const std::string& extension) {
-    IT::write_common_subdivision(out, extension, s, points, fields);
-  });
+  return fields;
+}
+
+void write_on_subdivision(const std::vector<IT::Subdivision_field>& fields,
+                          const IT::Common_subdivision& s, const std::vector<Point>& points,
+                          const Options& options, const Json& json, Output_files& files) {
+  if (is_mesh_output(options))
+    files.write(options.output, [&](std::ostream& out, const std::string& extension) {
+      write_mesh(out, extension, s, points, fields, options);
+    });
+  if (options.view.empty()) return;
+  IT::Html_view view;
+  view.fields = fields;
+  view.shown_field = options.from == "input" ? fields.size() / 2 : 0; // what was computed
+  view.isolines = 20;
+  view.has_edges = view.has_face_colors = false;
+  files.write(options.view,
+              [&](std::ostream& out) { write_view(out, s, points, options, json, view); });
 }
 
 template <class Triangulation>
@@ -110,10 +125,13 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   progress.show("writing");
   Output_files files;
   IT::label_with_polygons(s, loaded.triangulation.input().names().polygon_of_triangle);
-  if (is_mesh_output(options))
-    write_fields(options.output, result, s,
-                 IT::positions(s, input_points(loaded), loaded.triangulation.input()), files);
-  else if (!options.output.empty())
+  if (is_mesh_output(options) || !options.view.empty()) {
+    expect_points(loaded, options);
+    write_on_subdivision(fields_of(result), s,
+                         IT::positions(s, input_points(loaded), loaded.triangulation.input()),
+                         options, json, files);
+  }
+  if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out) {
       write_values(out, from_input ? result.intrinsic : result.input);
     });

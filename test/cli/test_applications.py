@@ -352,7 +352,7 @@ class Vectors(Applications):
                                  for k in range(degree)]
                     lengths = [math.hypot(*x) for x in all_of_it]
                     if element == "vertex":
-                        self.assertLess(abs(lengths[0] - (0 if row["kind"] == 2 else 1)), 1e-9)
+                        self.assertLess(abs(lengths[0] - (0 if row.get("kind") == 2 else 1)), 1e-9)
                     for k in range(degree):  # the opposite, and one that is orthogonal
                         opposite, beside = all_of_it[(k + 2) % 4], all_of_it[(k + 1) % 4]
                         # at a vertex directions are in the planes of different faces, 0.15 from

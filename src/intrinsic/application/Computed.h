@@ -29,6 +29,7 @@ namespace program {
 struct Function {
   std::string name;
   Eigen::VectorXd values;
+  bool has_classes = false; ///< whether values are whole numbers that name classes
 };
 
 /// Tangent vectors at the vertices of the intrinsic triangulation.
@@ -77,7 +78,7 @@ struct Computed {
   bool is_map = false;
   /// Whether functions have values at vertices of the file alone, not at inserted ones.
   bool is_of_input = false;
-  std::vector<char> is_torn{}; ///< per vertex: where a page shows no checkerboard; empty: nowhere
+  bool is_logarithm = false; ///< whether these places are logarithms of a point
   std::optional<Direction_field> directions{};
   Marks marks{};
   /// Values of the first function at which isolines are written.

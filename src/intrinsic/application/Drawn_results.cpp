@@ -12,7 +12,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string_view>
@@ -23,16 +22,13 @@ namespace program {
 
 namespace {
 
-// The first two functions, without vertices at which the map is torn.
+// The first two functions.
 std::vector<std::array<double, 2>> drawn_texture(const Computed& computed,
-                                                 const Eigen::SparseMatrix<double>& interpolation) {
+                                                 const IT::Interpolation_matrix& interpolation) {
   std::vector<std::array<double, 2>> texture(static_cast<std::size_t>(interpolation.rows()));
   for (std::size_t c = 0; c < 2; ++c) {
-    Eigen::VectorXd values = computed.functions[c].values.head(interpolation.cols());
-    for (Eigen::Index i = 0; i < values.size() && !computed.is_torn.empty(); ++i)
-      if (computed.is_torn[static_cast<std::size_t>(i)] != 0)
-        values[i] = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::VectorXd places = interpolation * values;
+    const Eigen::VectorXd places =
+        interpolation * computed.functions[c].values.head(interpolation.cols());
     for (std::size_t v = 0; v < texture.size(); ++v)
       texture[v][c] = places[static_cast<Eigen::Index>(v)];
   }
@@ -40,6 +36,11 @@ std::vector<std::array<double, 2>> drawn_texture(const Computed& computed,
 }
 
 } // namespace
+
+bool stays_open(const Options& options) {
+  constexpr std::array<std::string_view, 1> without_corners{"vtp"};
+  return options.is_plain || IT::has_extension(options.output, without_corners);
+}
 
 void expect_writable_results(const Options& options) {
   if (is_mesh_output(options) && options.application.on == "intrinsic")
@@ -75,12 +76,15 @@ void write_functions(std::ostream& out, const Computed& computed,
 }
 
 Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
-                   const Eigen::SparseMatrix<double>& interpolation) {
+                   const IT::Interpolation_matrix& interpolation) {
   Drawn_results results{std::move(drawn), {}};
   if (computed.is_map) results.texture = drawn_texture(computed, interpolation);
-  for (const Function& f : computed.functions)
-    results.fields.push_back(
-        {f.name, Eigen::VectorXd(interpolation * f.values.head(interpolation.cols()))});
+  for (const Function& f : computed.functions) {
+    const Eigen::VectorXd values = f.values.head(interpolation.cols());
+    results.fields.push_back({f.name, f.has_classes ? IT::nearest_values(interpolation, values)
+                                                    : Eigen::VectorXd(interpolation * values)});
+    results.fields.back().has_classes = f.has_classes;
+  }
   if (computed.displacements.size() == 0) return results;
   const Eigen::MatrixXd d = interpolation * computed.displacements.topRows(interpolation.cols());
   for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
@@ -92,24 +96,24 @@ Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
                         const Cut& cut, const Options& options, const Json& json) {
   IT::Html_view view;
-  const std::vector<IT::Polyline> lines =
-      cut.is_cut() ? cut.seams : direction_lines(results.directions, results.drawn);
-  view.curves = lines;
+  if (cut.is_cut()) view.curves = cut.seams;
+  const std::vector<IT::Placed_vector> vectors = placed_vectors(results.directions, results.drawn);
+  view.vectors = vectors;
+  view.are_arrows = results.directions.at_vertices.size() == 1;
   view.marks = computed.marks.points;
   view.marks_name = computed.marks.name;
   view.isolines = computed.isolines;
   view.has_edges = view.has_face_colors =
       computed.isolines == 0 && !computed.is_map && !computed.directions;
-  if (computed.directions) view.curve_width = 1.5;
   view.fields = results.fields;
   view.shown_field = computed.is_map ? results.fields.size() : computed.shown;
   view.texture = results.texture;
+  view.is_logarithm = computed.is_logarithm;
   write_view(out, results.drawn.s, results.drawn.points, options, json, view);
 }
 
 void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options& options,
                     const Json& json, Output_files& files) {
-  constexpr std::array<std::string_view, 1> without_corners{"vtp"};
   const Surface_with_fields& opened = laid_out.opened;
   if (!options.view.empty()) {
     IT::Html_view view;
@@ -132,10 +136,9 @@ void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options&
     });
   }
   if (!is_mesh_output(options)) return;
-  const Surface_with_fields& written =
-      IT::has_extension(options.output, without_corners) ? opened : laid_out.closed;
+  const Surface_with_fields& written = stays_open(options) ? opened : laid_out.closed;
   files.write(options.output, [&](std::ostream& out, const std::string& extension) {
-    IT::write_common_subdivision(out, extension, written.s, written.points, written.fields);
+    write_mesh(out, extension, written.s, written.points, written.fields, options);
   });
 }
 

@@ -31,6 +31,9 @@ struct Drawn_results {
   std::vector<std::array<double, 2>> texture{};
 };
 
+/// tells whether a file of a surface that was cut open has it open: formats without numbers at
+/// corners, and plain files, whose readers take one place per vertex.
+bool stays_open(const Options& options);
 /// refuses a file of results that cannot be. \throws std::runtime_error
 void expect_writable_results(const Options& options);
 /// writes the values of each row; of directions one of them in polar coordinates, and the unit
@@ -42,7 +45,7 @@ void write_functions(std::ostream& out, const Computed& computed,
 /// returns the functions, and the places of displaced points, at the vertices of a surface.
 /// \param interpolation from the vertices of the triangulation, or of the input, to these
 Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
-                   const Eigen::SparseMatrix<double>& interpolation);
+                   const IT::Interpolation_matrix& interpolation);
 /// writes a page that shows results on a surface.
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
                         const Cut& cut, const Options& options, const Json& json);

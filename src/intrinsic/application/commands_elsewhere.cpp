@@ -22,6 +22,7 @@ void run_delaunay(const Options& options) {
     become("intrinsic", options.arguments);
 }
 void run_transfer(const Options& options) { become("intrinsic", options.arguments); }
+void run_view(const Options& options) { become("intrinsic", options.arguments); }
 void run_info(const Options& options) { become("intrinsic", options.arguments); }
 void run_study(const Options& options) { become("intrinsic", options.arguments); }
 

@@ -7,7 +7,7 @@
 #include "../delaunay.h"
 #include "Computed.h"
 
-#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/vector_field.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
@@ -28,10 +28,9 @@ struct Drawn_directions {
   std::vector<int> index{}; ///< of each face, or none
 };
 
-/// returns lines that show directions at vertices: arrows if there is one at each, else crosses.
-/// The longest is as long as half of a mean edge.
-std::vector<IT::Polyline> direction_lines(const Drawn_directions& directions,
-                                          const Drawn_subdivision& drawn);
+/// returns the directions at vertices for a page: those of each vertex one after another.
+std::vector<IT::Placed_vector> placed_vectors(const Drawn_directions& directions,
+                                              const Drawn_subdivision& drawn);
 /// appends vectors at vertices and faces, and indices of faces, to the fields of a file.
 void append_fields(std::vector<IT::Subdivision_field>& fields, const std::string& name,
                    const Drawn_directions& directions);

@@ -143,7 +143,9 @@ template <class Triangulation>
 void add_cells(const Triangulation& t, IT::Found_cells found, Computed& computed) {
   Function nearest{"nearest_source", Eigen::VectorXd(computed.functions.front().values.size())};
   std::ranges::copy(found.nearest, nearest.values.begin());
+  nearest.has_classes = true;
   computed.functions.push_back(std::move(nearest));
+  computed.shown = computed.functions.size() - 1;
   computed.json["cells"] = {{"vertices", found.vertices},
                             {"areas", found.cells.areas},
                             {"boundaries", found.cells.boundaries.size()},

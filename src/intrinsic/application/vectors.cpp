@@ -104,14 +104,12 @@ constexpr double greatest_stretch = 3;
 struct Torn_map {
   std::size_t edges = 0;
   double radius = std::numeric_limits<double>::infinity(); // of a disk without them
-  std::vector<char> vertices;                              // per row: whether an edge ends there
 };
 
 // The cut locus crosses edges that are much longer in the map than on the surface.
 template <class Triangulation>
 Torn_map torn_map(const Triangulation& t, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
   Torn_map torn;
-  torn.vertices.assign(static_cast<std::size_t>(u.size()), 0);
   const double unit = std::ldexp(1., -t.metric().scale_exponent());
   for (const auto e : edges(t.mesh())) {
     const auto h = halfedge(e, t.mesh());
@@ -120,7 +118,6 @@ Torn_map torn_map(const Triangulation& t, const Eigen::VectorXd& u, const Eigen:
     const double length = unit * std::sqrt(t.metric().approximate_squared_length(t.index(e)));
     if (!(std::hypot(u[i] - u[j], v[i] - v[j]) > greatest_stretch * length)) continue;
     ++torn.edges;
-    torn.vertices[i] = torn.vertices[j] = 1;
     torn.radius = std::min({torn.radius, std::hypot(u[i], v[i]), std::hypot(u[j], v[j])});
   }
   return torn;
@@ -142,9 +139,8 @@ Computed logarithmic_map(const Triangulation& t, const Sources& sources, const O
   computed.functions = {
       {"u", by_rows(log, [](const std::complex<double>& z) { return z.real(); })},
       {"v", by_rows(log, [](const std::complex<double>& z) { return z.imag(); })}};
-  computed.is_map = true;
-  Torn_map torn = torn_map(t, computed.functions[0].values, computed.functions[1].values);
-  computed.is_torn = std::move(torn.vertices);
+  computed.is_map = computed.is_logarithm = true;
+  const Torn_map torn = torn_map(t, computed.functions[0].values, computed.functions[1].values);
   const auto [radius, unknown] = greatest_known(by_rows(log, length_of));
   computed.json = {{"method", IT::name_of(by)},
                    {"radius", radius},

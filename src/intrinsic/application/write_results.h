@@ -150,9 +150,9 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
   const bool is_on_input = &surface != &loaded;
   Drawn_subdivision drawn = drawn_subdivision(surface, options, is_on_input ? unread : json);
   Drawn_directions directions = drawn_directions(loaded, surface, computed, drawn);
-  const Eigen::SparseMatrix<double> interpolation = is_on_input
-                                                        ? IT::interpolation_from_input(drawn.s)
-                                                        : IT::interpolation_from_intrinsic(drawn.s);
+  const IT::Interpolation_matrix interpolation = is_on_input
+                                                     ? IT::interpolation_from_input(drawn.s)
+                                                     : IT::interpolation_from_intrinsic(drawn.s);
   Drawn_results results = draw(std::move(drawn), computed, interpolation);
   results.directions = std::move(directions);
   json["seconds"]["subdivide"] = watch.lap();
@@ -163,12 +163,11 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
     });
   if (is_mesh_output(options))
     files.write(options.output, [&](std::ostream& out, const std::string& extension) {
-      constexpr std::array<std::string_view, 1> without_corners{"vtp"};
       std::vector<IT::Subdivision_field> fields = results.fields;
       if (computed.directions) append_fields(fields, computed.directions->name, results.directions);
-      if (loaded.cut.is_cut() && !IT::has_extension(options.output, without_corners))
+      if (loaded.cut.is_cut() && !stays_open(options))
         close_seams(results.drawn, fields, loaded.cut);
-      IT::write_common_subdivision(out, extension, results.drawn.s, results.drawn.points, fields);
+      write_mesh(out, extension, results.drawn.s, results.drawn.points, fields, options);
     });
 }
 

@@ -119,7 +119,7 @@ void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
   if (options.geodesic.writes_subdivision)
     files.write(options.output, [&](std::ostream& out, const std::string& extension) {
       const IT::Subdivision_field field = curve_field(t, drawn.s, found.labels);
-      IT::write_common_subdivision(out, extension, drawn.s, drawn.points, std::span(&field, 1));
+      write_mesh(out, extension, drawn.s, drawn.points, std::span(&field, 1), options);
     });
   if (!options.view.empty())
     files.write(options.view, [&](std::ostream& out) {

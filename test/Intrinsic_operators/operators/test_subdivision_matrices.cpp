@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <tuple>
 
 namespace {
 
@@ -50,6 +51,15 @@ TEST(Interpolation_matrices, have_rows_that_sum_to_one_and_at_most_three_entries
         EXPECT_GE(p.innerVector(row).coeffs().minCoeff(), 0) << c.name;
       }
     }
+}
+
+TEST(Interpolation_matrices, take_classes_to_the_vertex_with_the_largest_weight) {
+  IT::Interpolation_matrix p(3, 3);
+  for (const auto& [row, column, weight] :
+       {std::tuple{0, 2, 1.}, {1, 0, .25}, {1, 1, .75}, {2, 0, .5}, {2, 1, .5}})
+    p.insert(row, column) = weight;
+  const Eigen::Vector3d expected{7, 4, 9};
+  EXPECT_EQ(IT::nearest_values(p, Eigen::Vector3d{9, 4, 7}), expected);
 }
 
 TEST(Interpolation_matrices, agree_on_functions_that_are_linear_in_the_plane) {
@@ -94,8 +104,7 @@ TEST(Subdivision_mass_matrix, is_symmetric_and_positive_semidefinite) {
   const Matrix m = IT::subdivision_mass_matrix(c.triangulation, c.subdivision);
   EXPECT_EQ(Matrix(m - Matrix(m.transpose())).norm(), 0);
   const Eigen::MatrixXd dense = m;
-  EXPECT_GE(dense_eigenvalues(dense)[0],
-            -100 * epsilon * m.sum());
+  EXPECT_GE(dense_eigenvalues(dense)[0], -100 * epsilon * m.sum());
 }
 
 TEST(Subdivision_areas, are_those_of_the_polygons_in_space_and_sum_to_those_of_input_faces) {

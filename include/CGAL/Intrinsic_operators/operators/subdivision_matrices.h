@@ -186,6 +186,11 @@ input as there, then the inserted ones.
 */
 Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s);
 
+/// takes values that name classes to the vertices of a common subdivision: each gets the one of the
+/// vertex with the largest weight, the first of several. \param interpolation see above
+Eigen::VectorXd nearest_values(const Interpolation_matrix& interpolation,
+                               const Eigen::VectorXd& values);
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_OPERATORS_OPERATORS_SUBDIVISION_MATRICES_H

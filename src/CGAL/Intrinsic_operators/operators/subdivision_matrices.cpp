@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -55,6 +56,21 @@ Interpolation_matrix interpolation_from_input(const Common_subdivision& s) {
 Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s) {
   return internal::interpolation_matrix(s, s.number_of_intrinsic_vertices,
                                         [&s](std::size_t v) { return s.on_intrinsic(v); });
+}
+
+Eigen::VectorXd nearest_values(const Interpolation_matrix& interpolation,
+                               const Eigen::VectorXd& values) {
+  Eigen::VectorXd result =
+      Eigen::VectorXd::Constant(interpolation.rows(), std::numeric_limits<double>::quiet_NaN());
+  for (Eigen::Index i = 0; i < interpolation.rows(); ++i) {
+    double most = 0;
+    for (Interpolation_matrix::InnerIterator x(interpolation, i); x; ++x)
+      if (x.value() > most) {
+        most = x.value();
+        result[i] = values[x.col()];
+      }
+  }
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -156,6 +156,8 @@ TEST(Bounds_of_pages, Whatever_is_given_the_page_is_bounded) {
   const Points points = unit_points(s, n);
   const auto many = circles(20000, 8), few = circles(1, 200000), some = circles(3000, 50);
   const std::vector<IT::Polyline> marks(100000, {{{0.5, 0.5, 0}}, false, 1});
+  std::vector<IT::Placed_vector> vectors;
+  for (int i = 0; i < 300000; ++i) vectors.push_back({{i / 3e5, 0.5, 0}, {1, 0, 0}});
   std::vector<IT::Subdivision_field> fields;
   for (int i = 0; i < 70; ++i)
     fields.push_back({"f" + std::to_string(i), std::vector<double>(s.number_of_vertices(), i)});
@@ -167,6 +169,7 @@ TEST(Bounds_of_pages, Whatever_is_given_the_page_is_bounded) {
       if (has_all) {
         view.marks = marks;
         view.fields = fields;
+        view.vectors = vectors;
       }
       view.maximum_size = 1'200'000;
       const Page thin = page(s, points, view);

@@ -61,9 +61,10 @@ std::size_t occurrences(const std::string& text, const std::string& word) {
 }
 
 const std::vector<std::string> data_ids{
-    "points", "triangles",       "colors",      "sources",
-    "kinds",  "labels",          "input-edges", "input-edges-room",
-    "marks",  "intrinsic-edges", "view-axes",   "intrinsic-edges-room"};
+    "points",       "triangles",       "colors",      "sources",
+    "kinds",        "labels",          "input-edges", "input-edges-room",
+    "marks",        "intrinsic-edges", "view-axes",   "intrinsic-edges-room",
+    "glyph-places", "glyph-vectors"};
 
 } // namespace
 
@@ -344,6 +345,76 @@ TEST(Html_view, Has_marked_points_with_labels) {
   const auto all = numbers<float>(html, "points"), marked = numbers<float>(html, "marks");
   EXPECT_EQ((std::vector<float>{all.begin() + 9, all.begin() + 12}),
             (std::vector<float>{marked.begin(), marked.begin() + 3}));
+}
+
+TEST(Html_view, Has_the_parts_of_its_program_in_order) {
+  const auto s = subdivisions::grid(1);
+  const std::string html = page(s, points_of(s, 1));
+  std::size_t before = html.find("\"use strict\"");
+  for (const char* part : {"const maps", "const element", "function lines(", "const camera",
+                           "function numberAt(", "function showField(", "</html>"}) {
+    const std::size_t here = html.find(part);
+    ASSERT_NE(here, std::string::npos) << part;
+    EXPECT_GT(here, before) << part;
+    before = here;
+  }
+}
+
+TEST(Html_view, Says_which_fields_are_classes) {
+  const auto s = subdivisions::grid(1);
+  std::vector<IT::Subdivision_field> fields(2,
+                                            {"f", std::vector<double>(s.number_of_vertices(), 3)});
+  fields[1].has_classes = true;
+  IT::Html_view view = simple_view();
+  view.fields = fields;
+  const std::string html = page(s, points_of(s, 1), view);
+  EXPECT_EQ(occurrences(html, "data-classes=\"0\""), 1u);
+  EXPECT_EQ(occurrences(html, "data-classes=\"1\""), 1u);
+}
+
+TEST(Html_view, Scales_vectors_and_leaves_out_what_is_none) {
+  const auto s = subdivisions::grid(2);
+  const Points points = points_of(s, 2);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<IT::Placed_vector> vectors{{points[0], {3, 0, 0}},
+                                               {points[1], {0, 0, 0}},
+                                               {points[2], {none, 1, 0}},
+                                               {points[3], {0, 6, 0}}};
+  IT::Html_view view = simple_view();
+  view.vectors = vectors;
+  view.are_arrows = false;
+  std::ostringstream out;
+  const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
+  EXPECT_EQ(report.vectors, 2u);
+  EXPECT_TRUE(report.is_complete());
+  const auto drawn = numbers<float>(out.str(), "glyph-vectors");
+  ASSERT_EQ(drawn.size(), 6u);
+  EXPECT_FLOAT_EQ(drawn[4], 2 * drawn[0]);
+  const auto all = numbers<float>(out.str(), "points"),
+             places = numbers<float>(out.str(), "glyph-places");
+  EXPECT_EQ((std::vector<float>{all.begin() + 9, all.begin() + 12}),
+            (std::vector<float>{places.begin() + 3, places.end()}));
+  EXPECT_NE(out.str().find("data-glyphs=\"directions\""), std::string::npos);
+}
+
+// Places of a logarithm at (0, 0), where the column beyond x = 6 is torn off.
+TEST(Html_view, A_logarithm_ends_where_it_tears) {
+  constexpr std::uint32_t n = 8;
+  const auto s = subdivisions::grid(n);
+  const Points points = points_of(s, n);
+  std::vector<std::array<double, 2>> places;
+  for (const auto& p : points) places.push_back({p[0] > 6 ? p[0] - 100 : p[0], p[1]});
+  IT::Html_view view = simple_view();
+  view.texture = places;
+  EXPECT_EQ(page(s, points, view).find("data-reach"), std::string::npos);
+  view.is_logarithm = true;
+  const std::string html = page(s, points, view);
+  std::smatch found;
+  ASSERT_TRUE(
+      std::regex_search(html, found, std::regex("data-reach=\"([^,]*),([^,]*),([^\"]*)\"")));
+  const double size = 6 - (7 - 100);
+  EXPECT_NEAR(std::stod(found[1]), (100 - 7) / size, 1e-6);
+  EXPECT_NEAR(std::stod(found[3]), 6 / size, 1e-6);
 }
 
 TEST(Html_view, Finds_three_js_that_is_not_given) {

@@ -31,6 +31,9 @@ struct Subdivision_field {
   std::vector<double> values;    ///< `components` for each element
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space
+  /// Whether the numbers are whole ones that name classes, such as cells: pages give each class a
+  /// colour of its own.
+  bool has_classes = false;
 
   /// is a field without name or values.
   Subdivision_field() = default;

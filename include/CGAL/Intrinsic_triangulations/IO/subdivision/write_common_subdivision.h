@@ -38,6 +38,7 @@ namespace internal {
 // Options in which formats differ.
 struct Subdivision_format {
   std::optional<bool> is_binary, has_lines;
+  bool is_plain = false;
 };
 
 void write_subdivision(std::ostream& out, std::string_view extension, const Subdivision_output& o,
@@ -105,6 +106,22 @@ void write_common_subdivision(const std::filesystem::path& path, const Common_su
                               std::span<const Subdivision_field> fields = {},
                               const NP& np = parameters::default_values()) {
   internal::write_subdivision(path, {s, points, fields}, internal::subdivision_format(np));
+}
+
+/*!
+\brief writes a common subdivision as all readers take it: PLY with points, polygons and fields, and
+without labels and edges; OFF without colours. Other formats are those of
+`write_common_subdivision()`.
+
+Parameters, errors and complexity are those of the overload with a stream there.
+*/
+inline void write_plain_subdivision(std::ostream& out, std::string_view extension,
+                                    const Common_subdivision& s,
+                                    std::span<const std::array<double, 3>> points,
+                                    std::span<const Subdivision_field> fields = {}) {
+  internal::Subdivision_format format;
+  format.is_plain = true;
+  internal::write_subdivision(out, extension, {s, points, fields}, format);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -18,6 +18,12 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// A vector in space at a point.
+struct Placed_vector {
+  std::array<double, 3> place;  ///< the point
+  std::array<double, 3> vector; ///< zero or not a number: none
+};
+
 /*!
 \brief describes what a page shows besides an intrinsic triangulation, and its scripts.
 */
@@ -44,14 +50,22 @@ struct Html_view {
   /// Whether the places are in Poincaré's disk; then triangles with angles of 90, 45 and 36 degrees
   /// that tile it are in place of squares.
   bool is_disk = false;
+  /// Whether the places are logarithms of a point, whose place is (0, 0). They are shown up to the
+  /// radius at which they tear: where shortest paths from the point arrive on both sides.
+  bool is_logarithm = false;
   bool has_edges = true;       ///< whether edges show at first
   bool has_face_colors = true; ///< whether faces without a field have colours at first
   /// Width of curves in pixels.
   double curve_width = 3.5;
-  /// Curves on the surface, drawn in the colours of their labels.
+  /// Curves on the surface, drawn in the colours of their labels, dark if these are negative. What
+  /// is hidden of them shines through.
   std::span<const Polyline> curves{};
   /// The curves before, drawn thin and grey.
   std::span<const Polyline> initial_curves{};
+  /// Vectors at points of the surface, those at one point one after another. The page chooses as
+  /// many as can be told apart.
+  std::span<const Placed_vector> vectors{};
+  bool are_arrows = true; ///< whether vectors have heads; else they are lines, such as crosses
   /// Marked points, each a polyline of one point: red where the label is positive, blue where it is
   /// negative, else yellow.
   std::span<const Polyline> marks{};
@@ -67,8 +81,8 @@ struct Html_view {
 
 Pages have a limit, `Html_view::maximum_size`. Beyond it, vertices in one cell of a grid become one
 of them, with its numbers and values, and triangles between others stay. Curves first lose points
-that are close to the point before, then some curves are left out. A page has 64 fields and 20,000
-marked points at most.
+that are close to the point before, then some curves are left out. A page has 64 fields, 20,000
+marked points and 100,000 vectors at most.
 */
 struct Html_view_report {
   std::size_t pieces = 0;       ///< triangles of the common subdivision
@@ -79,15 +93,17 @@ struct Html_view_report {
   std::size_t shown_curves = 0; ///< those on the page
   /// How far a point that was left out of a curve may be from one on the page; 0: none was.
   double curve_tolerance = 0;
-  std::size_t fields = 0;       ///< fields that were given
-  std::size_t shown_fields = 0; ///< those on the page
-  std::size_t marks = 0;        ///< marked points
-  std::size_t shown_marks = 0;  ///< those on the page
+  std::size_t fields = 0;        ///< fields that were given
+  std::size_t shown_fields = 0;  ///< those on the page
+  std::size_t marks = 0;         ///< marked points
+  std::size_t shown_marks = 0;   ///< those on the page
+  std::size_t vectors = 0;       ///< vectors that are not zero
+  std::size_t shown_vectors = 0; ///< those on the page
 
   /// returns whether nothing was left out.
   bool is_complete() const {
     return shown_pieces == pieces && shown_curves == curves && curve_tolerance == 0 &&
-           shown_fields == fields && shown_marks == marks;
+           shown_fields == fields && shown_marks == marks && shown_vectors == vectors;
   }
   /// says what was left out, in a line for users; the page has it too.
   std::string description() const;
@@ -113,12 +129,15 @@ Three_js find_three_js(const std::filesystem::path& directory = "/usr/share/java
 without a network.
 
 Intrinsic faces have colours that differ between neighbours, intrinsic edges are dark, input edges
-light. A field replaces the colours; a texture darkens every other square of a checkerboard, and is
-shown in the plane beside the surface. On a cover, the fronts of the user's faces are shown, or
-their backs. Curves and marked points lie on top. The pointer shows the numbers of the faces
-under it. In the page, users choose the field, its range and map of colours, the number of isolines,
-which way is up, and a plane that cuts the surface. At first the surface stands on its largest flat
-base. If it has none, y is up, or z if the surface is least high along y.
+light. A field replaces the colours: a map of colours for numbers, a colour of its own for each
+class, and one colour for a constant. A texture darkens every other square of a checkerboard, and
+is shown in the plane beside the surface. On a cover, the fronts of the user's faces are shown, or
+their backs. Curves, vectors and marked points lie on top. The pointer shows the numbers of the
+faces under it. In the page, users choose the field, its range, map of colours and scale, the
+number of isolines, which way is up, a plane that cuts the surface, how opaque and smooth it is,
+and the size of vectors. At first the surface stands on its largest flat base. If it has none, y is
+up, or z if the surface is least high along y. The first view is from where most of the curves and
+marked points are seen.
 \param out the stream
 \param s the common subdivision
 \param points the position of each vertex, see `positions()`

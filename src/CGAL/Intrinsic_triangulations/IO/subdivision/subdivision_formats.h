@@ -23,7 +23,9 @@ inline const Subdivision_field* find_field(const Subdivision_output& o, std::str
 }
 
 // Elements vertex, face and edge with all labels. Comments in the header say what properties mean.
-void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary);
+// Plain: vertices and faces with fields.
+void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary,
+                           bool is_plain);
 
 // Labels are point and cell data, intrinsic edges are lines. Cells: lines before polygons.
 void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool has_lines);
@@ -31,8 +33,8 @@ void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool
 // Comments before elements have the numbers of faces of both triangulations and of edges.
 void write_subdivision_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines);
 
-// Polygons in the colours of `intrinsic_face_colors()`.
-void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o);
+// Polygons in the colours of `intrinsic_face_colors()`, plain: without.
+void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o, bool is_plain);
 
 // Binary: each convex polygon as a fan of triangles, coordinates rounded to single precision.
 void write_subdivision_STL(Output_buffer& out, const Subdivision_output& o);

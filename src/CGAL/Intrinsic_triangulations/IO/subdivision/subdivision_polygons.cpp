@@ -118,7 +118,7 @@ void write_subdivision_OBJ(Output_buffer& out, const Subdivision_output& o, bool
   }
 }
 
-void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o) {
+void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o, bool is_plain) {
   out.text("OFF\n", o.points.size(), ' ', o.s.number_of_faces(), " 0\n");
   for (const std::array<double, 3>& p : o.points) out.line(p[0], p[1], p[2]);
   const std::vector<Rgb_color> colors = intrinsic_face_colors(o.s);
@@ -126,7 +126,10 @@ void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o) {
     out.words(o.s.face(f).size());
     for (const std::uint32_t v : o.s.face(f)) out.words(v);
     const Rgb_color& c = colors[o.s.intrinsic_face[f]];
-    out.line(c[0], c[1], c[2]);
+    if (is_plain)
+      out.line();
+    else
+      out.line(c[0], c[1], c[2]);
   }
 }
 

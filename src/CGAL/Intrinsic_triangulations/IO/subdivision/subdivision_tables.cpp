@@ -127,7 +127,18 @@ Column ends_and_labels(const Subdivision_edges& edges, const Common_subdivision&
 
 } // namespace
 
-void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary) {
+// Points, polygons and fields.
+static void write_plain_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary) {
+  Table vertices{"vertex", {positions_column(o)}}, faces{"face", {corners_of_faces(o.s)}};
+  add_fields(vertices.columns, o, Subdivision_field::Place::vertices);
+  add_fields(faces.columns, o, Subdivision_field::Place::faces);
+  add_corner_fields(faces.columns, o);
+  write_PLY(out, is_binary, "", std::array{std::move(vertices), std::move(faces)});
+}
+
+void write_subdivision_PLY(Output_buffer& out, const Subdivision_output& o, bool is_binary,
+                           bool is_plain) {
+  if (is_plain) return write_plain_PLY(out, o, is_binary);
   const Common_subdivision& s = o.s;
   const std::size_t n = s.number_of_faces();
   const std::vector<Rgb_color> colors = intrinsic_face_colors(s);

@@ -39,11 +39,11 @@ void write_subdivision(std::ostream& out, std::string_view extension, const Subd
   check_output(o);
   Output_buffer buffer(out);
   if (name == "ply")
-    write_subdivision_PLY(buffer, o, format.is_binary.value_or(true));
+    write_subdivision_PLY(buffer, o, format.is_binary.value_or(true), format.is_plain);
   else if (name == "obj")
     write_subdivision_OBJ(buffer, o, format.has_lines.value_or(false));
   else if (name == "off")
-    write_subdivision_OFF(buffer, o);
+    write_subdivision_OFF(buffer, o, format.is_plain);
   else if (name == "stl")
     write_subdivision_STL(buffer, o);
   else if (name == "vtp")

@@ -37,6 +37,7 @@ std::string Html_view_report::description() const {
   if (curve_tolerance > 0) add() << "points of curves, up to " << curve_tolerance << " from others";
   if (shown_fields < fields) add() << shown_fields << " of " << fields << " fields";
   if (shown_marks < marks) add() << shown_marks << " of " << marks << " marked points";
+  if (shown_vectors < vectors) add() << shown_vectors << " of " << vectors << " vectors";
   return text.str();
 }
 

@@ -9,6 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_curves.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_surface.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_template.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_texture.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_vectors.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/upright.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
@@ -34,17 +37,6 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 namespace {
 
-// The page with the program that draws and answers to the pointer; text between two @ is a place to
-// be filled. Each file is a part of it between the marks of a raw string.
-#ifndef DOXYGEN_RUNNING // which does not look for files here
-constexpr std::string_view html_view_page =
-#include <CGAL/Intrinsic_triangulations/IO/view/html_view_page.html>
-#include <CGAL/Intrinsic_triangulations/IO/view/view_camera.js>
-#include <CGAL/Intrinsic_triangulations/IO/view/view_lines.js>
-#include <CGAL/Intrinsic_triangulations/IO/view/view_surface.js>
-    ;
-#endif
-
 // Writes the parts of a page.
 class Html_view_writer {
   using Point = std::array<double, 3>;
@@ -52,7 +44,7 @@ class Html_view_writer {
 public:
   Html_view_writer(std::ostream& out, const Common_subdivision& s, std::span<const Point> points,
                    const Html_view& view)
-      : out_(out), s_(s), view_(view), scaling_(points) {
+      : out_(out), s_(s), points_(points), view_(view), scaling_(points) {
     for (const Point& p : points) scaled_.push_back(scaling_(p));
     if (view_.fields.size() > most_fields) view_.fields = view_.fields.first(most_fields);
     choose();
@@ -80,7 +72,7 @@ public:
 
 private:
   // as the manual states; so many marks take 320 kilobytes
-  static constexpr std::size_t most_fields = 64, most_marks = 20000;
+  static constexpr std::size_t most_fields = 64, most_marks = 20000, most_vectors = 100000;
 
   // What the page shows: all if there is room for it. Else curves leave most of it to the surface.
   void choose() {
@@ -95,11 +87,14 @@ private:
     initial_curves_ = thinned_curves(view_.initial_curves, scaling_, 0, 1);
     mark_step_ = (number_of_marks() + most_marks - 1) / most_marks;
     const std::size_t marks = 16 * std::min(number_of_marks(), most_marks);
-    const std::size_t lines = curves_.bytes() + initial_curves_.bytes() + marks;
+    vectors_ = page_vectors(view_.vectors, scaling_, mean_length(surface_.intrinsic, scaled_),
+                            std::min(most_vectors, room / 8 / 24));
+    const std::size_t fixed = marks + vectors_.bytes();
+    const std::size_t lines = curves_.bytes() + initial_curves_.bytes() + fixed;
     if (surface_.bytes(per_vertex) + lines <= room) return;
     surface_ = surface_within(std::move(surface_), scaled_, per_vertex,
                               std::max(lines < room ? room - lines : 0, room / 5 * 3));
-    const std::size_t taken = surface_.bytes(per_vertex) + marks;
+    const std::size_t taken = surface_.bytes(per_vertex) + fixed;
     const std::size_t left = room - std::min(room, taken);
     initial_curves_ = curves_within(view_.initial_curves, scaling_,
                                     std::max(left / 4, left - std::min(left, curves_.bytes())));
@@ -126,6 +121,8 @@ private:
     report_.fields = fields;
     report_.shown_fields = view_.fields.size();
     report_.marks = number_of_marks();
+    report_.vectors = vectors_.given;
+    report_.shown_vectors = vectors_.places.size();
     report_.shown_marks = mark_step_ == 0 ? 0 : (report_.marks + mark_step_ - 1) / mark_step_;
   }
 
@@ -142,6 +139,8 @@ private:
     write_curves("curves", curves_);
     write_curves("initial-curves", initial_curves_);
     write_marks();
+    out_.tuples("glyph-places", vectors_.places);
+    out_.tuples("glyph-vectors", vectors_.vectors);
   }
 
   void write_triangles() {
@@ -206,7 +205,18 @@ private:
               view_.has_edges ? "shown" : "hidden", "\" data-disk=\"", view_.is_disk ? 1 : 0,
               "\" data-curve-width=\"", view_.curve_width, "\" data-marks=\"");
     out_.escaped(view_.marks_name);
+    out_.text("\" data-glyphs=\"", view_.are_arrows ? "arrows" : "directions",
+              "\" data-glyph-length=\"", vectors_.longest);
+    write_reach();
     out_.text("\"></script>\n");
+  }
+
+  // Where a logarithm begins, and where it ends.
+  void write_reach() {
+    if (!view_.is_logarithm) return;
+    const Texture_scaling scaling(view_.texture, view_.is_disk);
+    out_.text("\" data-reach=\"", scaling({0, 0}, 0), ",", scaling({0, 0}, 1), ",",
+              scaling.scaled(radius_of_logarithm(s_, points_, view_.texture)));
   }
 
   // Values from 0 to 1 in single precision, and their range; halves, so that nothing overflows.
@@ -222,7 +232,8 @@ private:
     out_.open_data(id);
     out_.text(" data-name=\"");
     out_.escaped(field.name);
-    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\">");
+    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-classes=\"",
+              field.has_classes ? 1 : 0, "\">");
     out_.close_data([&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices) {
         const double x = field.values[v];
@@ -233,31 +244,12 @@ private:
     });
   }
 
-  // Places in the plane, of which the longer side of the bounding box becomes 1.
   void write_texture() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto is_place = [](const std::array<double, 2>& p) {
-      return std::isfinite(p[0]) && std::isfinite(p[1]);
-    };
-    std::array<double, 2> least{infinity, infinity}, greatest{-infinity, -infinity};
-    for (const std::array<double, 2>& p : view_.texture)
-      for (std::size_t c = 0; c < 2 && is_place(p); ++c) {
-        least[c] = std::min(least[c], p[c]);
-        greatest[c] = std::max(greatest[c], p[c]);
-      }
-    if (view_.is_disk) {
-      least = {-1, -1};
-      greatest = {1, 1};
-    }
-    const double size = std::max(greatest[0] - least[0], greatest[1] - least[1]);
+    const Texture_scaling scaling(view_.texture, view_.is_disk);
     out_.data("texture", [&](Output_buffer& out) {
       for (const std::uint32_t v : surface_.vertices)
-        for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c) {
-          const std::array<double, 2>& p = view_.texture[v];
-          out.base64(!is_place(p) ? std::numeric_limits<float>::quiet_NaN()
-                     : size > 0   ? static_cast<float>((p[c] - least[c]) / size)
-                                  : 0.f);
-        }
+        for (std::size_t c = 0; c < 2 && !view_.texture.empty(); ++c)
+          out.base64(scaling(view_.texture[v], c));
     });
   }
 
@@ -306,11 +298,13 @@ private:
 
   Page_output out_;
   const Common_subdivision& s_;
+  std::span<const Point> points_;
   Html_view view_;
   Unit_ball_scaling scaling_;
   std::vector<std::array<float, 3>> scaled_;
   Page_surface surface_;
   Page_curves curves_, initial_curves_;
+  Page_vectors vectors_;
   std::size_t mark_step_ = 1; // one of so many is shown
   Html_view_report report_;
 };

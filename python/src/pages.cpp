@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Surface.h"
+#include "curve_arrays.h"
+
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/write_html_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+
+#include <three_js.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+// Pages that show results on surfaces: what Python hands over becomes what `write_html_view()`
+// takes.
+
+namespace python {
+
+namespace {
+
+// Numbers at the vertices of the triangulation, or of the user's mesh.
+struct Values {
+  std::string name;
+  Eigen::VectorXd values;
+  bool has_classes = false;
+};
+
+// What a page shows, without objects of Python.
+struct Contents {
+  std::string title, text, marks_name;
+  std::vector<Values> fields;
+  std::optional<Row_matrix> texture; // a place in the plane for each vertex
+  std::vector<IT::Polyline> curves, marks;
+  std::vector<IT::Placed_vector> vectors;
+  bool is_disk = false, is_logarithm = false, are_arrows = true, has_edges = true;
+  unsigned isolines = 0;
+};
+
+Contents contents_of(const py::dict& d) {
+  Contents c;
+  c.title = d["title"].cast<std::string>();
+  c.text = d["text"].cast<std::string>();
+  c.marks_name = d["marks_name"].cast<std::string>();
+  for (const py::handle item : d["fields"]) {
+    const auto [name, values, has_classes] = item.cast<std::tuple<std::string, Doubles, bool>>();
+    c.fields.push_back({name, vector_of(values), has_classes});
+  }
+  if (!d["texture"].is_none()) {
+    const auto places = d["texture"].cast<Doubles>();
+    expect_columns(places, 2, "an array of places");
+    c.texture = matrix_of(places);
+  }
+  c.curves = polylines_of(d["curves"]);
+  c.marks = polylines_of(d["marks"]);
+  const auto [places, vectors] = d["vectors"].cast<std::pair<Doubles, Doubles>>();
+  const std::vector<Point> from = points_of(places), along = points_of(vectors);
+  for (std::size_t i = 0; i < from.size(); ++i) c.vectors.push_back({from[i], along[i]});
+  c.is_disk = d["is_disk"].cast<bool>();
+  c.is_logarithm = d["is_logarithm"].cast<bool>();
+  c.are_arrows = d["are_arrows"].cast<bool>();
+  c.has_edges = d["has_edges"].cast<bool>();
+  c.isolines = d["isolines"].cast<unsigned>();
+  return c;
+}
+
+// The scripts of pages: those that were compiled in, or those of this machine.
+IT::Three_js scripts() {
+  IT::Three_js all{std::string(embedded::three_js()),
+                   std::string(embedded::trackball_controls_js())};
+  if (all.three.empty() || all.trackball_controls.empty()) all = IT::find_three_js();
+  if (all.three.empty() || all.trackball_controls.empty())
+    refuse("the page needs three.js; install Debian's package libjs-three");
+  return all;
+}
+
+// Takes values of rows to the vertices of a common subdivision.
+class Taking {
+public:
+  template <class T>
+  Taking(const T& t, const IT::Common_subdivision& s)
+      : rows_(static_cast<Eigen::Index>(t.number_of_vertices())),
+        input_rows_(static_cast<Eigen::Index>(t.input().number_of_rows())),
+        from_intrinsic_(IT::interpolation_from_intrinsic(s)),
+        from_input_(IT::interpolation_from_input(s)) {}
+
+  Eigen::VectorXd operator()(const Eigen::VectorXd& values, bool has_classes = false) const {
+    if (values.size() != rows_ && values.size() != input_rows_)
+      refuse("values need one number for each of " + std::to_string(rows_) +
+             " vertices of the triangulation, or " + std::to_string(input_rows_) +
+             " of the mesh; there are " + std::to_string(values.size()));
+    const IT::Interpolation_matrix& from = values.size() == rows_ ? from_intrinsic_ : from_input_;
+    const Eigen::VectorXd known = values.head(from.cols());
+    return has_classes ? IT::nearest_values(from, known) : Eigen::VectorXd(from * known);
+  }
+
+private:
+  Eigen::Index rows_, input_rows_;
+  IT::Interpolation_matrix from_intrinsic_, from_input_;
+};
+
+// Writes what there is, on a triangulation.
+template <class T>
+std::string written(const Contents& c, const T& t, const std::vector<Point>& user_points,
+                    double megabytes, Watch& watch) {
+  const IT::Three_js three = scripts();
+  IT::Common_subdivision s = IT::common_subdivision(t);
+  const std::vector<Point> points = IT::positions(s, user_points, t.input());
+  const Taking take(t, s);
+  IT::label_with_polygons(s, t.input().names().polygon_of_triangle);
+  std::vector<IT::Subdivision_field> fields;
+  for (const Values& f : c.fields) {
+    fields.emplace_back(f.name, take(f.values, f.has_classes));
+    fields.back().has_classes = f.has_classes;
+  }
+  std::vector<std::array<double, 2>> texture;
+  if (c.texture) {
+    const Eigen::VectorXd u = take(c.texture->col(0)), v = take(c.texture->col(1));
+    for (Eigen::Index i = 0; i < u.size(); ++i) texture.push_back({u[i], v[i]});
+  }
+  IT::Html_view view;
+  view.title = c.title;
+  view.description = c.text;
+  view.three = three.three;
+  view.trackball_controls = three.trackball_controls;
+  view.fields = fields;
+  view.isolines = c.isolines;
+  view.texture = texture;
+  view.is_disk = c.is_disk;
+  view.is_logarithm = c.is_logarithm;
+  view.has_edges = view.has_face_colors = c.has_edges;
+  view.curves = c.curves;
+  view.vectors = c.vectors;
+  view.are_arrows = c.are_arrows;
+  view.marks = c.marks;
+  view.marks_name = c.marks_name;
+  view.maximum_size = static_cast<std::size_t>(1e6 * megabytes);
+  std::ostringstream out;
+  const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
+  if (!report.is_complete()) watch.warn(report.description() + "; megabytes allows a larger page");
+  return std::move(out).str();
+}
+
+std::string page(Surface& s, const py::dict& contents, double megabytes) {
+  if (s.points.empty())
+    refuse("the surface has lengths and no points, so that nothing can be drawn");
+  const Contents c = contents_of(contents);
+  Watch watch;
+  return with_triangulation(s, watch,
+                            [&](auto& t) { return written(c, t, s.points, megabytes, watch); });
+}
+
+} // namespace
+
+void bind_pages(py::module_& m) { m.def("page", &page); }
+
+} // namespace python

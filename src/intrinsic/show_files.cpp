@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands.h"
+#include "delaunay.h"
+#include "support/file_formats.h"
+#include "support/text_lines.h"
+
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
+#include <CGAL/Intrinsic_triangulations/IO/curves/read_polylines.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <spawn.h>
+#include <unistd.h>
+
+extern char** environ;
+
+// The command `view`.
+
+namespace program {
+
+namespace {
+
+// What files have: values at vertices of the mesh or of the triangulation, and curves.
+struct Shown {
+  std::vector<IT::Subdivision_field> fields;
+  std::vector<IT::Polyline> curves;
+};
+
+// Whether values name classes: few whole numbers.
+bool are_classes(const Eigen::VectorXd& values) {
+  constexpr std::size_t most = 64;
+  std::set<double> different;
+  for (const double x : values) {
+    if (x != std::floor(x)) return false;
+    different.insert(x);
+    if (different.size() > most) return false;
+  }
+  return true;
+}
+
+template <class Triangulation>
+void add_values(const std::string& path, const Triangulation& t, const IT::Common_subdivision& s,
+                const Options& options, Shown& shown) {
+  const std::size_t mine = t.number_of_vertices(), rows = t.input().number_of_rows();
+  const std::string what = "vertices of " + options.input;
+  const Number_table table = read_numbers(path, mine, what);
+  if (table.rows() != mine) table.expect_rows(rows, what);
+  const IT::Interpolation_matrix take =
+      table.rows() == mine ? IT::interpolation_from_intrinsic(s) : IT::interpolation_from_input(s);
+  const std::string name = as_utf8(std::filesystem::path(path).stem().string());
+  for (std::size_t k = 0; k < table.columns; ++k) {
+    Eigen::VectorXd values(take.cols());
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      values[i] = table.values[table.columns * static_cast<std::size_t>(i) + k];
+    const bool has_classes = are_classes(values);
+    shown.fields.emplace_back(table.columns == 1 ? name : name + "_" + std::to_string(k),
+                              has_classes ? IT::nearest_values(take, values)
+                                          : Eigen::VectorXd(take * values));
+    shown.fields.back().has_classes = has_classes;
+  }
+}
+
+void add_curves(const std::string& path, Shown& shown) {
+  std::vector<IT::Polyline> curves = IT::read_polylines(path);
+  for (IT::Polyline& curve : curves) shown.curves.push_back(std::move(curve));
+}
+
+// The file of the page that is to be opened.
+std::string temporary_page(const Options& options) {
+  const std::string stem = std::filesystem::path(options.input).stem().string();
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("intrinsic-" + stem + "-XXXXXX.html")).string();
+  const int file = mkstemps(path.data(), 5);
+  if (file < 0) throw std::runtime_error(path + ": the file cannot be made; name one with -o");
+  close(file);
+  return path;
+}
+
+// Asks the desktop for a browser; nothing happens where there is none.
+void open_in_browser(std::string path) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string opener = "xdg-open";
+  const std::array<char*, 3> words{opener.data(), path.data(), nullptr};
+  pid_t child = 0;
+  posix_spawnp(&child, opener.c_str(), nullptr, nullptr, words.data(), environ);
+}
+
+template <class Triangulation>
+void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
+  const bool is_temporary = options.view.empty();
+  options.no_flip = true;
+  if (is_temporary) options.view = temporary_page(options);
+  Json json = improve_and_measure(loaded, options, progress, {});
+  Stopwatch watch;
+  progress.show("subdividing");
+  const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
+  Shown shown;
+  for (const std::string& path : options.shown)
+    if (is_file_of(Contents::values, path))
+      add_values(path, loaded.triangulation, s, options, shown);
+    else
+      add_curves(path, shown);
+  progress.show("writing");
+  IT::Html_view page;
+  page.fields = shown.fields;
+  page.curves = shown.curves;
+  page.isolines = 20;
+  page.has_edges = page.has_face_colors = options.shown.empty();
+  Output_files files;
+  files.write(options.view,
+              [&](std::ostream& out) { write_view(out, s, points, options, json, page); });
+  finish(json, options, files, watch);
+  if (!is_temporary) return;
+  if (options.stats != "-") std::cout << options.view << std::endl;
+  open_in_browser(options.view);
+}
+
+} // namespace
+
+void run_view(const Options& options) {
+  Progress progress(options.logs_progress);
+  with_loaded<IT::Integer_coordinates>(options, progress,
+                                       [&](auto& loaded) { view(loaded, options, progress); });
+}
+
+} // namespace program
