@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from ._files import save_curves, save_surface
-from ._pages import Shown
+from ._pages import _Shown
 from ._points import Point
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._types import Integers, Matrix, Numbers, Path
 
 
-class Curve(Shown):
+class Curve(_Shown):
     """A curve over the faces of the user's mesh, straight between its n points.
 
     - `points`: the points in space, of shape (n, 3); None if the surface has no coordinates.
@@ -85,7 +85,7 @@ class Curve(Shown):
         return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
 
 
-class Curves(Shown, list):
+class Curves(_Shown, list):
     """A list of `Curve`s of one surface."""
 
     @property
@@ -104,7 +104,7 @@ class Curves(Shown, list):
         return f"<intrinsic.Curves: {len(self)} curves, length {sum(c.length for c in self):.6g}>"
 
 
-class Network(Shown, Sequence[Curve]):
+class Network(_Shown, Sequence[Curve]):
     """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
 
     `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
@@ -166,7 +166,7 @@ class Network(Shown, Sequence[Curve]):
         return f"<intrinsic.Network: {len(self)} curves, length {self.length:.6g}>"
 
 
-class Cut(Shown):
+class Cut(_Shown):
     """A surface cut open: triangles, and where all their parts come from.
 
     The first vertices are those of the user's mesh, with their numbers; then come points where

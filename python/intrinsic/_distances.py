@@ -12,7 +12,7 @@ import numpy as np
 from . import _arrays, _core
 from ._curve import Curve, Curves
 from ._files import save_curves
-from ._pages import Shown
+from ._pages import _Shown
 from ._points import is_point, place_arrays
 
 if TYPE_CHECKING:
@@ -29,7 +29,8 @@ class FarthestPoints(NamedTuple):
     radius: float
 
     def __repr__(self):
-        return f"<intrinsic.FarthestPoints: {len(self.vertices)} vertices, radius {self.radius:.6g}>"
+        return f"<intrinsic.FarthestPoints: {len(self.vertices)} vertices, " \
+               f"radius {self.radius:.6g}>"
 
     def _add_to_page(self, contents):
         contents.add_marks(contents.surface.points[self.vertices])
@@ -60,7 +61,7 @@ class _Cells(NamedTuple):
     status: str
 
 
-class Voronoi(Shown, _Cells):
+class Voronoi(_Shown, _Cells):
     """A surface divided among sources: each point belongs to the nearest one.
 
     `labels` and `distances` have an entry per vertex: the number of the cell (-1 where no path

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._curve import Curve, Network
-from ._pages import Shown
+from ._pages import _Shown
 from ._points import Point, expect_one, is_point
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from ._types import Integers, Numbers, Place, Places, Progress, SignedCurves
 
 
-class VectorField(Shown):
+class VectorField(_Shown):
     """A tangent vector at each vertex of a surface.
 
     `coordinates`, of shape (n, 2), are in the polar coordinates of the vertex: the real axis runs
@@ -68,7 +68,7 @@ class VectorField(Shown):
         return _core.field_axes_in_space(self._core, self._field, self._neighbors)
 
 
-class Frames(Shown):
+class Frames(_Shown):
     """The axes in which vectors have two coordinates: those of `Surface.transport()`, `log_map()`
     and others. Arrays are computed when they are asked for.
     """

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _arrays, _core
 from ._files import save_surface
-from ._pages import PageContents, Shown
+from ._pages import _PageContents, _Shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ._types import Angle, Integers, Numbers, Path, Progress
 
 
-class PlaneMap(Shown):
+class PlaneMap(_Shown):
     """A map of a surface to the plane, linear on the faces of `surface`.
 
     `uv`, of shape (n, 2), has the place of each vertex of `surface`: of those of the mesh, and of
@@ -96,7 +96,7 @@ class Layout(NamedTuple):
                f"{len(self.seams)} seams>"
 
 
-class ConformalMap(Shown):
+class ConformalMap(_Shown):
     """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
 
     `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
@@ -159,7 +159,7 @@ class ConformalMap(Shown):
     def _page_contents(self):
         if self.layout is None or self._surface is None or not len(self.layout.points):
             return super()._page_contents()
-        contents = PageContents(self._pieces())
+        contents = _PageContents(self._pieces())
         contents.texture, contents.is_disk = self.layout.uv, self.target == "disk"
         points = self._surface.points
         for ends in self.layout.seams:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import html
 import os
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ._types import Path, Places
 
 
-class PageContents:
+class _PageContents:
     """What a page shows on a surface: fields, places in the plane, curves, vectors, points."""
 
     def __init__(self, surface):
@@ -54,6 +55,10 @@ class PageContents:
         values = np.asarray(values)
         if values.dtype.kind not in "biuf":
             raise ValueError(f"{name} has no numbers but {values.dtype}; give an array of numbers")
+        name = re.sub(r"[^A-Za-z0-9_.-]", "_", name)  # which the page shows as spaces
+        taken = [f[0] for f in self.fields]
+        if name in taken:
+            name = next(n for n in (f"{name}_{k}" for k in range(len(taken) + 1)) if n not in taken)
         self.fields.append((name, values.astype(float), values.dtype.kind in "biu"))
 
     def is_plain(self):
@@ -128,12 +133,12 @@ def _add(contents, result, name):
     elif isinstance(result, (list, tuple)) and result:
         _add_array(contents, np.asarray(result), name)
     else:
-        raise TypeError(f"{type(result).__name__} cannot be shown; give values at vertices, or what "
-                        "methods of Surface return")
+        raise TypeError(f"{type(result).__name__} cannot be shown; give values at vertices, or "
+                        "what methods of Surface return")
 
 
 def _contents(surface, results, marks):
-    contents = PageContents(surface)
+    contents = _PageContents(surface)
     for i, result in enumerate(results):
         _add(contents, result, "values" if len(results) == 1 else f"values {i}")
     if marks is not None:
@@ -180,7 +185,7 @@ def _present(page, path, open_browser):
     return path
 
 
-class Shown:
+class _Shown:
     """Results that show themselves on their surface."""
 
     __slots__ = ()
@@ -190,7 +195,7 @@ class Shown:
         if self._surface is None:
             raise ValueError("the result has no surface in space, or left it behind when it was "
                              "pickled; give it to show() of a surface")
-        contents = PageContents(self._surface)
+        contents = _PageContents(self._surface)
         self._add_to_page(contents)
         return contents
 

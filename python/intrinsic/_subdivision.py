@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _arrays
-from ._pages import Shown
+from ._pages import _Shown
 
 if TYPE_CHECKING:
     from typing import Any
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ._types import Integers, Matrix, Numbers
 
 
-class CommonSubdivision(Shown):
+class CommonSubdivision(_Shown):
     """The coarsest mesh in which every edge of the input and of a triangulation is a path.
 
     Attributes:

@@ -325,7 +325,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
     def save(self, path: Path, *, plain: bool = False) -> None:
         """Writes the triangulation to a file `.idt` without loss; `intrinsic.load()` reads it. To
         .ply, .obj, .off, .stl and .vtp writes the common subdivision; with `plain`, .ply without
-        labels and edges and .off without colours, for readers that take nothing else."""
+        labels and edges and .off of triangles without colours, for readers that take nothing
+        else."""
         path, plain = _arrays.file_name(path), _arrays.flag(plain, "plain")
         if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
             save_surface(path, self, (), plain)

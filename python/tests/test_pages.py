@@ -63,8 +63,9 @@ class Pages(With_folder):
 
     def test_pages_have_what_is_given(self):
         s, u = self.s, self.s.distance(0)
-        page = s.html(u, self.results["path"], self.results["samples"], marks=[3, it.Point(0, (1, 0, 0))])
-        self.assertEqual(names(page), ([], ["values 0"]))
+        marks = [3, it.Point(0, (1, 0, 0))]
+        page = s.html(u, self.results["path"], self.results["samples"], marks=marks)
+        self.assertEqual(names(page), ([], ["values_0"]))
         self.assertEqual(len(data(page, "curves-sizes", "<i4")), 1)
         self.assertEqual(len(data(page, "marks")), 3 * (5 + 2))
         self.assertEqual(names(s.html({"far": u, "which": u > 1})), (["which"], ["far"]))

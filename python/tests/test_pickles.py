@@ -28,7 +28,7 @@ def results():
             field.singularities, cells, cells.junctions, s.farthest_points(3),
             s.common_subdivision(), s.path(0, 23), s.loop([0, 4, 24], waypoints=True), crossing,
             s.cut(crossing), s.parametrize(), flat, flat.layout,
-            it.Surface(*TETRAHEDRON).uniformize(), s.isolines(u)[0], it.Point(0, (1., 0., 0.)),
+            it.Surface(*TETRAHEDRON).uniformize(), s.isolines(u), it.Point(0, (1., 0., 0.)),
             s.trace(0, [1, .3, 0], 2.), s.operators(k=3), it.map(int, ["x"])[0]]
 
 

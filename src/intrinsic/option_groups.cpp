@@ -86,7 +86,8 @@ void add_output_option(CLI::App& command, Options& options, const std::string& n
   };
   if (std::ranges::any_of(offered, is_surface))
     add("--plain", options.is_plain,
-        "write surfaces as .ply without labels and edges, .off without colours, and .obj cut open "
+        "write surfaces as .ply without labels and edges, .off of triangles without colours, and "
+        ".obj cut open "
         "where places in the plane differ, for readers that take nothing else");
 }
 

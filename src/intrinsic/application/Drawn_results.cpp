@@ -96,7 +96,7 @@ Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
 void write_results_view(std::ostream& out, const Drawn_results& results, const Computed& computed,
                         const Cut& cut, const Options& options, const Json& json) {
   IT::Html_view view;
-  if (cut.is_cut()) view.curves = cut.seams;
+  view.curves = cut.is_cut() ? cut.seams : results.lines;
   const std::vector<IT::Placed_vector> vectors = placed_vectors(results.directions, results.drawn);
   view.vectors = vectors;
   view.are_arrows = results.directions.at_vertices.size() == 1;

@@ -9,6 +9,7 @@
 #include "Computed.h"
 #include "direction_lines.h"
 
+#include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 
 #include <Eigen/Core>
@@ -27,6 +28,7 @@ struct Drawn_results {
   Drawn_subdivision drawn;
   std::vector<IT::Subdivision_field> fields; ///< first the functions
   Drawn_directions directions{};
+  std::vector<IT::Polyline> lines{}; ///< between cells
   /// where a checkerboard is shown; not numbers: none
   std::vector<std::array<double, 2>> texture{};
 };

@@ -155,6 +155,9 @@ void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangul
                                                      : IT::interpolation_from_intrinsic(drawn.s);
   Drawn_results results = draw(std::move(drawn), computed, interpolation);
   results.directions = std::move(directions);
+  if (computed.cell_boundaries && !options.view.empty())
+    for (IT::Polyline& line : results.lines = computed.cell_boundaries(input_points(loaded)))
+      line.label = -1; // dark
   json["seconds"]["subdivide"] = watch.lap();
   progress.show("writing");
   if (!options.view.empty())

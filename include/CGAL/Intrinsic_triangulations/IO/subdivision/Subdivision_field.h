@@ -32,7 +32,7 @@ struct Subdivision_field {
   Place place = Place::vertices; ///< what the values belong to
   unsigned components = 1;       ///< 1: numbers; 3: vectors in space
   /// Whether the numbers are whole ones that name classes, such as cells: pages give each class a
-  /// colour of its own.
+  /// colour of its own. Cells end where distances are equal if there is a field `distance`.
   bool has_classes = false;
 
   /// is a field without name or values.

@@ -110,7 +110,7 @@ void write_common_subdivision(const std::filesystem::path& path, const Common_su
 
 /*!
 \brief writes a common subdivision as all readers take it: PLY with points, polygons and fields, and
-without labels and edges; OFF without colours. Other formats are those of
+without labels and edges; OFF of triangles, without colours. Other formats are those of
 `write_common_subdivision()`.
 
 Parameters, errors and complexity are those of the overload with a stream there.

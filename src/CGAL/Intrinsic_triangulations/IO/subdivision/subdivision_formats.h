@@ -33,7 +33,7 @@ void write_subdivision_VTP(Output_buffer& out, const Subdivision_output& o, bool
 // Comments before elements have the numbers of faces of both triangulations and of edges.
 void write_subdivision_OBJ(Output_buffer& out, const Subdivision_output& o, bool with_lines);
 
-// Polygons in the colours of `intrinsic_face_colors()`, plain: without.
+// Polygons in the colours of `intrinsic_face_colors()`, plain: triangles without.
 void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o, bool is_plain);
 
 // Binary: each convex polygon as a fan of triangles, coordinates rounded to single precision.

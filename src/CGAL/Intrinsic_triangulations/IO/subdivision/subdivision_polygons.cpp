@@ -118,7 +118,22 @@ void write_subdivision_OBJ(Output_buffer& out, const Subdivision_output& o, bool
   }
 }
 
+// Polygons as fans of triangles, of which each convex polygon with n corners has n - 2.
+static std::size_t number_of_triangles(const Common_subdivision& s) {
+  return s.corner.size() - 2 * s.number_of_faces();
+}
+
+static void write_plain_OFF(Output_buffer& out, const Subdivision_output& o) {
+  out.text("OFF\n", o.points.size(), ' ', number_of_triangles(o.s), " 0\n");
+  for (const std::array<double, 3>& p : o.points) out.line(p[0], p[1], p[2]);
+  for (std::size_t f = 0; f < o.s.number_of_faces(); ++f) {
+    const std::span<const std::uint32_t> v = o.s.face(f);
+    for (std::size_t k = 2; k < v.size(); ++k) out.line(3, v[0], v[k - 1], v[k]);
+  }
+}
+
 void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o, bool is_plain) {
+  if (is_plain) return write_plain_OFF(out, o);
   out.text("OFF\n", o.points.size(), ' ', o.s.number_of_faces(), " 0\n");
   for (const std::array<double, 3>& p : o.points) out.line(p[0], p[1], p[2]);
   const std::vector<Rgb_color> colors = intrinsic_face_colors(o.s);
@@ -126,10 +141,7 @@ void write_subdivision_OFF(Output_buffer& out, const Subdivision_output& o, bool
     out.words(o.s.face(f).size());
     for (const std::uint32_t v : o.s.face(f)) out.words(v);
     const Rgb_color& c = colors[o.s.intrinsic_face[f]];
-    if (is_plain)
-      out.line();
-    else
-      out.line(c[0], c[1], c[2]);
+    out.line(c[0], c[1], c[2]);
   }
 }
 
@@ -139,7 +151,7 @@ void write_subdivision_STL(Output_buffer& out, const Subdivision_output& o) {
   std::string title = "binary STL: common subdivision of a mesh and an intrinsic triangulation";
   title.resize(80, ' ');
   out.text(title);
-  out.binary(static_cast<std::uint32_t>(o.s.corner.size() - 2 * o.s.number_of_faces()));
+  out.binary(static_cast<std::uint32_t>(number_of_triangles(o.s)));
   for (std::size_t f = 0; f < o.s.number_of_faces(); ++f) {
     const std::span<const std::uint32_t> face = o.s.face(f);
     const STL_point& a = o.points[face[0]];

@@ -48,4 +48,40 @@ function takeLogarithms(f) {
   f.logarithms = Float32Array.from(all, x => width > 0 ? (x - f.least10) / width : 0);
 }
 
+// How strong the class of each corner of a triangle is at each of its corners: 1 at its own, 0 at
+// others. If there are distances, as of cells, then minus the distance from the source of the cell,
+// which goes on linearly beyond it: so the line between cells is where distances are equal.
+function strengths(f, distance) {
+  const result = new Float32Array(9 * count), k = f.numbers, d = distance && distance.values;
+  const slope = d && slopes(k, d);
+  for (let i = 0; i < 9 * count; ++i) {
+    const t = 3 * Math.floor(i / 9), j = triangle[t + Math.floor(i % 9 / 3)], m = triangle[t + i % 3];
+    if (!d) result[i] = j === m || k[j] === k[m] ? 1 : 0;
+    else if (k[j] === k[m]) result[i] = -d[j];
+    else
+      result[i] = [0, 1, 2].reduce((sum, c) =>
+        sum - slope[3 * m + c] * (point[3 * j + c] - point[3 * m + c]), -d[m]);
+  }
+  return result;
+}
+// The gradient of a function at each vertex: that in the triangles around which are in its class.
+function slopes(k, d) {
+  const sum = new Float64Array(point.length), area = new Float64Array(k.length);
+  for (let t = 0; t < 3 * count; t += 3) {
+    const v = triangle.subarray(t, t + 3);
+    if (k[v[0]] !== k[v[1]] || k[v[1]] !== k[v[2]]) continue;
+    const p = Array.from(v, i => new THREE.Vector3().fromArray(point, 3 * i));
+    const n = p[1].clone().sub(p[0]).cross(p[2].clone().sub(p[0])), twice = n.length();
+    if (!(twice > 0)) continue;
+    const g = new THREE.Vector3(); // times twice the area
+    for (const c of [0, 1, 2])
+      g.addScaledVector(n.clone().cross(p[(c + 2) % 3].clone().sub(p[(c + 1) % 3])), d[v[c]] / twice);
+    for (const i of v) {
+      area[i] += twice;
+      [g.x, g.y, g.z].forEach((x, c) => { sum[3 * i + c] += x; });
+    }
+  }
+  return sum.map((x, i) => area[Math.floor(i / 3)] > 0 ? x / area[Math.floor(i / 3)] : 0);
+}
+
 )page"

@@ -88,7 +88,7 @@ function showField() {
   if (f && f.isLogarithmic) takeLogarithms(f);
   if (f && f.isClass) {
     classify(f);
-    drawClasses(f.numbers);
+    drawClasses(f.numbers, strengths(f, fields.find(d => d.name === "distance")));
   }
   drawValues(f && (f.isLogarithmic ? f.logarithms : f.values));
   shown = f;

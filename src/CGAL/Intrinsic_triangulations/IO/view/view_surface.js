@@ -96,11 +96,11 @@ function smoothNormals() {
 const hasPlace = i => [0, 1, 2].every(k => isFinite(texture[2 * triangle[i - i % 3 + k]]));
 // What is drawn between corners: a value, places for a checkerboard, and whether the value is one.
 const drawnAttribute = new THREE.BufferAttribute(new Float32Array(12 * count), 4);
-// Of classes, those of all corners of the triangle, and which corner this is.
+// Of classes, those of all corners of the triangle, and how strong each of them is at this one.
 const classesAttribute = fields.some(f => f.isClass) &&
   new THREE.BufferAttribute(new Float32Array(9 * count), 3);
-const cornerAttribute = classesAttribute && new THREE.BufferAttribute(
-  Uint8Array.from({ length: 9 * count }, (_, i) => i % 9 % 4 === 0 ? 255 : 0), 3, true);
+const strengthAttribute = classesAttribute &&
+  new THREE.BufferAttribute(new Float32Array(9 * count), 3);
 function drawValues(values) {
   for (let i = 0; i < 3 * count; ++i) {
     const x = values ? values[triangle[i]] : 0;
@@ -109,10 +109,11 @@ function drawValues(values) {
   }
   drawnAttribute.needsUpdate = true;
 }
-function drawClasses(classes) { // of each vertex; -1: none
+function drawClasses(classes, strengths) { // of each vertex; -1: none
   for (let i = 0; i < 9 * count; ++i)
     classesAttribute.array[i] = classes[triangle[3 * Math.floor(i / 9) + i % 3]];
-  classesAttribute.needsUpdate = true;
+  strengthAttribute.array.set(strengths);
+  classesAttribute.needsUpdate = strengthAttribute.needsUpdate = true;
 }
 for (let i = 0; i < 3 * count; ++i)
   for (let c = 0; c < 2 && texture.length > 0; ++c)
@@ -127,7 +128,7 @@ function facesAt(places) {
   g.setAttribute("pick", pickAttribute);
   if (classesAttribute) {
     g.setAttribute("classes", classesAttribute);
-    g.setAttribute("corner", cornerAttribute);
+    g.setAttribute("strength", strengthAttribute);
   }
   return g;
 }
@@ -142,9 +143,9 @@ const shadedMaterial = (cut, light) => new THREE.ShaderMaterial(Object.assign({ 
   levels: levels, squares: squares, range: range, kind: kindOfColor, map: { value: mapTexture }, cut: cut,
   light: { value: light }, disk: { value: isDisk ? 1 : 0 }, opacity: opacity,
   reach: { value: new THREE.Vector3(...reach) } }, extensions: { derivatives: true }, vertexShader: `
-  attribute vec3 color; attribute vec4 drawn; attribute vec3 classes; attribute vec3 corner;
+  attribute vec3 color; attribute vec4 drawn; attribute vec3 classes; attribute vec3 strength;
   varying vec3 c; varying vec3 n; varying vec3 e; varying vec4 s; varying vec3 x; varying vec3 k; varying vec3 b;
-  void main() { c = color; s = drawn; n = normalMatrix * normal; x = position; k = classes; b = corner;
+  void main() { c = color; s = drawn; n = normalMatrix * normal; x = position; k = classes; b = strength;
     vec4 p = modelViewMatrix * vec4(position, 1.0); e = p.xyz; gl_Position = projectionMatrix * p; }`,
   fragmentShader: `
   varying vec3 c; varying vec3 n; varying vec3 e; varying vec4 s; varying vec3 x; varying vec3 k; varying vec3 b;
@@ -169,8 +170,8 @@ const shadedMaterial = (cut, light) => new THREE.ShaderMaterial(Object.assign({ 
     return mod(flips + floor(2.0 * atan(z.y, z.x) / turn), 2.0) > 0.5;
   }
   vec3 colorAt(float y) { return texture2D(map, vec2((255.0 * clamp(y, 0.0, 1.0) + 0.5) / 256.0, 0.5)).rgb; }
-  // The class of the nearest corner of the triangle, and how much nearer it is than others.
-  vec2 nearestClass() {
+  // The strongest class, and by how much it is stronger than others.
+  vec2 strongestClass() {
     float best = b.x >= b.y && b.x >= b.z ? k.x : b.y >= b.z ? k.y : k.z;
     vec3 other = b - 10.0 * (1.0 - step(0.5, abs(k - best)));
     return vec2(best, max(b.x, max(b.y, b.z)) - max(other.x, max(other.y, other.z)));
@@ -191,7 +192,7 @@ const shadedMaterial = (cut, light) => new THREE.ShaderMaterial(Object.assign({ 
         shade *= mix(0.25, 1.0, smoothstep(0.6, 1.4, abs(fract(z - 0.5) - 0.5) / w));
     }
     if (kind > 2.5) { // classes, with dark lines between them
-      vec2 nearest = nearestClass();
+      vec2 nearest = strongestClass();
       rgb = nearest.x < -0.5 ? vec3(0.5) : colorAt(mod(nearest.x, 256.0) / 255.0);
       if (nearest.y < 1.0) shade *= mix(0.2, 1.0, smoothstep(0.8, 1.6, nearest.y / max(fwidth(nearest.y), 1e-6)));
     }
