@@ -127,11 +127,12 @@ def _add(contents, result, name):
             and np.ndim(result[1]) == 2:  # of eigen()
         for value, function in zip(result[0], np.asarray(result[1]).T):
             contents.add_field(f"eigenvalue {value:.4g}", function)
-    elif isinstance(result, (list, tuple)) and not all(np.ndim(x) == 0 for x in result):
-        for part in result:
-            _add(contents, part, name)
     elif isinstance(result, (list, tuple)) and result:
-        _add_array(contents, np.asarray(result), name)
+        if np.asarray(result[0]).dtype.kind != "O" and np.ndim(result[0]) == 0:
+            _add_array(contents, np.asarray(result), name)
+        else:
+            for part in result:
+                _add(contents, part, name)
     else:
         raise TypeError(f"{type(result).__name__} cannot be shown; give values at vertices, or "
                         "what methods of Surface return")

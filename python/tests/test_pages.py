@@ -72,6 +72,8 @@ class Pages(With_folder):
         self.assertEqual(len(names(s.html(s.eigen(3)))[1]), 3)
         self.assertEqual(len(names(s.html(s.distances([0, 5])))[1]), 2)
         self.assertEqual(len(names(s.html([u, [u]]))[1]), 2)
+        several = s.html([s.trace(60, 1j ** k, 1) for k in range(4)])
+        self.assertEqual(data(several, "curves-labels", "<i4").tolist(), [0, 1, 2, 3])
         self.assertEqual(names(self.cells.html()), (["cell"], ["distance"]))
         for vectors in s.points, s.transport(0, [1, 0]), np.full(s.number_of_vertices, 1j):
             self.assertEqual(len(data(s.html(vectors), "glyph-vectors")) % 3, 0)

@@ -365,6 +365,7 @@ TEST(Html_view, Says_which_fields_are_classes) {
   std::vector<IT::Subdivision_field> fields(2,
                                             {"f", std::vector<double>(s.number_of_vertices(), 3)});
   fields[1].has_classes = true;
+  fields[1].name = "g";
   IT::Html_view view = simple_view();
   view.fields = fields;
   const std::string html = page(s, points_of(s, 1), view);
@@ -397,13 +398,20 @@ TEST(Html_view, Scales_vectors_and_leaves_out_what_is_none) {
   EXPECT_NE(out.str().find("data-glyphs=\"directions\""), std::string::npos);
 }
 
-// Places of a logarithm at (0, 0), where the column beyond x = 6 is torn off.
+// Places of a logarithm at (0, 0), where the part beyond x = 6 is torn off.
 TEST(Html_view, A_logarithm_ends_where_it_tears) {
   constexpr std::uint32_t n = 8;
   const auto s = subdivisions::grid(n);
-  const Points points = points_of(s, n);
+  Points vertices;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) vertices.push_back({double(j), double(i), 0});
+  const Points points = IT::positions(s, vertices);
   std::vector<std::array<double, 2>> places;
-  for (const auto& p : points) places.push_back({p[0] > 6 ? p[0] - 100 : p[0], p[1]});
+  double least = 0;
+  for (const auto& p : points) {
+    places.push_back({p[0] > 6 ? p[0] - 100 : p[0], p[1]});
+    least = std::min(least, places.back()[0]);
+  }
   IT::Html_view view = simple_view();
   view.texture = places;
   EXPECT_EQ(page(s, points, view).find("data-reach"), std::string::npos);
@@ -412,8 +420,8 @@ TEST(Html_view, A_logarithm_ends_where_it_tears) {
   std::smatch found;
   ASSERT_TRUE(
       std::regex_search(html, found, std::regex("data-reach=\"([^,]*),([^,]*),([^\"]*)\"")));
-  const double size = 6 - (7 - 100);
-  EXPECT_NEAR(std::stod(found[1]), (100 - 7) / size, 1e-6);
+  const double size = 6 - least;
+  EXPECT_NEAR(std::stod(found[1]), -least / size, 1e-6);
   EXPECT_NEAR(std::stod(found[3]), 6 / size, 1e-6);
 }
 

@@ -87,8 +87,9 @@ private:
     initial_curves_ = thinned_curves(view_.initial_curves, scaling_, 0, 1);
     mark_step_ = (number_of_marks() + most_marks - 1) / most_marks;
     const std::size_t marks = 16 * std::min(number_of_marks(), most_marks);
+    const std::size_t beside = room / 5 * 2; // the surface
     vectors_ = page_vectors(view_.vectors, scaling_, mean_length(surface_.intrinsic, scaled_),
-                            std::min(most_vectors, room / 8 / 24));
+                            std::min(most_vectors, (beside - std::min(marks, beside)) / 2 / 24));
     const std::size_t fixed = marks + vectors_.bytes();
     const std::size_t lines = curves_.bytes() + initial_curves_.bytes() + fixed;
     if (surface_.bytes(per_vertex) + lines <= room) return;
