@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
 #include "gallery.h"
@@ -95,6 +96,23 @@ TEST(Euclidean_decider, unfold_faces_where_errors_of_repeated_flips_exceed_106_b
   };
   check(t);
   check(u);
+}
+
+// Cotangents near 1e7 cancel: the double nearest to their sum takes 256 bits.
+TEST(Euclidean_decider, take_no_more_than_106_bits_for_weights_in_statistics) {
+  meshes::Mesh m = meshes::potato(2, 1);
+  for (auto& p : m.points) p[0] *= 1e7;
+  Exact t(m.input());
+  IT::flip_to_delaunay(t);
+  const Exact::Const_session session(t);
+  std::vector<double> rough;
+  for (const auto e : edges(t.mesh()))
+    rough.push_back(session.cotangent_weight(e, IT::statistics_tolerance));
+  EXPECT_EQ(long_sharpenings(t.metric().statistics()), 0U);
+  std::size_t i = 0;
+  for (const auto e : edges(t.mesh()))
+    EXPECT_NEAR(rough[i++] / session.cotangent_weight(e), 1, IT::statistics_tolerance);
+  EXPECT_GT(long_sharpenings(t.metric().statistics()), 0U);
 }
 
 // flips edges that can be, at random
