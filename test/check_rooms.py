@@ -57,11 +57,9 @@ ORACLE = "closed forms for one step of an algorithm, whose result would hide an 
 HOSTILE = "input that callers do not make, whose handling they rely on"
 ALLOWED_INTERNALS = {
     "Intrinsic_conformal/layout/test_turn_back.cpp": IN_FEW,
-    "Intrinsic_conformal/metric/test_conformal_metric.cpp": HOSTILE,
     "Intrinsic_operators/solvers/test_factorizations.cpp": "that an analysis is shared shows only in time",
     "Intrinsic_triangulations/support/test_parameters.cpp": "how functions read the named parameters of users",
     "Intrinsic_triangulations/domains/test_Delaunay_star.cpp": ORACLE,
-    "Intrinsic_triangulations/domains/test_tufted_cover.cpp": ORACLE,
     "Intrinsic_triangulations/input/metric_scaling/test_side_vectors.cpp": HOSTILE,
     "Intrinsic_triangulations/input/test_Polygon_flattener.cpp": HOSTILE,
     "Intrinsic_triangulations/retriangulation/optimization/test_odt_optimize.cpp": ORACLE,

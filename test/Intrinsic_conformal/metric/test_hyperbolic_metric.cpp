@@ -105,6 +105,21 @@ TEST(Hyperbolic_metric, ConesMakeOtherSurfacesHyperbolic) {
     EXPECT_NEAR(length, hyperbolic::side(pi / 6, pi / 6, pi / 6), 1e-9);
 }
 
+// The search starts from areas: Heron's product is of degree four, and underflows for the smaller
+// component.
+TEST(Hyperbolic_metric, SizesOfComponentsMayDifferByManyPowersOfTen) {
+  for (const double unit : {1e-140, 1e-90, 1., 1e90, 1e140}) {
+    Shape other = tetrahedron();
+    for (std::array<double, 3>& p : other.points)
+      for (double& x : p) x *= unit;
+    Ideal t = ideal(beside(tetrahedron(), other, 0).input());
+    expect_solved(IT::hyperbolic_metric(t, IT::Prescribed_angles(std::vector<double>(8, pi / 2))),
+                  8);
+    for (const double length : IT::hyperbolic_surface(t).length)
+      EXPECT_NEAR(length, hyperbolic::side(pi / 6, pi / 6, pi / 6), 1e-9) << unit;
+  }
+}
+
 // A pentagon with five right angles and its centre, as a double.
 TEST(Hyperbolic_metric, BordersGetPrescribedAngles) {
   Shape fan;
