@@ -19,8 +19,6 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-COMPILER = ["c++", "-std=c++20", "-frounding-math", "-fsyntax-only", f"-I{ROOT}/include",
-            "-DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED=1", "-isystem", "/usr/include/eigen3"]
 FENCE = re.compile(r"^### From (the terminal|Python|C\+\+)\n\n```sh\n(.*?)^```$",
                    re.MULTILINE | re.DOTALL)
 
@@ -67,11 +65,6 @@ class Parts(Blocks):
         said = self.run_in(ROOT, [sys.executable, "-B", "-"], here_documents(blocks()["Python"])[0],
                            PYTHONPATH=str(self.build / "python"))
         self.assertEqual(said.count("<intrinsic.Surface"), 2, said)
-
-    def test_cpp_compiles(self):
-        source = self.folder / "main.cpp"
-        source.write_text(here_documents(blocks()["C++"])[0], encoding="utf-8")
-        self.run_in(self.folder, [*COMPILER, source])
 
 
 class Whole(Blocks):
