@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what a wheel is built from in the images of cibuildwheel, which are of Enterprise Linux.
+# Not tested: the wheel that the tests make is built on Debian.
+set -euo pipefail
+dnf install -y epel-release dnf-plugins-core
+dnf config-manager --set-enabled powertools || dnf config-manager --set-enabled crb
+dnf install -y CGAL-devel boost-devel cli11-devel eigen3-devel gmp-devel json-devel mpfr-devel \
+  ninja-build patchelf pybind11-devel spectra-devel
