@@ -63,9 +63,9 @@ Edges are matched by their end vertices.
   faces meet.
 - Else it is the tufted cover: around each edge, in the order of their angles, the side of each face
   that looks at the next face is glued to the side of that which looks back. A single face is glued
-  to its own back. Angles are compared exactly. Faces in one half plane follow each other in the
-  order of their numbers. Repeated faces go around once more: if every face occurs r times, the
-  Laplacian is r times as large.
+  to its own back. Angles that differ by less than 2^-30 count as equal, so that rounding of
+  coordinates decides nothing: such faces follow each other in the order of their numbers. Repeated
+  faces go around once more: if every face occurs r times, the Laplacian is r times as large.
 
 Covers are oriented manifolds, so that all algorithms run on them unchanged. Covers split each
 vertex into one per neighbourhood. Matrices still have one row per user's vertex

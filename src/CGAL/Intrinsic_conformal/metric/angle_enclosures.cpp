@@ -73,7 +73,7 @@ enclosed_hyperbolic_angles(const std::array<Angle_interval, 3>& lambda,
 // By how much the rounded factor and exp(u/2) differ from each factor, relatively, and 0.
 // Functions of the C library err by few units in the last place of a long double.
 static std::vector<Angle_interval> deviations(const Conformal_metric& m) {
-  constexpr double error = 0x1p-60;
+  constexpr double error = 0x1p-60; // 16 of these units
   std::vector<Angle_interval> result;
   for (std::size_t row = 0; row < m.u.size(); ++row) {
     const long double factor = static_cast<long double>(m.scale_factors[row]) + m.scale_rests[row];

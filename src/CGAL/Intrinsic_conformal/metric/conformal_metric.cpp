@@ -180,6 +180,7 @@ void Conformal_newton::match_areas() {
 // and where it rises, a vertex gets dozens of needles from all over the surface, with an excess of
 // hundreds of radians that later steps hardly reduce.
 double Conformal_newton::step() {
+  // a shorter part of the longest step, 8, changes u by 1e-8: no step from there converges
   constexpr double shortest = 0x1p-30, slack = 1.05;
   Eigen::VectorXd direction;
   try {

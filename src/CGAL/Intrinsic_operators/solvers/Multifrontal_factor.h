@@ -75,7 +75,7 @@ struct Multifrontal_factor {
                                   std::to_string(pivot.size()) + ", not " +
                                   std::to_string(b.rows()));
     Vectors x(b.rows(), b.cols());
-    constexpr int widest = 4 / parts;
+    constexpr int widest = 4 / parts; // four doubles fill a vector of AVX
     Eigen::Index c = 0;
     for (; c + widest <= b.cols(); c += widest) solve<widest>(b, x, c);
     if constexpr (widest > 2)

@@ -77,7 +77,9 @@ public:
   }
 
 private:
+  // 2^22 roundings: those of the areas of four million faces, if all have one sign
   static constexpr double area_tolerance = 0x1p-30;
+  // of the area of a face: changes its angles by 1e-5, which users of doubles do not see
   static constexpr double shape_tolerance = 0x1p-16;
 
   struct Measure {

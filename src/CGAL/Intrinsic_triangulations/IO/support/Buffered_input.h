@@ -57,7 +57,7 @@ inline bool is_word(std::string_view word, std::string_view lower) {
 
 // A word of a file for a message: no longer than a line, without what cannot be printed.
 inline std::string shown(std::string_view word) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t most = 40; // half a line of a terminal
   std::string result;
   for (const char c : word.substr(0, most)) result += c >= ' ' && c <= '~' ? c : '?';
   return word.size() > most ? result + "..." : result;
