@@ -42,10 +42,10 @@ void save_surface(Surface& s, const std::string& path, const Named_values& given
     IT::label_with_polygons(d, t.input().names().polygon_of_triangle);
     std::vector<IT::Subdivision_field> fields;
     for (const auto& [name, x] : values) {
-      if (x.size() < take.cols())
+      if (x.size() != take.cols())
         refuse(name + " has " + std::to_string(x.size()) + " numbers; give one for each of " +
                std::to_string(t.number_of_vertices()) + " vertices");
-      fields.emplace_back(name, Eigen::VectorXd(take * x.head(take.cols())));
+      fields.emplace_back(name, Eigen::VectorXd(take * x));
     }
     if (!is_plain) return IT::write_common_subdivision(path, d, points, fields);
     IT::write_file(path, [&](std::ostream& out) {

@@ -202,6 +202,7 @@ const std::map<std::string, Lines> answers{
     {"edit",
      {{"handles", "{/edit/handles}, energy {/edit/energy}"},
       {"moved", "by at most {/edit/max_displacement}"}}},
+    {"view", {}}, // its answer is the page that it has written
     {"info", joined({surface_lines, delaunay_lines, refinement_lines, quality_lines})}};
 
 } // namespace

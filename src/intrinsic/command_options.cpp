@@ -57,6 +57,7 @@ void add_transfer_options(CLI::App& command, Options& options) {
 
 void add_shown_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
+  command.get_option("IN")->allow_extra_args(false); // what follows is shown
   add("FILE", options.shown,
       "what the page shows: values, a text file with the values at a vertex on each line, whole "
       "numbers in colours of their own; or curves, an .obj file with lines")

@@ -7,6 +7,7 @@
 #include "support/messages.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -48,7 +49,7 @@ std::vector<std::string> arguments_for(const CLI::App& command, const std::strin
     if (o->get_positional() && o->get_name() != "IN")
       for (const std::string& word : o->results()) arguments.push_back(with_name(word, input));
   for (const CLI::Option* const o : command.get_options()) {
-    if (o->count() == 0 || o->get_positional()) continue;
+    if (o->count() == 0 || o->get_positional() || o->get_name() == "--input-format") continue;
     const bool is_flag = o->get_items_expected_max() == 0;
     if (is_flag) arguments.push_back(o->get_name());
     for (const std::string& word : o->results())
@@ -60,7 +61,8 @@ std::vector<std::string> arguments_for(const CLI::App& command, const std::strin
 // Returns the exit code of a run, as a shell does.
 int code_of(pid_t process) {
   int status = 0;
-  waitpid(process, &status, 0);
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) return failed;
   constexpr int killed = 128;
   return WIFSIGNALED(status) ? killed + WTERMSIG(status) : WEXITSTATUS(status);
 }
@@ -89,9 +91,11 @@ std::string shared_file_misuse(const Options& options) {
            " inputs cannot share one file; write {} where the name of each goes, such as " +
            (path.parent_path() / ("{}-" + path.filename().string())).string();
   }
+  if (std::ranges::all_of(files, [](const Output& f) { return is_standard_output(f.path); }))
+    return {};
   std::set<std::string> names;
   for (const std::string& input : options.inputs)
-    if (!names.insert(name_of(input)).second && !files.empty())
+    if (!names.insert(name_of(input)).second)
       return input + ": another input has the name " + name_of(input) +
              ", too, so that files of results would be the same; run them one by one";
   return {};

@@ -41,8 +41,12 @@ bool names_a_file_twice(const Options& o) {
 // An output that is a file to be read, which may be a pipe or a terminal; empty if there is none.
 std::string overwritten_input(const Options& o) {
   const Application_options& a = o.application;
-  for (const std::string& in : {o.input, o.constraints, o.metric, o.sizes, o.field,
-                                o.geodesic.network, a.vectors, a.handles, a.pairs, a.source_sets})
+  std::vector<std::string> read{
+      o.input,           o.constraints, o.metric, o.sizes,       o.field, o.geodesic.network,
+      a.vectors,         a.handles,     a.pairs,  a.source_sets, a.cut,   o.uniformize.angles,
+      o.uniformize.cones};
+  read.insert(read.end(), o.shown.begin(), o.shown.end());
+  for (const std::string& in : read)
     for (const Output& out : outputs(o))
       if (std::error_code ignored; !in.empty() && !is_standard_output(out.path) &&
                                    std::filesystem::is_regular_file(in, ignored) &&
@@ -182,6 +186,8 @@ std::string field_misuse(const Options& o) {
 }
 
 std::string misuse(const Options& options) {
+  if (!options.input_format.empty() && std::ranges::count(options.inputs, "-") == 0)
+    return "--input-format is of standard input; give - as the input, or leave it out";
   if (names_a_file_twice(options)) return "two outputs are the same file; give each its own";
   if (const std::string name = overwritten_input(options); !name.empty())
     return name + ": the output is also an input; give it another name";

@@ -17,6 +17,9 @@ std::string contents_of_output(const Options& o) {
   if (is_file_of(Contents::triangulation, o.output)) return "the intrinsic triangulation";
   if (is_curve_command) return "the curves";
   if (o.command == "cut") return "the surface cut open";
+  if (!o.application.pairs.empty()) return "distances, a line for each pair";
+  if (!o.application.source_sets.empty() && o.application.voronoi.empty())
+    return "distances, a row for each set of sources";
   if (is_file_of(Contents::values, o.output)) return "values, a line for each row";
   if (!is_mesh_output(o)) return "a matrix";
   const std::string surface = o.application.on == "input" ? "the mesh" : "the common subdivision";

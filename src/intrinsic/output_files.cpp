@@ -95,12 +95,13 @@ std::ostream& Output_files::open(const std::string& path) {
 }
 
 void Output_files::commit() {
-  const Signals_held_back guard;
-  for (auto& file : files_) file.commit();
+  // standard output first: it may block, and if it fails no file is replaced
   std::signal(SIGALRM, SIG_IGN); // the limit of time is met
   const std::string text = std::move(standard_output_).str();
-  if (!(std::cout << text << std::flush))
+  if (!text.empty() && !(std::cout << text << std::flush))
     throw std::runtime_error("standard output cannot be written; is the disk full?");
+  const Signals_held_back guard;
+  for (auto& file : files_) file.commit();
   files_.clear();
   number_of_incomplete_files = 0;
 }

@@ -18,12 +18,13 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -96,15 +97,19 @@ void open_in_browser(std::string path) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
   std::string opener = "xdg-open";
   const std::array<char*, 3> words{opener.data(), path.data(), nullptr};
+  posix_spawn_file_actions_t quiet; // else a pipe from here would stay open as long as the browser
+  posix_spawn_file_actions_init(&quiet);
+  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&quiet, STDOUT_FILENO, STDERR_FILENO);
   pid_t child = 0;
-  posix_spawnp(&child, opener.c_str(), nullptr, nullptr, words.data(), environ);
+  posix_spawnp(&child, opener.c_str(), &quiet, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&quiet);
 }
 
 template <class Triangulation>
 void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
   const bool is_temporary = options.view.empty();
   options.no_flip = true;
-  if (is_temporary) options.view = temporary_page(options);
   Json json = improve_and_measure(loaded, options, progress, {});
   Stopwatch watch;
   progress.show("subdividing");
@@ -115,6 +120,7 @@ void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
       add_values(path, loaded.triangulation, s, options, shown);
     else
       add_curves(path, shown);
+  if (is_temporary) options.view = temporary_page(options);
   progress.show("writing");
   IT::Html_view page;
   page.fields = shown.fields;
@@ -125,15 +131,13 @@ void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
   files.write(options.view,
               [&](std::ostream& out) { write_view(out, s, points, options, json, page); });
   finish(json, options, files, watch);
-  if (!is_temporary) return;
-  if (options.stats != "-") std::cout << options.view << std::endl;
-  open_in_browser(options.view);
+  if (is_temporary) open_in_browser(options.view);
 }
 
 } // namespace
 
 void run_view(const Options& options) {
-  Progress progress(options.logs_progress);
+  Progress progress(options.logs_progress, options.is_quiet);
   with_loaded<IT::Integer_coordinates>(options, progress,
                                        [&](auto& loaded) { view(loaded, options, progress); });
 }

@@ -81,8 +81,11 @@ Standard_input::Standard_input(const std::string& format) {
   path_ = (folder_ / ("standard-input." + extension)).string();
   remove_on_signals(path_);
   remove_on_signals(folder_.string());
-  if (std::ofstream file(path_, std::ios::binary); !(file << data << std::flush))
+  if (std::ofstream file(path_, std::ios::binary); !(file << data << std::flush)) {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
     throw std::runtime_error(path_ + ": the file cannot be written completely; is the disk full?");
+  }
 }
 
 Standard_input::~Standard_input() {

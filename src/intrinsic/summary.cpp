@@ -81,7 +81,7 @@ void print_answer(const Json& json, const Options& options,
 
 void print_warnings(const Options& options) {
   for (const std::string& warning : take_warnings())
-    if (!options.is_quiet) std::cerr << options.input << ": warning: " << warning << '\n';
+    if (!options.is_quiet) std::cerr << legible(options.input + ": warning: " + warning) << '\n';
 }
 
 } // namespace program

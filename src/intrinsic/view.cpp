@@ -81,8 +81,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
   view.maximum_size = static_cast<std::size_t>(1e6 * options.view_limit);
   const IT::Html_view_report report = IT::write_html_view(out, s, points, view);
   if (!report.is_complete())
-    warn(options.view + ": " + report.description() +
-         "; --view-limit allows a larger page, and -o writes all to a file");
+    warn(options.view + ": " + report.description() + "; --view-limit allows a larger page" +
+         (options.command == "view" ? "" : ", and -o writes all to a file"));
 }
 
 } // namespace program

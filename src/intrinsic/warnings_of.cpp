@@ -4,6 +4,7 @@
 #include "answers.h"
 
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,13 +29,17 @@ bool is_at_command(const Options& o, std::initializer_list<std::string_view> com
   return false;
 }
 
-bool goes_everywhere(const Figures& f, const Options&) {
+bool is_heat_on_thin_faces(const Figures& f) {
+  return f.word("/distance/method") == "heat" && f.number("/quality/min_angle_deg") < uneven;
+}
+
+bool leaves_parts_out(const Figures& f, const Options&) {
   return f.at("/distance/reached").is_null() && f.at("/distance/targets").empty() &&
          f.has("/distance/unreached_vertices");
 }
 
 const std::array warnings{
-    Warning{goes_everywhere,
+    Warning{leaves_parts_out,
             "{/distance/unreached_vertices} of {/input/vertices vertex vertices} not reached: no "
             "path leads there from a source; the surface has {/input/components component}"},
     Warning{[](const Figures& f, const Options&) { return f.has("/distance/unreached"); },
@@ -43,12 +48,16 @@ const std::array warnings{
     Warning{[](const Figures& f, const Options&) { return f.word("/distance/status") == "cap"; },
             "the surface is so thin that a search met its cap; distances beyond the part that it "
             "searched are infinite"},
-    Warning{[](const Figures& f, const Options&) {
-              return f.word("/distance/method") == "heat" &&
-                     f.number("/quality/min_angle_deg") < uneven;
+    Warning{[](const Figures& f, const Options& o) {
+              return is_heat_on_thin_faces(f) && o.application.curves.empty();
             },
             "heat on thin faces, with angles from {/quality/min_angle_deg} degrees: the error may "
             "be large; use --method exact or --refine"},
+    Warning{[](const Figures& f, const Options& o) {
+              return is_heat_on_thin_faces(f) && !o.application.curves.empty();
+            },
+            "heat on thin faces, with angles from {/quality/min_angle_deg} degrees: the error may "
+            "be large; use --refine"},
     Warning{[](const Figures& f, const Options& o) {
               return is_at_command(o, {"delaunay", "laplacian"}) &&
                      f.number("/quality/min_angle_deg") < thin;

@@ -161,7 +161,8 @@ class Files(View_test):
         self.write("line.obj", "v 0 0 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\n# level 7\nl 1 2 3\nl 1 3 4 1\n")
         run = self.run_program("view", mesh, self.path("height.txt"), self.path("line.obj"), "-o",
                                self.path("view.html"))
-        self.assertEqual((run.code, run.out), (0, ""), run.err)
+        self.assertEqual((run.code, run.err), (0, ""))
+        self.assertIn(self.path("view.html") + ": a page for the browser", run.out)
         with open(self.path("view.html"), encoding="utf-8") as file:
             page = file.read()
         self.assertEqual(re.findall(r'data-classes="(\d)"', page), ["0", "1"])
@@ -172,7 +173,7 @@ class Files(View_test):
     def test_without_a_name_the_page_is_temporary(self):
         run = self.run_program("view", self.write_off("grid.off", *grid(2)))
         self.assertEqual(run.code, 0, run.err)
-        path = run.out.strip()
+        path = re.search(r"^written +(.*): a page for the browser$", run.out, re.MULTILINE)[1]
         self.addCleanup(os.remove, path)
         self.assertTrue(os.path.basename(path).startswith("intrinsic-grid-"))
         with open(path, encoding="utf-8") as file:

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -35,6 +36,7 @@ public:
                    IT::Input_definition::Parts{mesh.number_of_vertices(), input, {}, {}, {}})) {}
 
   bool is_locally_delaunay(const IT::Diamond& d) const {
+    if (failure_) std::rethrow_exception(failure_);
     const bool answer = Metric::is_locally_delaunay(d);
     if (is_following_ && answer != is_exactly_delaunay(d)) ++different_decisions_;
     return answer;
@@ -42,10 +44,14 @@ public:
 
   void store_flip(const IT::Diamond& d, typename Metric::Flipped&& n) noexcept {
     Metric::store_flip(d, std::move(n));
-    if (is_following_ && !follow(d)) {
+    if (!is_following_) return;
+    try {
+      if (follow(d)) return;
       ++nonconvex_flips_;
-      is_following_ = false;
+    } catch (...) { // memory is exhausted; the next predicate says so
+      failure_ = std::current_exception();
     }
+    is_following_ = false;
   }
 
   /// tells whether the exact triangulation has made all flips so far.
@@ -77,6 +83,7 @@ private:
   bool is_following_ = true;
   mutable std::uint64_t different_decisions_ = 0;
   std::uint64_t nonconvex_flips_ = 0;
+  std::exception_ptr failure_; // of the exact triangulation, in a flip
 };
 
 /// lets an intrinsic triangulation compute as with other traits, compared with exact ones.

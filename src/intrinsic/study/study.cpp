@@ -55,7 +55,7 @@ void run_study(const Study_options& study) {
   if (std::filesystem::exists(study.output)) lines = read_study_lines(study.output, complete);
   const std::vector<Study_job> jobs = missing_jobs(study, lines);
   Study_file file(study.output, complete);
-  Progress progress(false);
+  Progress progress(false, false);
   std::size_t done = 0;
   run_study_jobs(jobs, study.jobs, study.limits, [&](const Json& findings) {
     file.append(study_line(findings));

@@ -46,7 +46,9 @@ bool Progress::show(const char* stage, const std::string& detail) {
 }
 
 void Progress::say(const std::string& message) {
-  if (!is_quiet_) std::cerr << message << '\n';
+  if (is_quiet_) return;
+  clear_progress_line();
+  std::cerr << message << '\n';
 }
 
 void Progress::log(const char* stage, const std::string& detail, Clock::time_point now) {

@@ -39,7 +39,7 @@ class Progress {
 public:
   /// \param logs whether to write a log
   /// \param is_quiet whether to say nothing
-  explicit Progress(bool logs, bool is_quiet = false);
+  Progress(bool logs, bool is_quiet);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// clears the line.

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -31,7 +32,8 @@ struct Map_options {
   /// Whether edges stay as they are. Flips and splits of edges make harmonic maps injective; else
   /// they may not be.
   bool keeps_edges = false;
-  std::size_t neighbors = 30; ///< of each point of a cloud, see `conformal_map_of_points()`
+  /// Of each point of a cloud, see `conformal_map_of_points()`.
+  std::size_t neighbors = defaults::neighbors;
   /// Is called with the number of rounds of a harmonic map, or of solutions of another; returns
   /// whether to go on.
   std::function<bool(std::uint64_t)> progress{};

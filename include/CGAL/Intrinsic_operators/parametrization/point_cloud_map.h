@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_POINT_CLOUD_MAP_H
 
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <Eigen/Core>
@@ -43,7 +44,7 @@ border consists of the points with unbounded cells. Points in a plane are only t
 */
 template <NamedParameters NP = parameters::Parameters<>>
 Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>>& points,
-                                         std::size_t neighbours = 30,
+                                         std::size_t neighbours = defaults::neighbors,
                                          const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::visitor>(np);
   return internal::conformal_map_of_points(points, neighbours, internal::progress_of(np));

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.h>
 #include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <array>
@@ -52,7 +53,8 @@ public:
   \complexity that of triangles at n points, O(n log n); the first query factors matrices
   */
   explicit Point_cloud_vectors(const std::vector<std::array<double, 3>>& points,
-                               std::size_t neighbours = 30, double time_factor = 1);
+                               std::size_t neighbours = defaults::neighbors,
+                               double time_factor = defaults::time_factor);
 
   /// returns the number of points.
   std::size_t size() const { return points_.size(); }

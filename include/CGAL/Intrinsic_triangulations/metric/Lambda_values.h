@@ -118,9 +118,9 @@ protected:
   /// returns the lambda lengths of a diamond without factors of vertices. \pre `is_scaled()`
   Ideal_diamond_values<FT> unscaled_values(const Diamond& d) const { return gather(d, unscaled_); }
   /// stores the lambda lengths of an edge; a better enclosure of the same value is no change.
-  void store(std::uint32_t e, const Flipped& n) const noexcept {
-    lambda_[e] = n.lambda;
-    if (is_scaled()) unscaled_[e] = n.unscaled;
+  void store(std::uint32_t e, Flipped n) const noexcept {
+    lambda_[e] = std::move(n.lambda);
+    if (is_scaled()) unscaled_[e] = std::move(n.unscaled);
   }
 
 private:

@@ -69,7 +69,7 @@ public:
   // possible
   void restore(const Triangulation& t, const Integer_coordinates& coordinates) {
     if (!is_shared(t)) own_ = coordinates;
-    are_all_flips_ = false;
+    are_all_flips_ = were_all_flips_ = false;
   }
 
   // the flips since the input; null if there were other moves, or the triangulation was restored

@@ -38,7 +38,9 @@ public:
       else if (word.starts_with('#'))
         scan_label(line);
     }
-    if (result_.empty()) fail("the file has no lines; give an .obj file with elements l");
+    if (result_.empty())
+      throw Invalid_input(Element_kind::none, 0,
+                          "the file has no lines; give an .obj file with elements l");
     return std::move(result_);
   }
 
@@ -96,7 +98,9 @@ std::vector<Polyline> read_polylines(std::istream& in) { return Polyline_scanner
 
 std::vector<Polyline> read_polylines(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error(path.string() + ": the file cannot be read");
+  if (!in)
+    throw std::runtime_error(path.string() +
+                             ": the file cannot be read; give the path of an .obj file");
   try {
     return read_polylines(in);
   } catch (const Invalid_input& e) {

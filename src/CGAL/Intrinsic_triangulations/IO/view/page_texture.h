@@ -72,7 +72,8 @@ inline double radius_of_logarithm(const Common_subdivision& s,
         const auto& [vx, vy] = places[b];
         const double length = std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1],
                                          points[a][2] - points[b][2]);
-        if (std::hypot(ux - vx, uy - vy) <= greatest_stretch * length) return;
+        // places that are not known, which are no numbers, tear nothing
+        if (!(std::hypot(ux - vx, uy - vy) > greatest_stretch * length)) return;
         for (const std::uint32_t v : {a, b})
           if (const double d = std::hypot(places[v][0], places[v][1]);
               v < s.vertices.size() && d < least_torn)

@@ -45,7 +45,7 @@ inline Page_vectors page_vectors(std::span<const Placed_vector> all,
       longest = std::max(longest, size);
   if (!(longest > 0 && mean_edge > 0)) return result;
   result.longest = mean_edge / 2;
-  const std::size_t step = (all.size() + most) / std::max<std::size_t>(most, 1);
+  const std::size_t few = std::max<std::size_t>(most, 1), step = (all.size() + few - 1) / few;
   for (std::size_t i = 0, n = 0; i < all.size(); ++i) {
     if (i > 0 && all[i].place != all[i - 1].place) ++n;
     const std::array<double, 3>& v = all[i].vector;
