@@ -146,7 +146,7 @@ def main():
     writer = Writer(options.pictures, options.folder)
     surface = names["Surface"]
     for name in public:
-        if isinstance(names[name], ast.FunctionDef):
+        if isinstance(names.get(name), ast.FunctionDef):
             writer.function(names[name], "intrinsic.")
     tables = [writer.table("Functions of the module")]
     for member in sorted(members(surface, names).values(), key=lambda node: node.name):

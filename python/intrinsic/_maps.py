@@ -170,8 +170,8 @@ class ConformalMap(_Shown):
 
     def _add_to_page(self, contents):
         contents.add_field("logarithm of scale", self.u)
-        if self.positions is not None:
-            x, y, z = self.positions.T
+        if self.points is not None:
+            x, y, z = self.points.T
             contents.add_field("longitude", np.degrees(np.arctan2(y, x)))
             contents.add_field("latitude", np.degrees(np.arcsin(np.clip(z, -1, 1))))
 

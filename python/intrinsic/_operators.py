@@ -140,16 +140,20 @@ class _Learning:
         (4, 3)
         """
         k = _arrays.whole(k, "k", "the number of eigenfunctions")
+        flip = _arrays.flag(flip, "flip")
         points = self.points
         if points is None or _core.sheets(self._core) > 1:
             raise ValueError("gradients need an oriented manifold in space; take laplacian(), "
                              "mass() and eigen(), which need none")
         path = None
         if cache is not None:
-            path = _Path(os.fspath(cache)) / f"{self._content(points, flip)}_{k}.npz"
+            folder = _Path(os.fsdecode(_arrays.file_name(cache, "cache")))
+            if folder.exists() and not folder.is_dir():
+                raise ValueError(f"cache is the file {folder}; give a directory")
+            path = folder / f"{self._content(points, flip)}_{k}.npz"
             if path.exists():
                 return Operators.load(path)
-            path.parent.mkdir(parents=True, exist_ok=True)
+            folder.mkdir(parents=True, exist_ok=True)
         found = self._operators(points, k, flip, progress)
         if path is not None:
             found.save(path)

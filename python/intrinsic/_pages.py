@@ -170,6 +170,8 @@ def _present(page, path, open_browser):
     import tempfile
     import webbrowser
 
+    open_browser = _arrays.flag(open_browser, "open_browser")
+    path = None if path is None else os.fsdecode(_arrays.file_name(path))
     if path is None and _is_notebook():
         from IPython.display import HTML, display
 
@@ -178,7 +180,6 @@ def _present(page, path, open_browser):
     if path is None:
         handle, path = tempfile.mkstemp(suffix=".html", prefix="intrinsic-")
         os.close(handle)
-    path = os.fspath(path)
     with open(path, "w", encoding="utf-8") as file:
         file.write(page)
     if open_browser and not webbrowser.open("file://" + os.path.abspath(path)):

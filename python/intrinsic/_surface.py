@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from typing import TYPE_CHECKING
 
@@ -95,7 +96,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
     def _flipped(self, flip=True):
         """Returns the object of _core that is Delaunay: this one, or one that it keeps; without
         `flip` this one as it is."""
-        if not flip or self._core.is_flipped:
+        if not _arrays.flag(flip, "flip") or self._core.is_flipped:
             return self._core
         self._core.expect_free()  # else another thread may hold the lock, and wait for this one
         with self._lock:
@@ -327,7 +328,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         .ply, .obj, .off, .stl and .vtp writes the common subdivision; with `plain`, .ply without
         labels and edges and .off of triangles without colours, for readers that take nothing
         else."""
-        path, plain = _arrays.file_name(path), _arrays.flag(plain, "plain")
+        path, plain = os.fsdecode(_arrays.file_name(path)), _arrays.flag(plain, "plain")
         if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
             save_surface(path, self, (), plain)
         else:

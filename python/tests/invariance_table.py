@@ -74,6 +74,9 @@ TABLE = {
                         on=("cloud",))],
     "map": [intrinsic(lambda x: it.map(lambda s: s.mass().sum() / x.scale**2, [x.s]))],
     "Failure": Left_out("holds what a function of the user's raised"),
+    "__version__": Left_out("is of the package"),
+    **{f"{kind}.save": Left_out("writes what the result has to a file") for kind in
+       ("ConformalMap", "Curve", "Curves", "Cut", "Network", "PlaneMap", "Voronoi")},
     "Surface.html": Left_out("draws what delaunay() and common_subdivision() give"),
     "Surface.show": Left_out("opens a browser with html()"),
     "Surface.to_pyvista": Left_out("needs PyVista; it is common_subdivision()"),

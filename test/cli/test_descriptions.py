@@ -35,7 +35,8 @@ class Descriptions(Cli_test):
 
     def test_man_shows_each_option_without_warnings(self):
         page = self.write("intrinsic.1", self.written("--man"))
-        text = open(page, encoding="utf-8").read().replace("\\-", "-")
+        with open(page, encoding="utf-8") as file:
+            text = file.read().replace("\\-", "-")
         for command, options in self.options().items():
             own = text.split(f".SS {command}\n")[1].split(".SS ")[0]
             common = text.split("OPTIONS OF ALL COMMANDS")[1].split(".SH ")[0]
@@ -50,13 +51,13 @@ class Descriptions(Cli_test):
         self.write("completion", self.written("--completion", "bash"))
         said = subprocess.run(["bash", "-c", ASK], cwd=self.directory, check=True,
                               capture_output=True, text=True).stdout.splitlines()
-        self.assertEqual(said, ["parametrize", "--method", "heat exact", ""])
+        self.assertEqual(said, ["parametrize", "--method", "exact heat", ""])
 
     def test_both_shells_know_all_options(self):
         for shell in ("bash", "zsh"):
             text = self.written("--completion", shell)
             for command, options in self.options().items():
-                own = text.split(f"{command})")[-1].split(";;")[0]
+                own = re.split(rf"\n +{command}\)", text)[-1].split(";;")[0]
                 for option in options:
                     self.assertRegex(own, rf"[\s\"*]{option}[\s\"\[]", f"{shell} {command}")
             if shutil.which(shell):
