@@ -18,7 +18,7 @@ fi
 
 # in a copy, since packages go beside the sources
 mkdir "$work/copy"
-tar -C "$root" --exclude=./build --exclude=./results --exclude=./.git -c . | tar -C "$work/copy" -x
+tar -C "$root" --exclude='./build*' --exclude=./results --exclude=./.git -c . | tar -C "$work/copy" -x
 (cd -- "$work/copy" && dpkg-buildpackage -us -uc -b)
 lintian --fail-on error,warning --tag-display-limit 0 "$work"/*.changes
 

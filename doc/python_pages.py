@@ -6,7 +6,7 @@
     python_pages.py MODULE PICTURES FOLDER
 
 Each function of the module and each method of `Surface` gets a page, other classes one for all their
-members. A picture in PICTURES that has the name of a function stands on its page.
+members. The picture `py_NAME.png` in PICTURES stands on the page of the function NAME.
 """
 
 import argparse
@@ -29,10 +29,17 @@ def parsed(module):
 
 
 def exported(module):
+    """The classes and functions that `__init__.py` imports, by name."""
+    found = {}
     tree = ast.parse((module / "__init__.py").read_text(encoding="utf-8"))
-    values = [node.value for node in tree.body if isinstance(node, ast.Assign)
-              and node.targets[0].id == "__all__"]
-    return ast.literal_eval(values[0])
+    for line in tree.body:
+        file = module / f"{line.module}.py" if isinstance(line, ast.ImportFrom) else None
+        if file and file.exists():
+            names = {alias.name for alias in line.names}
+            for node in ast.parse(file.read_text(encoding="utf-8")).body:
+                if getattr(node, "name", None) in names:
+                    found[node.name] = node
+    return found
 
 
 def members(cls, classes):
@@ -45,6 +52,15 @@ def members(cls, classes):
         if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
             found[node.name] = node
     return found
+
+
+def fields(cls, classes):
+    """The annotated fields of a class and of its bases without a name of their own."""
+    found = []
+    for base in cls.bases:
+        if isinstance(base, ast.Name) and base.id.startswith("_") and base.id in classes:
+            found += fields(classes[base.id], classes)
+    return found + [ast.unparse(n) for n in cls.body if isinstance(n, ast.AnnAssign)]
 
 
 def is_property(node):
@@ -113,7 +129,7 @@ class Writer:
         self.rows.append(f"| \\subpage {label} \"{title}\" | {brief(node)} |")
 
     def function(self, node, owner=""):
-        pictures = sorted(self.pictures.glob(f"python_{node.name}.*"))
+        pictures = [] if is_property(node) else sorted(self.pictures.glob(f"py_{node.name}.*"))
         picture = "".join(f"![]({file.name})\n\n" for file in pictures)
         call = owner + signature(node)
         suffix = "" if is_property(node) else "()"
@@ -122,9 +138,8 @@ class Writer:
 
     def cls(self, node, classes):
         parts = [body(node)]
-        fields = [ast.unparse(n) for n in node.body if isinstance(n, ast.AnnAssign)]
-        if fields:
-            parts.append(code("\n".join(fields)))
+        if own := fields(node, classes):
+            parts.append(code("\n".join(own)))
         for member in members(node, classes).values():
             parts.append(f"## {member.name}\n\n{code(signature(member))}\n{body(member)}")
         self.page(node.name, f"py_class_{node.name.lower()}", "\n".join(parts), node)
@@ -145,9 +160,9 @@ def main():
     names, public = parsed(options.module), exported(options.module)
     writer = Writer(options.pictures, options.folder)
     surface = names["Surface"]
-    for name in public:
-        if isinstance(names.get(name), ast.FunctionDef):
-            writer.function(names[name], "intrinsic.")
+    for name in sorted(public):
+        if isinstance(public[name], ast.FunctionDef):
+            writer.function(public[name], "intrinsic.")
     tables = [writer.table("Functions of the module")]
     for member in sorted(members(surface, names).values(), key=lambda node: node.name):
         writer.function(member, "Surface.")

@@ -31,7 +31,10 @@ def run(*command):
 
 def libraries(file):
     """The path of each shared library that a file needs, by name."""
-    return dict(re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", file), re.MULTILINE))
+    text = run("ldd", file)
+    if "not found" in text:
+        sys.exit(f"{file.name} needs a library that is not found:\n{text}")
+    return dict(re.findall(r"^\s*(\S+) => (/\S+)", text, re.MULTILINE))
 
 
 def bundle(files, folder):

@@ -25,7 +25,7 @@ cd -- "$work"
 unshare "${user[@]}" --mount bash -c '
   set -euo pipefail
   for name in gmp mpfr; do
-    for file in /usr/lib/*/lib$name.so.?; do mount --bind /dev/null "$(realpath "$file")"; done
+    for file in /usr/lib/*/lib$name.so.*; do mount --bind /dev/null "$(realpath "$file")"; done
   done
   for file in env/lib/python3*/site-packages/intrinsic/{_core*.so,programs/*}; do
     if ldd "$file" | grep -E "not found|lib(gmp|mpfr).* => /usr"; then exit 1; fi

@@ -70,8 +70,12 @@ class Parts(Blocks):
 class Whole(Blocks):
     def setUp(self):
         super().setUp()
-        own = shutil.ignore_patterns("build*", "results", "__pycache__", "*.egg-info", ".git")
-        shutil.copytree(ROOT, self.folder / "copy", ignore=own)
+        def made(folder, names):  # what is no source: build directories are at the root
+            at_root = Path(folder) == ROOT
+            return {n for n in names if n in ("__pycache__", ".git") or n.endswith(".egg-info")
+                    or at_root and (n == "results" or n.startswith("build"))}
+
+        shutil.copytree(ROOT, self.folder / "copy", ignore=made)
         self.copy = self.folder / "copy"
         (self.copy / "build").mkdir()
         (self.copy / "build" / "release").symlink_to(self.build)
@@ -81,7 +85,7 @@ class Whole(Blocks):
                 "C++": "build/my_program/build/my_program"}
         for name, block in blocks().items():
             with self.subTest(name):
-                self.run_in(self.copy, ["bash", "-e"], block,
+                self.run_in(self.copy, ["bash", "-e", "-c", block], "",
                             INTRINSIC_TRIANGULATIONS_BUILD_DIR=str(self.build))
                 self.assertTrue((self.copy / ends[name]).exists())
 

@@ -111,6 +111,7 @@ class Index(unittest.TestCase):
         for name in python_pages.members(names["Surface"], names):
             self.assertTrue({f"Python: {name}", f"Python: {name}()"} & titles, name)
         self.assertIn("Python: read()", titles)
+        self.assertTrue(any("neighbors" in e[3] for e in self.index() if e[1] == "Python: points()"))
 
     def test_texts_are_whole(self):
         texts = " ".join(entry[3] for entry in self.index())

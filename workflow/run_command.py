@@ -5,7 +5,7 @@
 
 In the command, {file} is the file (by default it follows the first word), {out} the start of names
 of further files, and {cores} a number. A limit that is reached, and an error, are results: this
-script fails only if the program or the file does not exist.
+script fails only if the program does not exist.
 """
 
 import argparse

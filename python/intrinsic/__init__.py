@@ -10,7 +10,7 @@
 """
 
 from ._core import __version__
-from ._curve import Curve, Cut, Network
+from ._curve import Curve, Curves, Cut, Network
 from ._distances import FarthestPoints, Voronoi
 from ._map import Failure, map
 from ._operators import Operators
@@ -19,6 +19,6 @@ from ._sources import load, points, read
 from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
-__all__ = ["CommonSubdivision", "Curve", "Cut", "Failure", "FarthestPoints", "Network",
+__all__ = ["CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints", "Network",
            "Operators", "Point", "Surface", "Voronoi", "__version__", "load", "map", "points",
            "read"]

@@ -85,12 +85,15 @@ class Curve(_Shown):
         return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
 
 
-class Curves(_Shown, list):
+class Curves(_Shown, list[Curve]):
     """A list of `Curve`s of one surface."""
 
     @property
     def _surface(self):
-        return next((c._surface for c in self), None)
+        return self.__dict__.get("_of") or next((c._surface for c in self), None)
+
+    def __getstate__(self):
+        return {}  # the surface stays behind
 
     def _add_to_page(self, contents):
         for curve in self:
@@ -206,6 +209,9 @@ class Cut(_Shown):
     @property
     def surface(self) -> Surface:
         """The pieces as a `Surface`."""
+        if self.points is None:
+            raise ValueError("the surface has lengths and no points, so that its pieces have no "
+                             "places")
         if self._pieces is None:
             from ._surface import Surface
 

@@ -122,7 +122,7 @@ class _Curves:
         return Curve(_core.trace(core, self._places(p, "p"), direction, far), self)
 
     def isolines(self, u: ArrayLike, levels: int | ArrayLike = 10, *,
-                 progress: Progress = None) -> list[Curve]:
+                 progress: Progress = None) -> Curves:
         """Returns the lines on which a function has given values, as a list of `Curve`s.
 
         `u` has a number per vertex, and is linear in the faces of this triangulation. It may be
@@ -141,8 +141,10 @@ class _Curves:
             levels = _core.even_levels(values, count)
         else:
             levels = _arrays.numbers(levels, "levels", (None,))
-        return Curves(Curve(line, self) for line in _core.isolines(self._core, values, levels,
-                                                                   progress))
+        lines = Curves(Curve(line, self)
+                       for line in _core.isolines(self._core, values, levels, progress))
+        lines._of = self  # also if there are none
+        return lines
 
     def cut(self, curves: Network | Curve | Iterable[Curve] | None = None, *, through: Places = (),
             progress: Progress = None) -> Cut:

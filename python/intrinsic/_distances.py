@@ -56,7 +56,7 @@ class _Cells(NamedTuple):
     labels: Integers
     distances: Numbers
     areas: Numbers
-    boundaries: list[Curve]
+    boundaries: Curves
     junctions: Junctions
     status: str
 
@@ -140,8 +140,8 @@ class _Distances:
         paths, or "heat", an approximation that is faster for many calls. With `targets`, the result
         has the distances of these points instead, a number if it is one point, and an exact search
         stops when it has them; `max_distance` ends it, too. Where no source is reached, the
-        distance is infinite. The unit is that of the vertices. `time_factor` is the time of the heat flow in squares of the mean
-        edge: more is smoother. `flip` is that of `laplacian()`, and matters for heat.
+        distance is infinite. The unit is that of the vertices. `time_factor` is the time of the
+        heat flow in squares of the mean edge: more is smoother. `flip` is that of `laplacian()`, and matters for heat.
 
         >>> s.distance(0)
         array([0.        , 1.        , 1.41421356, 1.        ])

@@ -277,8 +277,9 @@ class _Fields:
         `vectors`, of shape (k, 2), are in the polar coordinates of vertices, see `VectorField`, or,
         at a `Point`, along the first side of its face and to the left of it; or of shape (k, 3) in
         space, and are projected to a face. (At the border the planes of the first and the last face
-        go on beyond it, so that vectors may point out of the surface.) One point takes one vector. `time_factor` is the time of
-        the heat flow in squares of the mean edge: more is smoother.
+        go on beyond it, so that vectors may point out of the surface.) One point
+        takes one vector. `time_factor` is the time of the heat flow in squares of the mean edge:
+        more is smoother.
         """
         vectors = _arrays.numbers(vectors, "vectors")
         if is_point(points) and vectors.ndim == 1:

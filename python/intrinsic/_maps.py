@@ -248,8 +248,8 @@ class _Maps:
         has and whose `ConformalMap` it returns. Clouds of points have the method "spectral".
 
         `cut` is "auto" to cut any surface open to disks along short curves, the default if it is no
-        disk, or an array of edges of shape (k, 2), as pairs of vertices. Of faces that form no oriented manifold, each is mapped
-        once, and edges of more than two faces are cut.
+        disk, or an array of edges of shape (k, 2), as pairs of vertices. Of faces that form no
+        oriented manifold, each is mapped once, and edges of more than two faces are cut.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
         if method == "conformal":

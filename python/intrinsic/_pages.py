@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import _arrays, _core
+from ._points import Point
 
 if TYPE_CHECKING:
     from typing import Any
@@ -108,6 +109,8 @@ def _add_array(contents, a, name):
 def _add_functions(contents, name, a):
     """Adds the columns of an array, or its rows if these have the length of the surface."""
     a = np.asarray(a)
+    if a.ndim not in (1, 2):
+        raise ValueError(f"{name} is no array of numbers; give a number for each vertex")
     n = contents.surface.number_of_vertices, contents.surface.number_of_input_vertices
     columns = [a] if a.ndim == 1 else list(a.T if len(a) in n else a)
     for k, column in enumerate(columns):
@@ -127,7 +130,7 @@ def _add(contents, result, name):
             and np.ndim(result[1]) == 2:  # of eigen()
         for value, function in zip(result[0], np.asarray(result[1]).T):
             contents.add_field(f"eigenvalue {value:.4g}", function)
-    elif isinstance(result, (list, tuple)) and result:
+    elif isinstance(result, (list, tuple)) and result and not isinstance(result, Point):
         if np.asarray(result[0]).dtype.kind != "O" and np.ndim(result[0]) == 0:
             _add_array(contents, np.asarray(result), name)
         else:
@@ -135,10 +138,12 @@ def _add(contents, result, name):
                 _add(contents, part, name)
     else:
         raise TypeError(f"{type(result).__name__} cannot be shown; give values at vertices, or "
-                        "what methods of Surface return")
+                        "what methods of Surface return, and points as marks=")
 
 
 def _contents(surface, results, marks):
+    if surface._core.points is None:
+        raise ValueError("the surface has lengths and no points, so that nothing can be drawn")
     contents = _PageContents(surface)
     for i, result in enumerate(results):
         _add(contents, result, "values" if len(results) == 1 else f"values {i}")
@@ -210,10 +215,10 @@ class _Shown:
         return _present(self.html(), path, open_browser)
 
     def _repr_html_(self):
-        contents = None if self._surface is None else self._page_contents()
-        if contents is None or contents.surface.points is None:
+        surface = self._surface
+        if surface is None or surface._core.points is None:
             return None
-        return _frame(contents.write(8))
+        return _frame(self._page_contents().write(8))
 
 
 class _Pages:

@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How objects of `_core` are pickled and copied. `pickle` finds it before their own methods, so that
+"""How objects of `_core` are pickled and copied. `pickle` finds it before their own methods, so
+that
 every protocol works: by the oldest ones, pybind11 would make objects without content."""
 
 import copyreg

@@ -112,8 +112,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         Parameters:
             keep: edges that are not flipped: pairs of vertices, of shape (k, 2); or a number:
                 edges at which faces are folded by more degrees.
-            progress: called about ten times in a second with what is being done and a number, such
-                as ("flipping to Delaunay", 1234). What it raises ends the work, as Ctrl-C does.
+            progress: called about ten times in a second with what is being done, how far that is,
+                and how far it will be or None, such as ("flipping to Delaunay", 1234, None). What
+                it raises ends the work, as Ctrl-C does.
         """
         return Surface._of(_core.delaunay(self._core, *self._kept(keep), progress))
 
@@ -278,8 +279,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         """Takes values at the vertices of the triangulation, of shape (n,) or (n, k), to those of
         the input: a row for each of them.
 
-        `method` is "l2": the nearest function there, which keeps integrals; or "pointwise": the values
-        at its vertices.
+        `method` is "l2": the nearest function there, which keeps integrals; or "pointwise": the
+        values at its vertices.
         """
         return self._transfer(u, method, True, self.number_of_vertices, progress)
 

@@ -84,7 +84,7 @@ class Totals(unittest.TestCase):
         s.isolines(s.points[:, 0], 800, progress=lambda *a: seen.add((a[0], a[2])))
         self.assertEqual({total for _, total in seen}, {800})
         seen.clear()
-        s.refine(max_circumradius=0.004, max_insertions=15000,
+        s.refine(max_circumradius=0.002, max_insertions=100000,
                  progress=lambda *a: seen.add((a[0], a[2])))
         self.assertEqual({total for _, total in seen}, {None})
 

@@ -294,7 +294,7 @@ const std::vector<Command> table{
      {common, add_joined_curve_options, add_cut_options},
      cut_misuse},
     {"distance",
-     "compute distances from points and curves, by the flow of heat or exactly",
+     "compute distances from points and curves, exactly or by the flow of heat",
      run_distance,
      {common, add_distance_searches, add_distance_lines},
      distance_misuse},

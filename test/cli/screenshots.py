@@ -103,12 +103,15 @@ class Pictures(Cli_test):
             self.assertIn(edit[0], page)
             self.write("view.html", page.replace(*edit))
         shot = self.path("shot.png")
+        if os.path.exists(shot):
+            os.remove(shot)
         command = [CHROMIUM, "--headless=new", "--no-sandbox", "--use-gl=angle",
                    "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars",
                    "--user-data-dir=" + self.path("profile"), "--screenshot=" + shot,
                    f"--window-size={size[0]},{size[1]}", "--virtual-time-budget=3000",
                    "--enable-logging=stderr", "file://" + self.path("view.html") + anchor]
         done = subprocess.run(command, capture_output=True, text=True, timeout=240)
+        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([x for x in done.stderr.split("\n") if "CONSOLE" in x and "rror" in x], [])
         if KEPT:
             shutil.copy(shot, os.path.join(KEPT, f"{self.id().split('.')[-1]}_{name}.png"))

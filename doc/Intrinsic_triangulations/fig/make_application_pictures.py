@@ -24,7 +24,8 @@ SIZE = (360, 300)
 
 # name of the picture: command, mesh, options
 PICTURES = {
-    "distance": ("distance", "elephant.off", "--source", "100,900", "--refine"),
+    "distance": ("distance", "elephant.off", "--source", "100,900", "--method",
+                 "heat", "--refine"),
     "signed_distance": ("distance", "elephant.off", "--curve", "100,900,1500", "--signed"),
     "transport": ("transport", "elephant.off", "--vectors", "{vectors}"),
     "logmap": ("logmap", "lion-head.off", "--source", "4000", "--method", "polar"),
