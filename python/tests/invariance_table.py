@@ -135,6 +135,7 @@ TABLE = {
     "Network": [intrinsic(m.network)],
     "Network.length": [intrinsic(length_of_network)],
     "Surface.trace": [intrinsic(m.trace, on=ORIENTED)],
+    "Curves": [intrinsic(m.isolines)],
     "Surface.isolines": [intrinsic(m.isolines)],
     "Surface.cut": [intrinsic(m.cut_along_lines, on=ORIENTED),
                     intrinsic(m.cut_along_path, on=ORIENTED),
