@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class PlaneMap(_Shown):
-    """A map of a surface to the plane, linear on the faces of `surface`.
+    """A map of a surface to the plane, linear on the faces of `surface`, which is Delaunay.
 
     `uv`, of shape (n, 2), has the place of each vertex of `surface`: of those of the mesh, and of
     vertices that were inserted to make the map injective. Of a surface that was cut open,
@@ -267,7 +267,9 @@ class _Maps:
             core = _core.copy(core)
         *found, inserted, is_injective = _core.parametrize(core, method, self._cloud_neighbors(),
                                                            progress)
-        result = PlaneMap(type(self)._of(core) if inserted else surface, *found, inserted)
+        # the triangulation on whose faces the map is linear, and certified
+        mapped = surface if is_cloud else type(self)._of(core)
+        result = PlaneMap(mapped, *found, inserted)
         result.original_vertex = original
         result.injective_on_input = is_injective
         return result

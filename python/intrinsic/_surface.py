@@ -332,8 +332,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         path, plain = os.fsdecode(_arrays.file_name(path)), _arrays.flag(plain, "plain")
         if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
             save_surface(path, self, (), plain)
-        else:
+        elif path.lower().endswith(".idt"):
             _core.save(self._core, path)
+        else:
+            raise ValueError(f"{path}: the extension must be .idt, .ply, .obj, .off, .stl or .vtp")
 
     def __reduce__(self):
         return Surface._of, (self._core,)

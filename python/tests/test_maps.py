@@ -29,6 +29,21 @@ def torus(n=12, m=8):
 
 
 class Closed_forms(unittest.TestCase):
+    def test_the_surface_of_a_map_has_the_faces_that_it_is_certified_on(self):
+        random = np.random.default_rng(1)
+        for k in range(12):  # sheared and bent, so that edges flip
+            V, F = grid(6)
+            V = V + np.c_[random.random((len(V), 2)) * .4, random.random(len(V))]
+            s = it.Surface(V @ [[1, 0, 0], [2.5, 1, 0], [0, 0, 1]], F)
+            for method in ("harmonic", "lscm", "spectral"):
+                with self.subTest(k=k, method=method):
+                    m = s.parametrize(method)
+                    p = m.uv[m.surface.faces]
+                    areas = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+                    self.assertEqual(m.certificate["flipped_faces"], (areas < 0).sum())
+                    if not m.inserted_vertices:
+                        np.testing.assert_array_equal(m.surface.faces, s.delaunay().faces)
+
     def test_flat_surfaces_are_only_turned(self):
         V, F = grid()
         d = np.linalg.norm(V[:, None] - V[None], axis=2)

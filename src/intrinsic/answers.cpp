@@ -143,7 +143,14 @@ const Lines map_lines{
     {"injective",
      "no: {/parametrize/flipped_faces face} turned over, {/parametrize/degenerate_faces face} "
      "without area",
-     [](const Figures& f) { return !f.has("/parametrize/injective"); }},
+     [](const Figures& f) {
+       return f.has("/parametrize/flipped_faces") || f.has("/parametrize/degenerate_faces");
+     }},
+    {"injective", "no: the border crosses itself",
+     [](const Figures& f) {
+       return f.at("/parametrize/border_is_simple").is_boolean() &&
+              !f.has("/parametrize/border_is_simple");
+     }},
     {"residual", "{/parametrize/residual} radians; proven: {/parametrize/proven_residual}"},
     {"distortion", "of angles {/parametrize/mean_quasi_conformal} on average, at most "
                    "{/parametrize/max_quasi_conformal}; 1 is none"},

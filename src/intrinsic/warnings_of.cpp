@@ -86,6 +86,13 @@ const std::array warnings{
             },
             "{/delaunay/non_delaunay_edges edge} not Delaunay as far as double arithmetic can "
             "tell; --arithmetic exact decides them"},
+    Warning{[](const Figures& f, const Options& o) {
+              return o.application.on == "input" && f.has("/parametrize/injective") &&
+                     f.at("/parametrize/injective_on_input").is_boolean() &&
+                     !f.has("/parametrize/injective_on_input");
+            },
+            "on the faces of the mesh, as it is written, the map is not injective; without --on "
+            "input it is"},
     Warning{[](const Figures& f, const Options&) {
               return f.word("/refine/status") == "cap" &&
                      f.number("/refine/asked_angle_deg") > greatest_safe_angle;
