@@ -84,6 +84,9 @@ std::string shared_file_misuse(const Options& options) {
   if (options.inputs.size() == 1) return {};
   const std::vector<Output> files = outputs(options);
   for (const Output& output : files) {
+    if (output.path == options.output && is_standard_output(output.path))
+      return std::to_string(options.inputs.size()) +
+             " inputs cannot share standard output; write files, such as -o {}.ply";
     if (is_standard_output(output.path) || output.path.find(place_of_name) != std::string::npos)
       continue;
     const std::filesystem::path path(output.path);
