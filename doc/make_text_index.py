@@ -27,22 +27,44 @@ FOUND_BY = re.compile(r'#.*\n<a id="(\w+)"></a>\n<!-- found by: (.+) -->\n')
 EMPTY = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "param", "wbr"}
 
 
-class Sections(html.parser.HTMLParser):
-    """The sections of a page: [anchor, title, text], the first without an anchor."""
-    skipped = {"toc", "ttc"}
+class Elements(html.parser.HTMLParser):
+    """Reads a page. What an element changes of the attributes in `inherited` ends with it."""
+    inherited = ()
 
-    def __init__(self, text):
+    def __init__(self):
         super().__init__()
-        self.title, self.sections = "", [["", "", ""]]
-        self.open, self.in_title, self.in_contents, self.skips, self.heading = [], 0, 0, 0, 0
-        self.feed(text)
+        self.open = []
 
     def handle_starttag(self, tag, attrs):
         if tag in EMPTY:
             return
+        self.open.append((tag, [getattr(self, name) for name in self.inherited]))
         attrs = dict(attrs)
-        classes = set((attrs.get("class") or "").split())
-        self.open.append((tag, self.in_title, self.in_contents, self.skips, self.heading))
+        self.begin(tag, attrs, set((attrs.get("class") or "").split()))
+
+    def handle_endtag(self, tag):
+        if tag not in (entry[0] for entry in self.open):
+            return
+        while True:
+            name, state = self.open.pop()
+            for attribute, value in zip(self.inherited, state):
+                setattr(self, attribute, value)
+            if name == tag:
+                return
+
+
+class Sections(Elements):
+    """The sections of a page: [anchor, title, text], the first without an anchor."""
+    skipped = {"toc", "ttc"}
+    inherited = ("in_title", "in_contents", "skips", "heading")
+
+    def __init__(self, text):
+        super().__init__()
+        self.title, self.sections = "", [["", "", ""]]
+        self.in_title, self.in_contents, self.skips, self.heading = 0, 0, 0, 0
+        self.feed(text)
+
+    def begin(self, tag, attrs, classes):
         self.in_title |= "title" in classes
         self.in_contents |= "contents" in classes
         self.skips |= bool(classes & self.skipped)
@@ -52,15 +74,6 @@ class Sections(html.parser.HTMLParser):
         elif self.heading and attrs.get("id"):
             self.sections[-1][0] = attrs["id"]
 
-    def handle_endtag(self, tag):
-        if tag not in (entry[0] for entry in self.open):
-            return
-        while True:
-            name, *state = self.open.pop()
-            self.in_title, self.in_contents, self.skips, self.heading = state
-            if name == tag:
-                return
-
     def handle_data(self, data):
         if self.in_title:
             self.title += data
@@ -68,20 +81,16 @@ class Sections(html.parser.HTMLParser):
             self.sections[-1][1 if self.heading else 2] += data
 
 
-class Comments(html.parser.HTMLParser):
+class Comments(Elements):
     """The comments on a page by their anchors: of members, and without an anchor of a class."""
+    inherited = ("into",)
 
     def __init__(self, text):
         super().__init__()
-        self.texts, self.anchor, self.open, self.into = {}, "", [], None
+        self.texts, self.anchor, self.into = {}, "", None
         self.feed(text)
 
-    def handle_starttag(self, tag, attrs):
-        if tag in EMPTY:
-            return
-        attrs = dict(attrs)
-        classes = set((attrs.get("class") or "").split())
-        self.open.append((tag, self.into))
+    def begin(self, tag, attrs, classes):
         if tag == "a" and attrs.get("id") and self.into is None:
             self.anchor = attrs["id"]
         brief = re.fullmatch(r"memdesc:(\w+)", attrs.get("class") or "")
@@ -94,14 +103,6 @@ class Comments(html.parser.HTMLParser):
             self.texts.pop(self.into, None)
         elif "textblock" in classes and self.into is None:
             self.into = ""
-
-    def handle_endtag(self, tag):
-        if tag not in (entry[0] for entry in self.open):
-            return
-        while True:
-            name, self.into = self.open.pop()
-            if name == tag:
-                return
 
     def handle_data(self, data):
         if self.into is not None:

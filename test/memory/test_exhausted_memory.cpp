@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "checksum.h"
 #include "meshes.h"
 #include "soups.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -72,60 +71,10 @@ using With = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Correspondence>
 using Exact = IT::Exact_euclidean_traits;
 using Rounding = IT::Euclidean_traits<double>;
 
-/// A checksum of everything but caches and statistics, see FNV.
-class Checksum {
-public:
-  void add(std::uint64_t x) { sum_ = (sum_ ^ x) * 0x100000001b3; }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-  void add(const IT::Surface_point& p) {
-    add(std::uint64_t{p.halfedge});
-    for (const double w : p.weights) add(w);
-  }
-  std::uint64_t sum() const { return sum_; }
-
-private:
-  std::uint64_t sum_ = 0xcbf29ce484222325;
-};
-
-void add_places(Checksum& s, const auto& t, const IT::Integer_coordinates& c) {
-  for (const auto e : edges(t.mesh())) {
-    const std::uint32_t i = t.index(e);
-    for (const std::uint32_t x : {static_cast<std::uint32_t>(c.normal_coordinate(i)),
-                                  c.roundabout(2 * i), c.roundabout(2 * i + 1)})
-      s.add(std::uint64_t{x});
-  }
-  for (const auto v : vertices(t.mesh()))
-    if (t.is_inserted(v)) s.add(c.location(t.index(v)));
-}
-
-void add_edge(Checksum& s, const IT::Explicit_crossings& c, std::uint32_t e) {
-  for (const std::uint32_t x : c.entered_on(e)) s.add(std::uint64_t{x});
-}
-void add_edge(Checksum& s, const IT::Signposts& c, std::uint32_t e) {
-  for (const std::uint32_t h : {2 * e, 2 * e + 1}) s.add(c.angle(h));
-}
-void add_edge(Checksum&, const IT::Integer_coordinates&, std::uint32_t) {} // are the places
-void add_edge(Checksum&, const IT::No_correspondence&, std::uint32_t) {}
-
 // \param t a copy: places may be found only now, which must not change what follows
 template <class T>
 std::uint64_t checksum(const T t) {
-  const IT::Intrinsic_view<T> view(t);
-  Checksum s;
-  if (const IT::Integer_coordinates* c = t.places()) add_places(s, t, *c);
-  for (const auto v : vertices(t.mesh())) s.add(std::uint64_t{t.input_vertex(v)});
-  for (const auto h : halfedges(t.mesh())) {
-    const std::uint32_t n = t.numbers().halfedge(h);
-    for (const std::uint32_t x : {n, view.next(n), view.target(n), view.face(n)})
-      s.add(std::uint64_t{x});
-  }
-  for (const auto e : edges(t.mesh())) add_edge(s, t.correspondence(), t.index(e));
-  // exact traits have caches of values, which places define
-  if constexpr (!T::Metric::is_exact) {
-    for (const auto e : edges(t.mesh())) s.add(t.metric().squared_length(t.index(e)));
-    for (const auto f : faces(t.mesh())) s.add(t.metric().quadruple_area(t.index(f)));
-  }
-  return s.sum();
+  return checksums::checksum(t);
 }
 
 /// A move, chosen before memory is exhausted.

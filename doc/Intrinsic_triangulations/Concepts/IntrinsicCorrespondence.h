@@ -102,7 +102,7 @@ public:
   template <class Triangulation>
   bool before(const Triangulation& t, const CGAL::Intrinsic_triangulations::Flip& move) const;
   /*!
-  \brief is called before a move that nobody refuses: allocates the memory that it needs; may throw.
+  \brief allocates the memory that a move needs, once nobody has refused the move; may throw.
   \tparam Move each of the five records
   */
   template <class Triangulation, class Move>

@@ -34,7 +34,7 @@ public:
   template <class Triangulation>
   bool before(const Triangulation& t,
               const CGAL::Intrinsic_triangulations::Move_in_star& move) const;
-  /// is called before it if nobody refuses: allocates the memory that `after()` needs; may throw.
+  /// allocates the memory that `after()` needs, once nobody has refused the move; may throw.
   template <class Triangulation>
   void make_room(const Triangulation& t, const CGAL::Intrinsic_triangulations::Move_in_star& move);
   /// is called after it: the metric of `t` is as after the move.
