@@ -15,7 +15,8 @@ rooms in `src/`. Fails, and says where, if
 - an include guard is not the path of its header,
 - an own header is included by a path that is not the full one, or that does not exist,
 - `CGAL/PACKAGE_sources.h` does not list the sources of its package, sorted,
-- a file of the program or of the Python module has more than 350 lines, or lines of more than 100 columns,
+- a file of the program or of the Python module, in C++ or in Python, has more than 350 lines, or lines of more than
+  100 columns,
 - a file of the program includes one of a higher folder by the headings of `src/intrinsic/README.md`,
 - the Python module includes a header of the program,
 - a file of the program or the module names `internal::` of the library,
@@ -32,7 +33,7 @@ import run_check
 
 PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators",
             "CGAL/Intrinsic_conformal"] # lowest first
-PROGRAM, MODULE = "src/intrinsic", "python/src"
+PROGRAM, MODULE, PYTHON = "src/intrinsic", "python/src", "python/intrinsic"
 MOST_HEADERS = 15
 MOST_LINES = 350
 MOST_COLUMNS = 100
@@ -244,19 +245,26 @@ def check_program_includes(file, text, files, places, used):
                 yield f"{file} includes {included}, of a higher room"
 
 
+def check_size(file, text):
+    """Yields what is wrong with the size of a file of the program or the module."""
+    if text.count("\n") > MOST_LINES:
+        yield f"{file} has {text.count(chr(10))} lines, at most {MOST_LINES} are allowed"
+    if any(len(line) > MOST_COLUMNS for line in text.splitlines()):
+        yield f"{file} has lines of more than {MOST_COLUMNS} columns"
+
+
 def check_program(root, used):
     """Yields what is wrong with the files of the program and of the Python module."""
     files = {path.relative_to(root).as_posix(): path.read_text() for folder in (PROGRAM, MODULE)
              for path in sorted((root / folder).rglob("*")) if path.suffix in (".h", ".cpp")}
+    for path in sorted((root / PYTHON).rglob("*.py")):
+        yield from check_size(path.relative_to(root).as_posix(), path.read_text())
     places = program_rooms(root)
     for file, text in files.items():
         folder = posixpath.dirname(file)
         if file.startswith(PROGRAM) and folder not in places:
             yield f"{file} lies in no room: name its folder in {PROGRAM}/README.md"
-        if text.count("\n") > MOST_LINES:
-            yield f"{file} has {text.count(chr(10))} lines, at most {MOST_LINES} are allowed"
-        if any(len(line) > MOST_COLUMNS for line in text.splitlines()):
-            yield f"{file} has lines of more than {MOST_COLUMNS} columns"
+        yield from check_size(file, text)
         if re.search(r"\binternal::", text):
             yield f"{file} names `internal::`: use what the library has for users, or add to it"
         yield from check_program_includes(file, text, files, places, used)

@@ -150,7 +150,8 @@ class Rooms(unittest.TestCase):
         self.assert_one_error("of a higher room", {**texts, f"../src/{name}": header(name, path("high/inner/b.h"))})
 
     def test_the_program_keeps_to_rooms_and_sizes(self):
-        program, module = (f"../{folder}" for folder in (check_rooms.PROGRAM, check_rooms.MODULE))
+        program, module, python = (f"../{folder}" for folder in (
+            check_rooms.PROGRAM, check_rooms.MODULE, check_rooms.PYTHON))
         good = {f"{program}/README.md": "## `support/`\n## The first program: `./`\n## `late/`\n",
                 f"{program}/support/a.h": "", f"{program}/b.cpp": '#include "support/a.h"\n',
                 f"{program}/late/c.h": '#include "../support/a.h"\n', f"{module}/d.h": "",
@@ -163,6 +164,8 @@ class Rooms(unittest.TestCase):
                 (f"{program}/other/f.cpp", "", "lies in no room"),
                 (f"{program}/b.cpp", "//\n" * 351, "has 351 lines"),
                 (f"{module}/e.cpp", "//\n" * 351, "has 351 lines"),
+                (f"{python}/_f.py", "#\n" * 351, "has 351 lines"),
+                (f"{python}/compat/_f.py", "#" + "x" * 100 + "\n", "more than 100 columns"),
                 (f"{module}/d.h", "//" + "x" * 99 + "\n", "more than 100 columns"),
                 (f"{module}/d.h", "IT::internal::Sheets s;\n", "names `internal::`"),
                 (f"{program}/b.cpp", "internal::f();\n", "names `internal::`"),

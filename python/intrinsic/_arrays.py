@@ -56,11 +56,6 @@ def not_negative(x, name):
     return number(x, name, "a number that is not negative", lambda x: 0 <= x < np.inf)
 
 
-def distance(x, name):
-    """Returns one number that is not negative, and may be infinite."""
-    return number(x, name, "a number that is not negative", lambda x: x >= 0)
-
-
 def whole(x, name, wanted="a whole number that is not negative", least=0, most=2**53):
     """Returns one whole number as an int."""
     return int(number(x, name, wanted, lambda x: least <= x <= most and x == int(x)))

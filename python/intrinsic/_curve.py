@@ -81,8 +81,12 @@ class Curve(_Shown):
         return len(self.faces)
 
     def __repr__(self):
+        if self.status == "contracted":
+            return "<intrinsic.Curve: a loop that has shrunk to a point>"
         kind = "closed curve" if self.is_closed else "curve"
-        return f"<intrinsic.Curve: {kind} of {len(self)} points, length {self.length:.6g}>"
+        points = "1 point" if len(self) == 1 else f"{len(self)} points"
+        status = "" if self.status in (None, "done") else f", {self.status}"
+        return f"<intrinsic.Curve: {kind} of {points}, length {self.length:.6g}{status}>"
 
 
 class Curves(_Shown, list[Curve]):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 from ._curve import Curve, Curves, Cut, Network
 from ._points import expect_one, joined
 
@@ -136,8 +136,7 @@ class _Curves:
         """
         values = _arrays.numbers(u, "u", (self._core.number_of_vertices,), may_be_infinite=True)
         if _arrays.is_single(levels):
-            count = _arrays.whole(levels, "levels", "a number from 1 to 10000, or an array", 1,
-                                  10000)
+            count = _options.number(levels, "levels")
             levels = _core.even_levels(values, count)
         else:
             levels = _arrays.numbers(levels, "levels", (None,))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, overload
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 from ._curve import Curve, Curves
 from ._files import save_curves
 from ._pages import _Shown
@@ -93,14 +93,14 @@ def _method(method, max_distance, time_factor):
     _arrays.expect_word(method, "method", ("exact", "heat"))
     if method == "heat" and max_distance is not None:
         raise ValueError('max_distance is for method="exact": heat reaches all vertices at once')
-    far = np.inf if max_distance is None else _arrays.distance(max_distance, "max_distance")
-    return _core.DistanceMethod(method == "exact", far, _arrays.number(time_factor, "time_factor"))
+    far = np.inf if max_distance is None else _options.number(max_distance, "max_distance")
+    return _core.DistanceMethod(method == "exact", far, _options.number(time_factor, "time_factor"))
 
 
 def _warn_of_cap(status):
     if status == "cap":
         warnings.warn("the surface is so thin that a search met its cap; distances beyond the part "
-                      "that it searched are infinite", RuntimeWarning, stacklevel=3)
+                      "that it searched are infinite", RuntimeWarning, stacklevel=4)
 
 
 def _flat(source_sets):
@@ -141,7 +141,8 @@ class _Distances:
         has the distances of these points instead, a number if it is one point, and an exact search
         stops when it has them; `max_distance` ends it, too. Where no source is reached, the
         distance is infinite. The unit is that of the vertices. `time_factor` is the time of the
-        heat flow in squares of the mean edge: more is smoother. `flip` is that of `laplacian()`, and matters for heat.
+        heat flow in squares of the mean edge: more is smoother. `flip` is that of `laplacian()`,
+        and matters for heat.
 
         >>> s.distance(0)
         array([0.        , 1.        , 1.41421356, 1.        ])
@@ -151,7 +152,7 @@ class _Distances:
         how = _method(method, max_distance, time_factor)
         ends = None if targets is None else self._places(targets, "targets")
         found, status = _core.distance(self._flipped(flip), self._places(sources, "sources"), ends,
-                                          how, progress)
+                                       how, progress)
         _warn_of_cap(status)
         return float(found[0]) if targets is not None and is_point(targets) else found
 
@@ -201,11 +202,11 @@ class _Distances:
         return _core.pair_distances(self._flipped(flip), a, b, how, threads, progress)
 
     def voronoi(self, sources: Place | Sequence[Places] | NDArray[Any], *,
-                tolerance: float | None = None, progress: Progress = None) -> Voronoi:
+                cell_tolerance: float | None = None, progress: Progress = None) -> Voronoi:
         """Divides the surface among sources by exact distances, and returns a `Voronoi`.
 
         Each element of `sources` is a point, or a set of points that share a cell. Boundaries are
-        polylines within `tolerance`, by default a thousandth of the mean edge.
+        polylines within `cell_tolerance`, by default a thousandth of the mean edge.
 
         >>> s.voronoi([0, 2]).labels[[0, 2]]
         array([0, 1])
@@ -215,10 +216,10 @@ class _Distances:
         if len(sizes) == 0 or not sizes.all():
             raise ValueError("each cell needs a source; give one at least")
         cell = np.repeat(np.arange(len(sizes)), sizes)
-        if tolerance is not None:
-            tolerance = _arrays.number(tolerance, "tolerance")
+        if cell_tolerance is not None:
+            cell_tolerance = _options.number(cell_tolerance, "cell_tolerance")
         found = _core.voronoi(self._flipped(), self._places(points, "sources"), cell.tolist(),
-                              tolerance, progress)
+                              cell_tolerance, progress)
         places = found["junctions"]
         junctions = Junctions(places["points"], places["faces"], places["barycentric"],
                               places["corners"], found["cells_at_junctions"])

@@ -4,19 +4,20 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 from ._curve import Curve, Network
 from ._pages import _Shown
 from ._points import Point, expect_one, is_point
+from ._singularities import Singularities
 
 if TYPE_CHECKING:
     from typing import Any, Literal
     from numpy.typing import ArrayLike, NDArray
-    from ._types import Integers, Numbers, Place, Places, Progress, SignedCurves
+    from ._types import Numbers, Place, Places, Progress, SignedCurves
 
 
 class VectorField(_Shown):
@@ -137,29 +138,6 @@ class Frames(_Shown):
         return _core.vectors_in_space(self._core, field, 0.0, self._neighbors)
 
 
-class Singularities(NamedTuple):
-    """Faces of the triangulation about which a field of directions turns.
-
-    Their centres lie in faces of the user's mesh, `faces` of shape (k,), at `barycentric` of shape
-    (k, 3); `points` of shape (k, 3) are their places in space. The field makes index / degree
-    turns about each: `index` of shape (k,).
-    """
-
-    faces: Integers
-    barycentric: Numbers
-    points: Numbers
-    index: NDArray[np.int32]
-
-    def __len__(self):
-        return len(self.faces)
-
-    def __repr__(self):
-        return f"<intrinsic.Singularities: {len(self)}, sum of indices {int(self.index.sum())}>"
-
-    def _add_to_page(self, contents):
-        contents.add_marks(self.points, self.index, "singularities")
-
-
 class DirectionField(VectorField):
     """Equivalent directions at each vertex, `degree` of them at equal angles: vectors, lines,
     crosses. `coordinates` are those of one of them, of length 1.
@@ -196,7 +174,7 @@ class DirectionField(VectorField):
 
 
 def _degree(x):
-    return _arrays.whole(x, "degree", "the number of directions at a vertex, from 1 to 999", 1, 999)
+    return _options.number(x, "degree")
 
 
 def _pair(fixed):
@@ -265,8 +243,8 @@ class _Fields:
         if method is not None:
             _arrays.expect_word(method, "method", ("exact", "affine", "polar"))
         return _core.log_map(self._flipped(flip), self._places(p, "p"), method,
-                             _arrays.number(time_factor, "time_factor"),
-                             _arrays.distance(max_distance, "max_distance"),
+                             _options.number(time_factor, "time_factor"),
+                             _options.number(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)
 
     def transport(self, points: Places, vectors: ArrayLike, *, time_factor: float = 1.0,
@@ -288,8 +266,8 @@ class _Fields:
             _arrays.expect_shape(vectors, "vectors", (None, 2))
         core = self._flipped(flip)
         field = _core.transport(core, self._places(points, "points"), vectors,
-                                _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
-                                progress)
+                                _options.number(time_factor, "time_factor"),
+                                self._cloud_neighbors(), progress)
         return VectorField(core, field, self._cloud_neighbors())
 
     def extend(self, points: Places, values: ArrayLike, *, time_factor: float = 1.0,
@@ -299,7 +277,7 @@ class _Fields:
         point. `time_factor` is the time of the heat flow in squares of the mean edge."""
         values = np.atleast_1d(_arrays.numbers(values, "values"))
         return _core.extend(self._flipped(flip), self._places(points, "points"), values,
-                            _arrays.number(time_factor, "time_factor"), self._cloud_neighbors(),
+                            _options.number(time_factor, "time_factor"), self._cloud_neighbors(),
                             progress)
 
     def direction_field(self, degree: int = 4, *, align: float | None = None,
@@ -318,7 +296,7 @@ class _Fields:
         if vectors.ndim == 1 and vectors.size:
             vectors = vectors[None, :]
         if align is not None:
-            align = _arrays.not_negative(align, "align")
+            align = _options.number(align, "align")
         degree = _degree(degree)
         found = _core.direction_field(core, degree, align, self._places(points, "fixed[0]"),
                                       vectors, self._cloud_neighbors(), progress)
@@ -339,7 +317,7 @@ class _Fields:
         """
         rows = _curves(curves, self._places, self._core.number_of_vertices)
         return _core.signed_distance(self._flipped(flip), rows,
-                                     _arrays.number(time_factor, "time_factor"),
+                                     _options.number(time_factor, "time_factor"),
                                      progress)
 
     def connection_laplacian(self, degree: int = 1, *, flip: bool = True) -> Any:

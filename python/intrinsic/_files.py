@@ -12,7 +12,8 @@ def save_curves(path, curves):
     for curve in curves:
         if curve.points is None:
             raise ValueError("the surface has lengths and no points, so that curves have no places")
-    _core.save_curves(os.fsdecode(_arrays.file_name(path)), [(c.points, c.is_closed, i) for i, c in enumerate(curves)])
+    _core.save_curves(os.fsdecode(_arrays.file_name(path)),
+                      [(c.points, c.is_closed, i) for i, c in enumerate(curves)])
 
 
 def save_surface(path, surface, values=(), plain=False):

@@ -4,13 +4,14 @@
 
 from __future__ import annotations
 
-import traceback
-from concurrent.futures import BrokenExecutor, Executor, Future, as_completed
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ._arguments import suggesting
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from ._types import Item, Progress, Result
+    from concurrent.futures import Future
+    from ._types import Executor, Item, Progress, Result
 
 
 class Failure(NamedTuple):
@@ -26,6 +27,8 @@ class Failure(NamedTuple):
 
 
 def _failure(item, error):
+    import traceback
+
     return Failure(item, error, "".join(traceback.format_exception(
         type(error), error, error.__traceback__)))
 
@@ -37,6 +40,7 @@ def _result_of(item, ask):
         return _failure(item, error)
 
 
+@suggesting
 def map(function: Callable[[Item], Result], files: Iterable[Item], *,
         executor: Executor | None = None,
         progress: Progress = None) -> list[Result | Failure]:
@@ -71,6 +75,8 @@ def map(function: Callable[[Item], Result], files: Iterable[Item], *,
 
 
 def _submitted(executor, function, item):
+    from concurrent.futures import BrokenExecutor, Future
+
     try:
         return executor.submit(function, item)
     except BrokenExecutor as error:  # a process has died
@@ -89,6 +95,8 @@ def _here(function, items, progress):
 
 
 def _collected(futures, items, progress):
+    from concurrent.futures import as_completed
+
     if progress is not None:
         for done, _ in enumerate(as_completed(futures), 1):
             progress("map", done, len(items))

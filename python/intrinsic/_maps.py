@@ -1,25 +1,26 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps to the plane and to the sphere, eigenfunctions, deformations."""
+"""Maps to the plane, eigenfunctions, deformations."""
 
 from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import TYPE_CHECKING, NamedTuple, overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
+from ._conformal_map import ConformalMap
 from ._files import save_surface
-from ._pages import _PageContents, _Shown
+from ._pages import _Shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any, Literal
     from numpy.typing import ArrayLike, NDArray
     from ._surface import Surface
-    from ._types import Angle, Integers, Numbers, Path, Progress
+    from ._types import Angle, Numbers, Path, Progress
 
 
 class PlaneMap(_Shown):
@@ -31,7 +32,10 @@ class PlaneMap(_Shown):
 
     `certificate` is a dict: "injective", "flipped_faces", "degenerate_faces", "border_is_simple",
     exact for the numbers in `uv`; `injective_on_input` is the same answer for the triangles of the
-    mesh. `distortion` is a dict; "mean_quasi_conformal" is 1 if angles stay the same. `status` is
+    mesh. `distortion` is a dict; "mean_quasi_conformal" is 1 if angles stay the same. Ratios of
+    areas are 1 where all areas scale alike: "min_area_ratio" and "max_area_ratio" are the least and
+    the greatest, and "mean_area_ratio" the mean of each ratio or its inverse, whichever is greater:
+    it may be more than the greatest ratio if most areas shrink. `status` is
     "done", or says why the map is not injective; of maps by "spectral" and "lscm" it is
     "inaccurate" if faces have turned over or have no area.
     """
@@ -70,121 +74,6 @@ class PlaneMap(_Shown):
 
     def __repr__(self):
         return f"<intrinsic.PlaneMap: {len(self.uv)} vertices, {self.status}>"
-
-
-class Layout(NamedTuple):
-    """The layout of a surface in the plane: the pieces of faces of the mesh between edges of the
-    flat triangulation, cut open to disks.
-
-    `points` of shape (k, 3) and `polygons`, a list of arrays, are the pieces on the mesh; `uv` of
-    shape (k, 2) their places in the plane, and `weights` of shape (k,) the third homogeneous
-    coordinates: (u q, v q, q) is linear on the faces of the mesh. `vertices` of shape (k,) are
-    those of the mesh, or -1 at crossings of edges, and `input_faces` the faces of the mesh.
-    `seams` of shape (s, 2) are the ends of the edges that were cut.
-    """
-
-    points: Numbers
-    polygons: list[Integers]
-    uv: Numbers
-    weights: Numbers
-    vertices: Integers
-    input_faces: Integers
-    seams: Integers
-
-    def __repr__(self):
-        return f"<intrinsic.Layout: {len(self.uv)} vertices, {len(self.polygons)} pieces, " \
-               f"{len(self.seams)} seams>"
-
-
-class ConformalMap(_Shown):
-    """A discrete conformal map: lengths become exp((u_i + u_j) / 2) times lengths.
-
-    `u` and `scale_factors`, exp(u / 2), have the shape (n,). `status` is "done" if angles are the
-    prescribed ones, "inaccurate" if rounding has turned over pieces then, and "stalled" or "cap" if
-    the solver ended before. `residual` is the largest difference of the angles that
-    `scale_factors` give, in radians, and `proven_residual` a proven bound of it, with
-    `scale_factors` and with `u` as well: a large u has fewer digits. On a sphere both are of the
-    plane that is projected. `cones` is a dict from vertices to their angles. `target` is "plane",
-    "sphere", "torus" or "disk".
-
-    On a sphere `points` of shape (n, 3) are the vertices; of a torus, `period` is a complex
-    number. `layout` is a `Layout`, with `certificate` and `distortion` as those of a `PlaneMap`;
-    None for spheres, and where `no_layout` says why there is none: a Möbius strip or a cloud of
-    points has no front, and a solver that stalled may leave triangles that have no shape.
-    """
-
-    target: str
-    u: Numbers
-    scale_factors: Numbers
-    status: str
-    iterations: int
-    flips: int
-    residual: float
-    proven_residual: float | Any
-    cones: dict[int, float]
-    period: complex | Any
-    points: Numbers | Any
-    sphere: dict[str, Any] | Any
-    layout: Layout | Any
-    no_layout: str | None
-    certificate: dict[str, Any] | Any
-    distortion: dict[str, float] | Any
-
-    def __init__(self, found, surface):
-        self._surface = surface
-        sphere = found.pop("sphere", None)
-        layout = found.pop("layout", None)
-        self.no_layout = None
-        self.certificate = self.distortion = self.points = None
-        self.__dict__.update(found)
-        self.sphere = sphere
-        if sphere is not None:
-            self.points = sphere.pop("positions")
-        self.layout = None if layout is None else _layout(layout)
-
-    def _pieces(self):
-        """Returns the pieces of the layout as a surface."""
-        from ._surface import Surface
-
-        return Surface(self.layout.points, self.layout.polygons)
-
-    def save(self, path: Path, *, plain: bool = False) -> None:
-        """Writes the pieces of the layout, cut open, with their places in the plane, `u` and `v`,
-        to a file .obj, where they are texture coordinates, .ply or .vtp. `plain`: see
-        `Surface.save()`."""
-        if self.layout is None:
-            raise ValueError("the map has no layout in the plane; save its positions or scales")
-        save_surface(path, self._pieces(), zip("uv", self.layout.uv.T), plain)
-
-    def _page_contents(self):
-        if self.layout is None or self._surface is None or not len(self.layout.points):
-            return super()._page_contents()
-        contents = _PageContents(self._pieces())
-        contents.texture, contents.is_disk = self.layout.uv, self.target == "disk"
-        points = self._surface.points
-        for ends in self.layout.seams:
-            contents.curves.append((points[ends], False, 0))
-        if self.cones:
-            contents.add_marks(points[list(self.cones)], name="cones")
-        return contents
-
-    def _add_to_page(self, contents):
-        contents.add_field("logarithm of scale", self.u)
-        if self.points is not None:
-            x, y, z = self.points.T
-            contents.add_field("longitude", np.degrees(np.arctan2(y, x)))
-            contents.add_field("latitude", np.degrees(np.arcsin(np.clip(z, -1, 1))))
-
-    def __repr__(self):
-        return f"<intrinsic.ConformalMap to the {self.target}: {len(self.u)} vertices, " \
-               f"{self.status}>"
-
-
-def _layout(parts):
-    begins = parts["begins"].astype(np.int64)
-    polygons = np.split(parts["corners"].astype(np.int64), begins[1:-1])
-    return Layout(parts["points"], polygons, parts["uv"], parts["weights"], parts["vertices"],
-                  parts["input_faces"].astype(np.int64), parts["seams"].astype(np.int64))
 
 
 _multiple = re.compile(r"\s*(\d+)?(?:/(\d+))?\s*\*?\s*pi\s*(?:/\s*(\d+))?\s*")
@@ -322,8 +211,9 @@ class _Maps:
               progress: Progress = None) -> tuple[Numbers, Numbers]:
         """Returns the `count` smallest eigenvalues of the Laplacian, of shape (count,), in
         1 / area, and the eigenfunctions, of shape (n, count), orthonormal in the mass matrix. There
-        are at most as many as vertices, and fewer are returned if `count` is larger."""
-        count = _arrays.whole(count, "count", "the number of eigenfunctions")
+        are as many as vertices. If `count` is larger, up to 1000 vertices have all of them; on
+        larger surfaces it is an error."""
+        count = _options.number(count, "count")
         return _core.eigen(self._flipped(flip), count, progress)
 
     def deform(self, handles: ArrayLike | Mapping[int, ArrayLike],

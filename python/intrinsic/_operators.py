@@ -4,15 +4,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
-import tempfile
 from pathlib import Path as _Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 
 if TYPE_CHECKING:
     from typing import Any
@@ -45,6 +43,8 @@ class Operators(NamedTuple):
 
     def save(self, path: Path) -> None:
         """Writes a file `.npz`, with the keys that DiffusionNet reads from its cache."""
+        import tempfile
+
         arrays: dict[str, Any] = {
             "verts": self.points, "faces": self.faces, "k_eig": len(self.eigenvalues),
             "mass": self.mass, "evals": self.eigenvalues, "evecs": self.eigenfunctions,
@@ -139,7 +139,7 @@ class _Learning:
         >>> s.operators(k=3).eigenfunctions.shape
         (4, 3)
         """
-        k = _arrays.whole(k, "k", "the number of eigenfunctions")
+        k = _options.number(k, "count", "k")
         flip = _arrays.flag(flip, "flip")
         points = self.points
         if points is None or _core.sheets(self._core) > 1:
@@ -161,6 +161,8 @@ class _Learning:
 
     def _content(self, points, flip):
         """Returns the hash of the surface."""
+        import hashlib
+
         hashed = hashlib.sha256(_FORMAT + bytes([flip, self._core.is_flipped,
                                                  self._core.is_exact]))
         for x in points, self.faces, _core.glue(self._core):

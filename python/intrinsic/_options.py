@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _core
 
 _WORDS = {
     "domain": ("auto", "manifold", "orientation-cover", "tufted", "closed"),
@@ -29,10 +29,14 @@ def expect_correspondence(x):
     _arrays.expect_word(x, "correspondence", ("integer",))
 
 
-def minimum_angle(x):
-    """Returns the least angle of faces, in degrees."""
-    return _arrays.number(x, "min_angle", "an angle in degrees, at least 0 and below 60",
-                          lambda x: 0 <= x < 60)
+def number(x, option, name=None):
+    """Returns a number that an option may be, by the table that the program has, too."""
+    allowed = _core.ranges[option]
+    least, most = allowed["least"], np.inf if allowed["most"] is None else allowed["most"]
+    found = _arrays.number(x, name or option, allowed["description"], lambda x: (
+        least <= x <= most and not (allowed["positive"] and x == 0)
+        and not (allowed["whole"] and x != np.floor(x))))
+    return int(found) if allowed["whole"] else found
 
 
 def kept(keep, vertices):
@@ -43,21 +47,19 @@ def kept(keep, vertices):
     if keep is None:
         return None, None
     if _arrays.is_single(keep):
-        return None, _arrays.number(keep, "keep", "pairs of vertices, or an angle in degrees",
-                                    np.isfinite)
+        return None, number(keep, "sharp_angle", "keep")
     return _arrays.indices(keep, "keep", (None, 2), vertices), None
 
 
-def abstract_arrays(V, F, lengths, glue):
+def abstract_arrays(points, faces, lengths, glue):
     """Returns the number of vertices, and arrays of faces, lengths, glued sides and points."""
-    faces = _arrays.indices(F, "faces", (None, 3))
-    points = None
-    if V is None:
-        vertices = int(faces.max()) + 1 if faces.size else 0
-    elif _arrays.is_single(V):
-        vertices = _arrays.whole(V, "points", "points, or how many vertices there are")
-    else:
-        points = _arrays.points(V, "points")
+    faces = _arrays.indices(faces, "faces", (None, 3))
+    vertices = int(faces.max()) + 1 if faces.size else 0
+    if points is not None and _arrays.is_single(points):
+        vertices = _arrays.whole(points, "points", "points, or how many vertices there are")
+        points = None
+    elif points is not None:
+        points = _arrays.points(points, "points")
         vertices = len(points)
     faces = _arrays.indices(faces, "faces", count=vertices)
     lengths = _arrays.numbers(lengths, "lengths", (len(faces), 3))

@@ -5,7 +5,6 @@ results become what it takes."""
 
 from __future__ import annotations
 
-import html
 import os
 import re
 from typing import TYPE_CHECKING
@@ -26,7 +25,7 @@ class _PageContents:
 
     def __init__(self, surface):
         self.surface = surface
-        self.fields = []  # name, numbers, whether they name classes
+        self.fields = []  # name, place, numbers, whether they name classes
         self.texture, self.is_disk, self.is_logarithm = None, False, False
         self.curves, self.marks = [], []  # points, whether closed, label
         self.marks_name = "points"
@@ -51,8 +50,9 @@ class _PageContents:
         self.places = np.repeat(places, self.degree, axis=0)
         self.vectors = vectors.transpose(1, 0, 2).reshape(-1, 3)
 
-    def add_field(self, name, values):
-        """Adds numbers at vertices; whole numbers and truth values name classes."""
+    def add_field(self, name, values, place="vertices"):
+        """Adds numbers at vertices, or on "faces" or "input_faces"; whole numbers and truth values
+        name classes."""
         values = np.asarray(values)
         if values.dtype.kind not in "biuf":
             raise ValueError(f"{name} has no numbers but {values.dtype}; give an array of numbers")
@@ -60,7 +60,7 @@ class _PageContents:
         taken = [f[0] for f in self.fields]
         if name in taken:
             name = next(n for n in (f"{name}_{k}" for k in range(len(taken) + 1)) if n not in taken)
-        self.fields.append((name, values.astype(float), values.dtype.kind in "biu"))
+        self.fields.append((name, place, values.astype(float), values.dtype.kind in "biu"))
 
     def is_plain(self):
         """Tells whether nothing was added."""
@@ -72,10 +72,11 @@ class _PageContents:
         core = self.surface._core
         if core.points is None:
             raise ValueError("the surface has lengths and no points, so that nothing can be drawn")
-        if self.fields or self.texture is not None:  # which are linear on Delaunay triangles
-            core = self.surface._flipped()
+        of_faces = any(place == "faces" for _, place, _, _ in self.fields)
+        if (self.fields or self.texture is not None) and not of_faces:
+            core = self.surface._flipped()  # on whose faces others are linear
         title, text = _core.description(core)
-        numbers = [f for f in self.fields if not f[2]]
+        numbers = [f for f in self.fields if f[1] == "vertices" and not f[3]]
         return _core.page(core, {
             "title": title, "text": text, "fields": self.fields, "texture": self.texture,
             "is_disk": self.is_disk, "is_logarithm": self.is_logarithm, "curves": self.curves,
@@ -88,7 +89,10 @@ class _PageContents:
 def _add_array(contents, a, name):
     """Adds an array by its shape; see `Surface.show()`."""
     n = contents.surface.number_of_vertices, contents.surface.number_of_input_vertices
-    if a.ndim == 1 and len(a) in n:
+    m = contents.surface.number_of_input_faces, contents.surface.number_of_faces
+    if a.ndim == 1 and len(a) in m and len(a) not in n:
+        contents.add_field(name, a, "input_faces" if len(a) == m[0] else "faces")
+    elif a.ndim == 1 and len(a) in n:
         if a.dtype.kind == "c":
             contents.add_vectors(contents.surface.frames().to_space(a)[None])
         else:
@@ -103,7 +107,8 @@ def _add_array(contents, a, name):
         _add_functions(contents, name, a)
     else:
         raise ValueError(f"an array of the shape {a.shape} cannot be shown on a surface with "
-                         f"{n[0]} vertices; give a number or a vector for each of them")
+                         f"{n[0]} vertices and {m[0]} faces; give a number or a vector for each "
+                         "vertex, or a number for each face")
 
 
 def _add_functions(contents, name, a):
@@ -158,6 +163,8 @@ def _contents(surface, results, marks):
 
 def _frame(page):
     """Returns a page as a part of another one."""
+    import html
+
     page = html.escape(page, quote=True)
     return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0"></iframe>'
 
@@ -235,10 +242,11 @@ class _Pages:
         """Shows results on the surface, together on one page, or the triangulation.
 
         `results` are what methods return, lists of these, and arrays for the vertices: of numbers,
-        shape (n,), where whole numbers name classes; of vectors in space, (n, 3), or complex ones
-        in polar coordinates; of places in the plane as of `log_map()`, (n, 2); of functions, as of
-        `eigen()` and `distances()`; or dicts from names to arrays of numbers. `marks` are points
-        that are marked.
+        shape (n,), where whole numbers name classes, or as many as the mesh or the triangulation
+        has faces, if that is another number than that of vertices; of vectors in space, (n, 3), or
+        complex ones in polar coordinates; of places in the plane as of `log_map()`, (n, 2); of
+        functions, as of `eigen()` and `distances()`; or dicts from names to arrays of numbers.
+        `marks` are points that are marked.
 
         In a notebook, the page appears there. Elsewhere it is written to `path`, by default a
         temporary file, and a browser opens it unless `open_browser` is false; where there is no

@@ -8,6 +8,7 @@ import os
 from typing import TYPE_CHECKING
 
 from . import _arrays, _core, _options
+from ._arguments import suggesting
 from ._surface import Surface
 
 if TYPE_CHECKING:
@@ -15,10 +16,7 @@ if TYPE_CHECKING:
     from ._types import Arithmetic, FileDomain, Mollification, Path, Polygons, Progress
 
 
-def _neighbors(x):
-    return _arrays.whole(x, "neighbors", "a number of points, two at least", 2)
-
-
+@suggesting
 def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | None = None,
          mollification: Mollification | None = None, polygons: Polygons = "fan",
          neighbors: int | None = None, progress: Progress = None) -> Surface:
@@ -31,7 +29,7 @@ def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | No
     _arrays.expect_word(domain, "domain", _options.FILE_DOMAINS)
     _options.expect(polygons=polygons, **{name: x for name, x in optional.items() if x is not None})
     if neighbors is not None:
-        neighbors = _neighbors(neighbors)
+        neighbors = _options.number(neighbors, "neighbors")
     path = _arrays.file_name(path)
     if not os.path.exists(path):
         raise FileNotFoundError(f"{path} does not exist")
@@ -39,11 +37,13 @@ def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | No
                                   progress))
 
 
+@suggesting
 def load(path: Path) -> Surface:
     """Reads what `Surface.save()` has written."""
     return read(path)
 
 
+@suggesting
 def points(points: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "exact",
            mollification: Mollification = "automatic") -> Surface:
     """Makes a surface of points near a surface in space, of shape (n, 3).
@@ -52,6 +52,6 @@ def points(points: ArrayLike, *, neighbors: int = 30, arithmetic: Arithmetic = "
     covered. Matrices have a row for each point.
     """
     _options.expect(arithmetic=arithmetic, mollification=mollification)
-    neighbors = _neighbors(neighbors)
+    neighbors = _options.number(neighbors, "neighbors")
     return Surface._of(_core.points(_arrays.points(points, "points"), neighbors,
                                     arithmetic == "exact", mollification))

@@ -43,7 +43,7 @@ class CommonSubdivision(_Shown):
 
     def __init__(self, parts: dict[str, Any], surface: Surface) -> None:
         self._surface = surface
-        self.points = parts["V"] if parts["has_points"] else None
+        self.points = parts["points"] if parts["has_points"] else None
         self.corners = parts["corners"]
         self.begins = parts["begins"]
         self.input_face = parts["input_face"]
@@ -51,6 +51,9 @@ class CommonSubdivision(_Shown):
         self.sheet = parts["sheet"]
         self.P_input = _arrays.sparse(parts["P_input"])
         self.P_intrinsic = _arrays.sparse(parts["P_intrinsic"])
+
+    def __getstate__(self):
+        return {**vars(self), "_surface": None}  # the surface stays behind
 
     def _add_to_page(self, contents):
         pass  # pages show the triangulation on the common subdivision

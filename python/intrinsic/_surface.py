@@ -8,7 +8,7 @@ import os
 import threading
 from typing import TYPE_CHECKING
 
-from . import _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
+from . import _arguments, _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
 from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
@@ -16,8 +16,7 @@ from ._files import save_surface
 from ._maps import _Maps
 from ._operators import _Learning
 from ._pages import _Pages
-from ._points import Point, place_arrays
-from ._subdivision import CommonSubdivision
+from ._transfers import _Transfers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -27,7 +26,7 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
-class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is
@@ -66,6 +65,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
                  correspondence: Literal["integer"] = "integer",
                  mollification: Mollification = "automatic", polygons: Polygons = "fan") -> None:
         _options.expect_correspondence(correspondence)
+        if isinstance(domain, str) and domain == "points":
+            raise ValueError('domain="points" ignores faces; give the points to '
+                             "intrinsic.points(points)")
         _options.expect(domain=domain, arithmetic=arithmetic, mollification=mollification,
                         polygons=polygons)
         exact = arithmetic == "exact"
@@ -126,8 +128,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         """Returns the Delaunay triangulation with vertices inserted until faces meet criteria.
 
         Parameters:
-            min_angle: least angle of faces in degrees; up to 30 refinement always ends. Faces that
-                cannot have it are in `statistics["refine"]`.
+            min_angle: least angle of faces in degrees, from 0 to 59; up to 30 refinement always
+                ends. Faces that cannot have it are in `statistics["refine"]`.
             max_edge_length: largest length of edges, in units of the vertices: a number, or one
                 for each vertex of the input, of shape (n,).
             max_circumradius: of faces, in units of the vertices.
@@ -147,13 +149,13 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
                 raise ValueError(f"max_edge_length[{sizes.argmin()}] is {sizes.min()}; give "
                                  "positive lengths")
         if longest is not None:
-            longest = _arrays.number(longest, "max_edge_length")
+            longest = _options.number(longest, "max_edge_length")
         if max_circumradius is not None:
-            max_circumradius = _arrays.number(max_circumradius, "max_circumradius")
+            max_circumradius = _options.number(max_circumradius, "max_circumradius")
         if max_insertions is not None:
-            max_insertions = _arrays.whole(max_insertions, "max_insertions")
-        odt = 0. if odt_length is None else _arrays.not_negative(odt_length, "odt_length")
-        return Surface._of(_core.refine(self._core, _options.minimum_angle(min_angle), sizes,
+            max_insertions = _options.number(max_insertions, "max_insertions")
+        odt = 0. if odt_length is None else _options.number(odt_length, "odt_length")
+        return Surface._of(_core.refine(self._core, _options.number(min_angle, "min_angle"), sizes,
                                         longest, max_circumradius, max_insertions, order,
                                         _arrays.flag(conforming, "conforming"),
                                         *self._kept(keep), odt, progress))
@@ -175,9 +177,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         """
         source = int(_arrays.indices(source, "source", (), count=self.number_of_input_vertices))
         return Surface._of(_core.adapt(
-            self._core, source, _arrays.not_negative(heat_time, "heat_time"),
-            _arrays.not_negative(tolerance, "tolerance"),
-            _arrays.whole(max_vertices, "max_vertices"), _options.minimum_angle(min_angle),
+            self._core, source, _options.number(heat_time, "heat_time"),
+            _options.number(tolerance, "tolerance"),
+            _options.number(max_vertices, "max_vertices"), _options.number(min_angle, "min_angle"),
             *self._kept(keep), progress))
 
     def _kept(self, keep):
@@ -272,56 +274,6 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         _arrays.expect_word(kind, "kind", ("lumped", "galerkin", "voronoi"))
         return _arrays.sparse(_core.mass(self._flipped(flip), kind), symmetric=True)
 
-    # ---- The input and the triangulation --------------------------------------------------------
-
-    def to_input(self, u: ArrayLike, method: Literal["l2", "pointwise"] = "l2", *,
-                 progress: Progress = None) -> Numbers:
-        """Takes values at the vertices of the triangulation, of shape (n,) or (n, k), to those of
-        the input: a row for each of them.
-
-        `method` is "l2": the nearest function there, which keeps integrals; or "pointwise": the
-        values at its vertices.
-        """
-        return self._transfer(u, method, True, self.number_of_vertices, progress)
-
-    def from_input(self, u: ArrayLike, method: Literal["l2", "pointwise"] = "l2", *,
-                   progress: Progress = None) -> Numbers:
-        """Takes values at the vertices of the input to those of the triangulation. See
-        `to_input()` for shapes and `method`."""
-        return self._transfer(u, method, False, self.number_of_input_vertices, progress)
-
-    def _transfer(self, u, method, to_input, size, progress):
-        _arrays.expect_word(method, "method", ("l2", "pointwise"))
-        values = _arrays.numbers(u, "u")
-        if values.ndim not in (1, 2) or len(values) != size:
-            raise ValueError(f"u has the shape {values.shape}; give a row for each of the {size} "
-                             "vertices")
-        result = _core.transfer(self._core, values, to_input, method == "l2", progress)
-        return result[:, 0] if values.ndim == 1 else result
-
-    def locate(self, points: int | Point | ArrayLike | Sequence[int | Point], *,
-               on: Literal["triangulation", "input"] = "triangulation") -> tuple[Integers, Numbers]:
-        """Finds where points of the input are on the triangulation, or the other way round.
-
-        Parameters:
-            points: vertices of the input, and `Point`s on its faces; on="input": `Point`s on the
-                faces of the triangulation.
-            on: "triangulation" or "input".
-
-        Returns: their faces, of shape (k,), and barycentric coordinates there, (k, 3).
-        """
-        _arrays.expect_word(on, "on", ("triangulation", "input"))
-        if on == "triangulation":
-            return _core.locate(self._core, place_arrays(
-                points, "points", self.number_of_vertices, self.number_of_input_faces))
-        faces, weights, vertices = place_arrays(points, "points", 0, self.number_of_faces)
-        return _core.locate_on_input(self._core, faces, weights)
-
-    def common_subdivision(self, *, progress: Progress = None) -> CommonSubdivision:
-        """Returns the coarsest mesh in which edges of the input and of the triangulation are paths.
-        """
-        return CommonSubdivision(_core.common_subdivision(self._core, progress), self)
-
     # ---- Keeping --------------------------------------------------------------------------------
 
     def save(self, path: Path, *, plain: bool = False) -> None:
@@ -351,5 +303,11 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
         return self.__copy__()
 
     def __repr__(self):
+        if self._is_cloud():
+            return f"<intrinsic.Surface: a cloud of {self.number_of_vertices} points>"
+        of = " of a double cover" if _core.sheets(self._core) > 1 else ""
         return f"<intrinsic.Surface: {self.number_of_vertices} vertices, " \
-               f"{self.number_of_faces} faces>"
+               f"{self.number_of_faces} faces{of}>"
+
+
+_arguments.suggest(Surface)

@@ -6,6 +6,7 @@ Results that are None in rare cases, such as points of a surface that has only l
 such as `Numbers | Any`: programs need not rule out None where they know better."""
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import Executor as Executor
 from fractions import Fraction
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal, Optional, SupportsIndex, TypeVar, Union
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
+Function = TypeVar("Function", bound=Callable[..., Any])
 Numbers = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Matrix: "TypeAlias" = csr_matrix

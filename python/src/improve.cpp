@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -235,6 +236,7 @@ void bind_improve(py::module_& m) {
   m.def("refine", &refine);
   m.def("adapt", &adapt);
   m.attr("defaults") = object_of(IT::report_of_defaults());
+  m.attr("ranges") = object_of(IT::report_of_ranges());
   m.def("statistics", &statistics_of);
   m.def("report", &report_of_input);
   m.def("description", &description);

@@ -16,10 +16,11 @@ namespace {
 
 // Options in messages of the program, as Python has them.
 std::string in_python(std::string message) {
-  static constexpr std::array<std::array<std::string_view, 2>, 13> names{
+  static constexpr std::array<std::array<std::string_view, 2>, 14> names{
       {{"--arithmetic exact", "arithmetic=\"exact\""},
        {"--domain points", "intrinsic.points(points)"},
        {"--domain tufted", "domain=\"tufted\""},
+       {"--domain orientation-cover", "domain=\"orientation-cover\""},
        {"--arithmetic", "arithmetic"},
        {"--mollification", "mollification"},
        {"--domain", "domain"},

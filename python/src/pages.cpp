@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "Faces_in_order.h"
 #include "Surface.h"
 #include "curve_arrays.h"
 
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -33,9 +35,9 @@ namespace python {
 
 namespace {
 
-// Numbers at the vertices of the triangulation, or of the user's mesh.
+// Numbers at the vertices of the triangulation, or of the user's mesh; or on faces.
 struct Values {
-  std::string name;
+  std::string name, place; // "vertices", "faces" of the triangulation, or "input_faces"
   Eigen::VectorXd values;
   bool has_classes = false;
 };
@@ -57,8 +59,9 @@ Contents contents_of(const py::dict& d) {
   c.text = d["text"].cast<std::string>();
   c.marks_name = d["marks_name"].cast<std::string>();
   for (const py::handle item : d["fields"]) {
-    const auto [name, values, has_classes] = item.cast<std::tuple<std::string, Doubles, bool>>();
-    c.fields.push_back({name, vector_of(values), has_classes});
+    const auto [name, place, values, has_classes] =
+        item.cast<std::tuple<std::string, std::string, Doubles, bool>>();
+    c.fields.push_back({name, place, vector_of(values), has_classes});
   }
   if (!d["texture"].is_none()) {
     const auto places = d["texture"].cast<Doubles>();
@@ -113,6 +116,22 @@ private:
   IT::Interpolation_matrix from_intrinsic_, from_input_;
 };
 
+// A field on the common subdivision.
+// \param face for each face of the subdivision the one with values, if faces have them
+IT::Subdivision_field field_of(const Values& f, const Taking& take,
+                               const std::vector<std::int64_t>& face) {
+  IT::Subdivision_field field{f.name, std::vector<double>()};
+  if (f.place == "vertices") {
+    const Eigen::VectorXd there = take(f.values, f.has_classes);
+    field.values.assign(there.begin(), there.end());
+  } else {
+    field.place = IT::Subdivision_field::Place::faces;
+    for (const std::int64_t i : face) field.values.push_back(f.values[i]);
+  }
+  field.has_classes = f.has_classes;
+  return field;
+}
+
 // Writes what there is, on a triangulation.
 template <class T>
 std::string written(const Contents& c, const T& t, const std::vector<Point>& user_points,
@@ -122,11 +141,13 @@ std::string written(const Contents& c, const T& t, const std::vector<Point>& use
   const std::vector<Point> points = IT::positions(s, user_points, t.input());
   const Taking take(t, s);
   IT::label_with_polygons(s, t.input().names().polygon_of_triangle);
+  const Faces_in_order order(t);
+  std::vector<std::int64_t> mine, users;
+  for (const std::uint32_t f : s.intrinsic_face) mine.push_back(order[f]);
+  for (const std::uint32_t f : s.input_face) users.push_back(f);
   std::vector<IT::Subdivision_field> fields;
-  for (const Values& f : c.fields) {
-    fields.emplace_back(f.name, take(f.values, f.has_classes));
-    fields.back().has_classes = f.has_classes;
-  }
+  for (const Values& f : c.fields)
+    fields.push_back(field_of(f, take, f.place == "faces" ? mine : users));
   std::vector<std::array<double, 2>> texture;
   if (c.texture) {
     const Eigen::VectorXd u = take(c.texture->col(0)), v = take(c.texture->col(1));

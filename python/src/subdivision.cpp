@@ -42,7 +42,7 @@ py::dict common_subdivision(Surface& s, Watch& watch) {
   });
   py::dict result;
   result["has_points"] = !d.points.empty();
-  result["V"] = array_of(std::move(d.points));
+  result["points"] = array_of(std::move(d.points));
   result["corners"] = whole(d.s.corner);
   result["begins"] = whole(d.s.face_begin);
   result["input_face"] = whole(d.s.input_face);

@@ -113,7 +113,7 @@ class Arrays(unittest.TestCase):
                 (lambda: s.to_input(np.ones(3)), "25"),
                 (lambda: s.locate([it.Point(0, (1, 1, 1))]), "sum to 1"),
                 (lambda: s.locate([99]), "99"),
-                (lambda: it.points(V[:2]), ""), (lambda: it.points(V, neighbors=1), "two"),
+                (lambda: it.points(V[:2]), ""), (lambda: it.points(V, neighbors=1), "from 2"),
                 (lambda: it.Surface(V, F, domain="manifold").adapt(99), "99")):
             with self.assertRaisesRegex(ValueError, words):
                 call()

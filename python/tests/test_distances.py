@@ -97,7 +97,7 @@ class Cells(unittest.TestCase):
 
     def test_sets_of_sources_share_a_cell(self):
         V, F = unit_grid(4)
-        cells = it.Surface(V, F).voronoi([[0, 4], [20, 24]], tolerance=1e-6)
+        cells = it.Surface(V, F).voronoi([[0, 4], [20, 24]], cell_tolerance=1e-6)
         np.testing.assert_allclose(cells.areas, [0.5, 0.5], rtol=1e-9)
 
     def test_three_cells_meet_at_a_junction(self):
@@ -164,7 +164,7 @@ class Arguments(unittest.TestCase):
                 (lambda: s.pair_distances([0, 1], [1, 2, 3]), "A has 2"),
                 (lambda: s.voronoi([]), "each cell needs a source"),
                 (lambda: s.voronoi([0, []]), "each cell needs a source"),
-                (lambda: s.voronoi([0], tolerance=0), "tolerance"),
+                (lambda: s.voronoi([0], cell_tolerance=0), "cell_tolerance"),
                 (lambda: s.farthest_points(1, start=[0, 1]), "start")]:
             with self.assertRaisesRegex(ValueError, words):
                 call()

@@ -79,7 +79,7 @@ class Hostile(With_folder):
                 ("threads", lambda x: s.distances([0], threads=x)),
                 ("n", lambda x: s.farthest_points(x)), ("length", lambda x: s.trace(0, 1, x)),
                 ("levels", lambda x: s.isolines(np.arange(16.), x)),
-                ("tolerance", lambda x: s.voronoi([0], tolerance=x)),
+                ("cell_tolerance", lambda x: s.voronoi([0], cell_tolerance=x)),
                 ("time_factor", lambda x: s.signed_distance([0, 1], time_factor=x)),
                 ("max_distance", lambda x: s.log_map(0, max_distance=x)),
                 ("align", lambda x: s.direction_field(align=x)),

@@ -43,7 +43,7 @@ class Long_work(unittest.TestCase):
 
     def test_cells_and_logarithms(self):
         s = self.s
-        self.expect_end(lambda p: s.voronoi(range(0, 22801, 57), tolerance=1e-6, progress=p))
+        self.expect_end(lambda p: s.voronoi(range(0, 22801, 57), cell_tolerance=1e-6, progress=p))
         self.expect_end(lambda p: s.log_map(0, progress=p))
         np.testing.assert_allclose(np.hypot(*s.log_map(0).T), np.hypot(*s.points[:, :2].T),
                                    atol=1e-12)

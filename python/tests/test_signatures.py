@@ -32,6 +32,7 @@ class Signatures(unittest.TestCase):
         names = {**vars(typing), **vars(_types), **vars(_maps), **vars(intrinsic)}
         for name, function in public_functions():
             with self.subTest(name):
+                function = inspect.unwrap(function)
                 hints = typing.get_type_hints(function, {**names, **function.__globals__})
                 expected = set(inspect.signature(function).parameters) - {"self"} | {"return"}
                 self.assertEqual(set(hints), expected)

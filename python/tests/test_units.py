@@ -100,7 +100,7 @@ class Units(unittest.TestCase):
         yield "heat of pairs", 1, s.pair_distances([v], [w], method="heat")
         yield "pairs", 1, s.pair_distances([p, v], [q, w])
         yield "up to", 1, np.nan_to_num(s.distance(p, max_distance=2.2 * scale), posinf=0)
-        cells = s.voronoi([p, q], tolerance=0.01 * scale)
+        cells = s.voronoi([p, q], cell_tolerance=0.01 * scale)
         yield "cells", 2, cells.areas
         yield "boundaries", 1, [sum(b.length for b in cells.boundaries)]
         yield "farthest points", 1, [s.farthest_points(4).radius]

@@ -11,6 +11,9 @@ exactly one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/read_polylines.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/curves/scan_polylines_OBJ.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/curves/scan_polylines_PLY.cpp>
+#include <CGAL/Intrinsic_triangulations/IO/curves/scan_polylines_VTP.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.cpp>
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.cpp>

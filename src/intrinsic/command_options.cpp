@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "asked_curves.h"
+#include "application_options.h"
 #include "commands.h"
-#include "levels.h"
 #include "option_groups.h"
 
 #include <cstddef>
@@ -15,10 +14,6 @@
 namespace program {
 
 namespace {
-
-CLI::Validator level_list() {
-  return CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST");
-}
 
 // ---- delaunay, refine, laplacian, transfer -----------------------------------------------------
 
@@ -46,10 +41,12 @@ void add_transfer_options(CLI::App& command, Options& options) {
   add("FIELD", options.field,
       "text file: on each line the values at a vertex, in the order of rows")
       ->required();
-  add("--from", options.from, {CLI::IsMember({"input", "intrinsic"})},
-      "triangulation that has the values: input (default) or intrinsic");
-  add("--method", options.method, {CLI::IsMember({"l2", "pointwise"})},
-      "l2 (the nearest function, default) or pointwise (values at vertices)");
+  const Words places({{"input", ""}, {"intrinsic", ""}}, options.from);
+  add("--from", options.from, {places.check()},
+      "triangulation that has the values: " + places.help());
+  const Words methods({{"l2", "the nearest function"}, {"pointwise", "values at vertices"}},
+                      defaults::transfer_method);
+  add("--method", options.method, {methods.check()}, methods.help());
   add_output_option(command, options, "-o", options.output,
                     {Contents::values, Contents::valued_subdivision});
   add_view_option(command, options, "the functions");
@@ -59,13 +56,15 @@ void add_shown_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   command.get_option("IN")->allow_extra_args(false); // what follows is shown
   add("FILE", options.shown,
-      "what the page shows: values, a text file with the values at a vertex on each line, whole "
-      "numbers in colours of their own; or curves, an .obj file with lines")
+      "what the page shows: values, a text file with the values at a vertex or on a face on each "
+      "line, whole numbers in colours of their own; or curves, " +
+          extensions_of(Contents::curves))
       ->expected(0, -1);
   add("-o", options.view, {file_name},
       "write the page to this file; by default to a temporary one, which a browser opens");
-  add("--view-limit", options.view_limit, {between(2, 2000), Type{"MB"}},
-      "most megabytes of the page, which shows less if it needs more; default 30");
+  add("--view-limit", options.view_limit, {in_range(page_megabytes), Type{"MB"}},
+      "most megabytes of the page, which shows less if it needs more; " +
+          default_is(options.view_limit));
 }
 
 // ---- geodesic, cut -----------------------------------------------------------------------------
@@ -77,12 +76,14 @@ void add_curve_options(CLI::App& command, Options& options) {
   add("--bezier", g.bezier, {curve_points(2)}, "Bezier curve with these control points; alone");
   add("--source", g.source, {curve_points(1)},
       "geodesics from a point to all vertices, in one triangulation; alone");
-  add("--method", g.method, {CLI::IsMember({"exact", "flips"})},
-      "exact (shortest paths, default), or flips (they start along edges: found faster, geodesic, "
-      "but often longer)");
-  add("--shorten-to", g.relative_length, {between(1e-9, 1)},
+  const Words methods(
+      {{"exact", "shortest paths"},
+       {"flips", "they start along edges: found faster, geodesic, but often longer"}},
+      defaults::curve_method);
+  add("--method", g.method, {methods.check()}, methods.help());
+  add("--shorten-to", g.relative_length, {in_range({1e-9, 1})},
       "stop when the length is at most this part of what it was");
-  add("--joint-angle", g.joint_angle, {between(0, 180)},
+  add("--joint-angle", g.joint_angle, {in_range({0, 180})},
       "stop when all joints have at least this angle, in degrees");
 }
 
@@ -94,6 +95,7 @@ void add_curve_output_options(CLI::App& command, Options& options) {
   add("--subdivision", options.geodesic.writes_subdivision,
       "-o writes the common subdivision, with the number of the curve at its vertices, to " +
           extensions_of(Contents::subdivision));
+  add_plain_flag(command, options);
   add_view_option(command, options, "the curves");
   add("--refine", options.refines,
       "then flip to Delaunay and refine, as the command refine does; curves are kept");
@@ -115,138 +117,6 @@ void add_cut_options(CLI::App& command, Options& options) {
       "write on each line the component of a face, and the face of the mesh that it is in, to "
       ".txt");
   add_view_option(command, options, "the pieces");
-}
-
-// ---- Problems on the triangulation -------------------------------------------------------------
-
-// Where distances start, and where the search for them ends.
-void add_distance_searches(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  Application_options& a = options.application;
-  add_results(command, options, true,
-              {Contents::values, Contents::subdivision, Contents::full_matrix});
-  command.get_option("--source")->required(false);
-  add_time_option(command, options);
-  add("--method", a.distance, {CLI::IsMember({"exact", "heat"})},
-      "exact (along shortest paths from points, default), or heat (smooth; the default with "
-      "--curve)");
-  command.callback([&a] {
-    if (a.distance.empty()) a.distance = a.curves.empty() ? defaults::distance_method : "heat";
-  });
-  add("--targets", a.targets, {curve_points(1)},
-      "points; the exact search ends when their distances are known");
-  add("--max-distance", a.maximum_distance, {positive()}, "the exact search ends at this distance");
-  add("--curve", a.curves, {curve_points(2)},
-      "a curve through points, along edges of the triangulation; closed if the last point is the "
-      "first");
-  add("--signed", a.is_signed, "distances on the left of curves are negative");
-  add("--pairs", a.pairs, {file_name},
-      "text file: the numbers of two vertices on each line; their distances are found");
-  add("--sources", a.source_sets, {file_name},
-      "text file: on each line the vertices of a set; the distances from each set are found, a "
-      "row of a matrix each");
-}
-
-// Lines of equal distance, and lines between cells.
-void add_distance_lines(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  Application_options& a = options.application;
-  CLI::Option* const isolines =
-      add("--isolines", a.isolines, {file_of({Contents::curves})},
-          "write the lines of equal distance, with the number of their level, to " +
-              extensions_of(Contents::curves));
-  add("--levels", a.levels, {level_list(), isolines},
-      "distances of these lines: how many, evenly spaced (default 10), or a list, separated by "
-      "commas; a whole number alone is how many");
-  CLI::Option* const voronoi = add("--voronoi", a.voronoi, {file_of({Contents::curves})},
-                                   "write the lines between the cells of the "
-                                   "nearest source, or set of --sources, to " +
-                                       extensions_of(Contents::curves));
-  add("--cell-tolerance", a.cell_tolerance, {positive(), voronoi},
-      "how far off these lines may be, in units of the file; default a thousandth of the mean "
-      "edge");
-}
-
-void add_parametrize_options(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  add("--method", options.application.map,
-      {CLI::IsMember({"harmonic", "conformal", "spectral", "lscm"})},
-      "harmonic (to a circle, default), conformal (with scale 1 on the border of disks), spectral "
-      "(nearly conformal, also of points) or lscm");
-  add("--cut", options.application.cut,
-      "auto (default): cut open along few edges unless it is a disk; or a file that lists the "
-      "edges, two vertices a line");
-  add_start_option(command, options);
-  command.callback([&options] {
-    if (options.application.cut.empty() && options.application.map != "conformal")
-      options.application.cut = defaults::cut;
-  });
-}
-
-void add_uniformize_options(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  Uniformize_options& u = options.uniformize;
-  add_output_option(command, options, "-o", options.output,
-                    {Contents::values, Contents::subdivision});
-  add_view_option(command, options, "a checkerboard of the layout, or the logarithm of the scale");
-  add_metric_option(command, options);
-  CLI::Option* const angles =
-      add("--angles", u.angles, {file_name},
-          "text file: the angle around each vertex on a line of its own, in radians, as a multiple "
-          "of pi (3/2pi), or free; by default 2pi, and free on the border");
-  add("--cones", u.cones, {Type{"NUMBER|RATIO|FILE"}},
-      "how many vertices have other angles, which are chosen; or, such as 10x, the largest ratio "
-      "of scales, for as many as are needed; or a text file: the number of such a vertex and its "
-      "angle on each line")
-      ->excludes(angles);
-  add_start_option(command, options);
-  add("--target", u.target, {CLI::IsMember({"plane", "sphere", "torus", "disk"})},
-      "plane (flat but for cones), sphere (the round one), torus (flat, with its period) or disk "
-      "(hyperbolic, in Poincaré's disk); by default, without --angles and --cones, sphere, torus "
-      "and disk for closed surfaces of genus 0, 1 and more, else plane");
-}
-
-void add_transport_options(CLI::App& command, Options& options) {
-  add_time_option(command, options);
-  Option_adder{command}("--vectors", options.application.vectors,
-                        "text file: on each line the number of a vertex, an angle in degrees from "
-                        "the first edge there, and a length or none")
-      ->required();
-}
-
-void add_logmap_options(CLI::App& command, Options& options) {
-  add_results(command, options, true);
-  add_time_option(command, options);
-  Option_adder{command}(
-      "--method", options.application.logarithm, {CLI::IsMember({"exact", "affine", "polar"})},
-      "exact (by shortest paths, default), affine (by heat, also on points) or polar (by heat)");
-}
-
-void add_field_options(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  Application_options& a = options.application;
-  add("--degree", a.degree, {CLI::Range(1, 12)},
-      "number of equivalent directions at a vertex: 1 vectors, 2 lines, 4 crosses (default)");
-  add("--vectors", a.vectors, "text file of vectors that are kept, as for transport");
-  add("--singularities", a.singularities, {file_of({Contents::points})},
-      "write the singularities, points with their index, to " + extensions_of(Contents::points));
-  add("--align", a.alignment, {CLI::NonNegativeNumber},
-      "how strongly the field follows the directions of principal curvature; 0: as little as "
-      "possible");
-}
-
-void add_eigen_options(CLI::App& command, Options& options) {
-  Option_adder{command}("--count", options.application.count, {CLI::PositiveNumber},
-                        "how many; default " + std::to_string(defaults::count));
-}
-
-void add_edit_options(CLI::App& command, Options& options) {
-  const Option_adder add(command);
-  add("--handles", options.application.handles,
-      "text file: on each line the number of a vertex and its displacement")
-      ->required();
-  add("--energy", options.application.energy, {CLI::IsMember({"biharmonic", "harmonic"})},
-      "energy to minimize: biharmonic (default) or harmonic");
 }
 
 // All that follows goes to the other program.

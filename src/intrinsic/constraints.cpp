@@ -52,7 +52,7 @@ Constraints constraints_of(const IT::Input& input, const Options& options) {
   if (options.sharp_angle && !input.metric().is_embedded())
     throw std::runtime_error(options.input +
                              ": the stored triangulation has lengths and no points, so that no "
-                             "edge is sharp; name edges with --constrain");
+                             "edge is sharp; name edges with --keep");
   constrain(IT::Input_edges(input), input.number_of_rows(), options, c);
   return c;
 }

@@ -33,7 +33,7 @@ struct Constraints {
   bool is_asked_for = false; ///< whether edges were to be kept, even if there are none
 };
 
-/// finds the edges of a mesh that `--sharp-angle` and `--constrain` are about.
+/// finds the edges of a mesh that `--sharp-angle` and `--keep` are about.
 /// \throws std::runtime_error naming the line of the file that is wrong
 Constraints constraints_of(const IT::Intrinsic_input& input, const Options& options);
 

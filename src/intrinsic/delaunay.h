@@ -122,8 +122,9 @@ void write_matrices(Triangulation& t, const Options& options, Output_files& file
                    "cotangent Laplacian, positive semidefinite" + rows, files);
     if (!options.mass.empty())
       write_matrix(options.mass,
-                   options.mass_kind == "lumped" ? IT::lumped_mass_matrix(t)
-                                                 : IT::galerkin_mass_matrix(t),
+                   options.mass_kind == "lumped"     ? IT::lumped_mass_matrix(t)
+                   : options.mass_kind == "galerkin" ? IT::galerkin_mass_matrix(t)
+                                                     : IT::voronoi_mass_matrix(t),
                    options.mass_kind + " mass matrix" + rows, files);
   });
 }

@@ -42,9 +42,12 @@ std::string with_name(std::string word, const std::string& input) {
 }
 
 // The command line of the run for one input.
-std::vector<std::string> arguments_for(const CLI::App& command, const std::string& input) {
+// \param is_standard_input whether the file has the contents of standard input
+std::vector<std::string> arguments_for(const CLI::App& command, const std::string& input,
+                                       bool is_standard_input) {
   std::vector<std::string> arguments{command.get_name(),
                                      input.starts_with('-') ? "./" + input : input};
+  if (is_standard_input) arguments.emplace_back("--standard-input");
   for (const CLI::Option* const o : command.get_options())
     if (o->get_positional() && o->get_name() != "IN")
       for (const std::string& word : o->results()) arguments.push_back(with_name(word, input));
@@ -122,8 +125,9 @@ int run_each_input(const CLI::App& command, const Options& options,
       answer_stream(options) << (&input == &options.inputs.front() ? "" : "\n") << legible(input)
                              << ":\n";
     if (input == standard_input && !standard) standard.emplace(options.input_format);
+    const bool is_standard = input == standard_input;
     const std::vector<std::string> arguments =
-        arguments_for(command, input == standard_input ? standard->path() : input);
+        arguments_for(command, is_standard ? standard->path() : input, is_standard);
     worst = std::max(worst, in_a_process([&] { return run(arguments); }));
   }
   return worst;

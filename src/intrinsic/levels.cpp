@@ -4,6 +4,7 @@
 #include "levels.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,8 @@ namespace {
 
 namespace text = CGAL::Intrinsic_triangulations::text;
 
-constexpr std::size_t most_levels = 10000; // more is a mistake, as of a length for a number
+constexpr auto most_levels =
+    static_cast<std::size_t>(CGAL::Intrinsic_triangulations::ranges::levels.most);
 
 } // namespace
 

@@ -7,6 +7,8 @@
 #include "options.h"
 #include "output_files.h"
 #include "support/command_line.h"
+#include "support/input_name.h"
+#include "support/nearest_word.h"
 #include "time_limit.h"
 
 #include <algorithm>
@@ -21,27 +23,52 @@ namespace {
 using program::Command;
 using program::Options;
 
-// The names of all commands, as a sentence lists them.
-std::string names_of_commands() {
-  std::string names;
-  for (const Command& c : program::commands())
-    names.append(names.empty()                       ? ""
-                 : &c == &program::commands().back() ? " or "
-                                                     : ", ")
-        .append(c.name);
+// The names of all commands.
+std::vector<std::string> names_of_commands() {
+  std::vector<std::string> names;
+  for (const Command& c : program::commands()) names.emplace_back(c.name);
   return names;
+}
+
+std::string unknown_command(const std::string& word) {
+  const std::vector<std::string> names = names_of_commands();
+  const std::string nearest = program::nearest_word(word, names);
+  std::string listed;
+  for (const std::string& name : names)
+    listed += (listed.empty() ? "" : name == names.back() ? " or " : ", ") + name;
+  return "there is no command \"" + program::legible(word, program::longest_argument) + "\"; " +
+         (nearest.empty() ? "use " + listed + ", or --help" : "did you mean " + nearest + "?");
+}
+
+// What to say of the first option that a command does not have; empty if it has all.
+std::string unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
+  std::vector<std::string> names;
+  for (const program::Described_option& option : program::described_options(command))
+    names.insert(names.end(), option.names.begin(), option.names.end());
+  for (const std::string& argument : arguments) {
+    const std::string name = argument.substr(0, argument.find('='));
+    if (!name.starts_with("--") || std::ranges::count(names, name) > 0) continue;
+    const std::string nearest = program::nearest_word(name, names);
+    return command.get_name() + " has no option " +
+           program::legible(name, program::longest_argument) + "; " +
+           (nearest.empty() ? "intrinsic " + command.get_name() + " --help lists all"
+                            : "did you mean " + nearest + "?");
+  }
+  return {};
 }
 
 // Reports what is wrong with the command line, or prints the help; returns the exit code.
 int report_parse_error(const CLI::App& app, const CLI::ParseError& e,
                        const std::vector<std::string>& arguments) {
-  if (e.get_name() == "RequiredError" && app.get_subcommands().empty() && !arguments.empty()) {
-    std::cerr << "intrinsic: there is no command \""
-              << program::legible(arguments.front(), program::longest_argument) << "\"; use "
-              << names_of_commands() << ", or --help\n";
-    return program::misused;
-  }
-  return app.exit(e) == 0 ? 0 : program::misused;
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  std::string message;
+  if (e.get_name() == "RequiredError" && commands.empty() && !arguments.empty())
+    message = unknown_command(arguments.front());
+  if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr && !commands.empty())
+    message = unknown_option(*commands.front(), arguments);
+  if (message.empty()) return app.exit(e) == 0 ? 0 : program::misused;
+  std::cerr << "intrinsic: " << message << '\n';
+  return program::misused;
 }
 
 void add_commands(CLI::App& app, Options& options) {
@@ -80,11 +107,12 @@ int run(const std::vector<std::string>& arguments, bool is_for_one) {
       program::commands(), [&](const Command& c) { return app.got_subcommand(c.name); });
   options.command = chosen.name;
   if (!options.inputs.empty()) options.input = options.inputs.front(); // the study has none
+  if (options.is_standard_input) program::call_standard_input(options.input);
   std::string misuse = program::misuse(options);
   if (misuse.empty() && chosen.misuse != nullptr) misuse = chosen.misuse(options);
   if (misuse.empty()) misuse = program::shared_file_misuse(options);
   if (!misuse.empty()) {
-    std::cerr << "intrinsic: " << program::legible(misuse) << '\n';
+    std::cerr << "intrinsic: " << program::legible(program::with_input_named(misuse)) << '\n';
     return program::misused;
   }
   if (!is_for_one && program::stands_for_others(options))
@@ -101,7 +129,7 @@ int run_with_errors_reported(const std::vector<std::string>& arguments, bool is_
     std::cerr << "intrinsic: there is not enough memory; use a machine with more, or a smaller "
                  "mesh\n";
   } catch (const std::exception& e) {
-    std::cerr << "intrinsic: " << program::legible(e.what()) << '\n';
+    std::cerr << "intrinsic: " << program::legible(program::with_input_named(e.what())) << '\n';
   }
   return program::failed;
 }

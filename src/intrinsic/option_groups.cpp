@@ -3,6 +3,7 @@
 
 #include "option_groups.h"
 #include "asked_curves.h"
+#include "levels.h"
 #include "support/surface_words.h"
 
 #include <algorithm>
@@ -26,22 +27,30 @@ void add_input_options(CLI::App& command, Options& options) {
           "); - is standard input. With several, {} in options is the name of each without folder "
           "and extension: -o {}.ply")
       ->required();
+  add("--standard-input", options.is_standard_input, "IN has the contents of standard input")
+      ->group(""); // for runs that this program starts
   add("--input-format", options.input_format, {CLI::IsMember(input_formats())},
       "format of standard input, by default guessed from its contents");
-  add("--arithmetic", options.arithmetic, {CLI::IsMember({"exact", "double"})},
-      "exact (certified predicates, default) or double")
+  const Words arithmetics({{"exact", "certified predicates"}, {"double", ""}},
+                          defaults::arithmetic);
+  add("--arithmetic", options.arithmetic, {arithmetics.check()}, arithmetics.help())
       ->each([&options](const std::string&) { options.is_arithmetic_given = true; });
-  add("--mollification", options.mollification,
-      {CLI::IsMember({"automatic", "none", "lengths", "squared"})},
-      "treatment of faces without area: automatic (only where flips cannot remove them, default), "
-      "none, lengths or squared")
+  const Words mollifications({{"automatic", "only where flips cannot remove them"},
+                              {"none", ""},
+                              {"lengths", ""},
+                              {"squared", ""}},
+                             defaults::mollification);
+  add("--mollification", options.mollification, {mollifications.check()},
+      "treatment of faces without area: " + mollifications.help())
       ->each([&options](const std::string&) { options.is_mollification_given = true; });
   add("--domain", options.domain, {CLI::IsMember(surface_words)}, surface_description);
-  add("--neighbors", options.neighbors, {between(2, 1e9), Type{"K"}},
-      "number of neighbors of each point to triangulate; default 30");
-  add("--polygons", options.polygons, {CLI::IsMember({"fan", "planar"})},
-      "what to make from polygons that are not planar: fan (triangles in space, default) or planar "
-      "(the planar polygon with the same sides and the nearest angles)");
+  add("--neighbors", options.neighbors, {in_range(ranges::neighbors), Type{"K"}},
+      "number of neighbors of each point to triangulate; " + default_is(defaults::neighbors));
+  const Words polygons({{"fan", "triangles in space"},
+                        {"planar", "the planar polygon with the same sides and nearest angles"}},
+                       defaults::polygons);
+  add("--polygons", options.polygons, {polygons.check()},
+      "what to make from polygons that are not planar: " + polygons.help());
 }
 
 // What is written about the work, and when it ends.
@@ -50,7 +59,7 @@ void add_report_options(CLI::App& command, Options& options) {
   add("--stats", options.stats, {file_name}, "write statistics as JSON; - is standard output");
   add("--records", options.records, {file_name},
       "write all records of lists that statistics shorten to 1000, as JSON Lines");
-  add("--time-limit", options.time_limit, {between(1e-6, 1e9), Type{"SECONDS"}},
+  add("--time-limit", options.time_limit, {in_range({1e-6, 1e9}), Type{"SECONDS"}},
       "seconds after which the program gives up, with exit code 1, and writes nothing");
   add("--progress", options.logs_progress, "write lines with the current step to standard error");
   CLI::Option* const quiet = add("--quiet", options.is_quiet, "print only errors");
@@ -77,6 +86,10 @@ CLI::Validator curve_points(std::size_t least) {
                         "POINTS");
 }
 
+CLI::Validator level_list() {
+  return CLI::Validator([](std::string& text) { return levels_misuse(text); }, "N|LIST");
+}
+
 void add_output_option(CLI::App& command, Options& options, const std::string& name,
                        std::string& path, const std::vector<Contents>& offered) {
   const Option_adder add(command);
@@ -84,19 +97,23 @@ void add_output_option(CLI::App& command, Options& options, const std::string& n
   const auto is_surface = [](Contents c) {
     return c == Contents::subdivision || c == Contents::valued_subdivision;
   };
-  if (std::ranges::any_of(offered, is_surface))
-    add("--plain", options.is_plain,
-        "write surfaces as .ply without labels and edges, .off of triangles without colours, and "
-        ".obj cut open "
-        "where places in the plane differ, for readers that take nothing else");
+  if (std::ranges::any_of(offered, is_surface)) add_plain_flag(command, options);
+}
+
+void add_plain_flag(CLI::App& command, Options& options) {
+  Option_adder{command}(
+      "--plain", options.is_plain,
+      "write surfaces as .ply without labels and edges, .off of triangles without colours, and "
+      ".obj cut open where places in the plane differ, for readers that take nothing else");
 }
 
 void add_view_option(CLI::App& command, Options& options, const std::string& what) {
   const Option_adder add(command);
   CLI::Option* const view =
       add("--view", options.view, {file_name}, "write a page that shows " + what);
-  add("--view-limit", options.view_limit, {between(2, 2000), Type{"MB"}, view},
-      "most megabytes of the page, which shows less if it needs more; default 30");
+  add("--view-limit", options.view_limit, {in_range(page_megabytes), Type{"MB"}, view},
+      "most megabytes of the page, which shows less if it needs more; " +
+          default_is(options.view_limit));
 }
 
 void add_common_options(CLI::App& command, Options& options) {
@@ -106,9 +123,9 @@ void add_common_options(CLI::App& command, Options& options) {
 
 void add_constraint_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
-  add("--sharp-angle", options.sharp_angle, {between(0, 180)},
+  add("--sharp-angle", options.sharp_angle, {in_range(ranges::sharp_angle)},
       "keep edges whose faces deviate by more than so many degrees from a plane");
-  add("--constrain", options.constraints, {file_name},
+  add("--keep", options.constraints, {file_name},
       "keep the edges that a text file lists: the numbers of two vertices on each line");
 }
 
@@ -121,9 +138,11 @@ void add_metric_option(CLI::App& command, Options& options) {
 void add_refinement_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   IT::Refine_criteria& r = options.refinement;
-  add("--min-angle", r.minimum_angle, {between(0, 59)},
-      "least angle in degrees; default 25; up to 30 refinement always ends");
-  add("--max-circumradius", r.maximum_circumradius, {positive()}, "largest circumradius of faces");
+  add("--min-angle", r.minimum_angle, {in_range(ranges::min_angle)},
+      "least angle in degrees; " + default_is(defaults::min_angle) + "; up to " +
+          std::to_string(static_cast<int>(greatest_safe_angle)) + " refinement always ends");
+  add("--max-circumradius", r.maximum_circumradius, {in_range(ranges::max_circumradius)},
+      "largest circumradius of faces");
   command
       .add_option_function<std::string>(
           "--max-edge-length",
@@ -135,16 +154,17 @@ void add_refinement_options(CLI::App& command, Options& options) {
           },
           "largest length of edges; or at each vertex of the input: a text file with a number per "
           "vertex")
-      ->check(positive_or_name());
-  add("--max-insertions", r.maximum_insertions, {between(0, 1e18)},
+      ->check(in_range_or_name(ranges::max_edge_length));
+  add("--max-insertions", r.maximum_insertions, {in_range(ranges::max_insertions)},
       "cap on the number of insertions; default a million and ten per face");
+  const Words orders({{"first", ""}, {"largest", ""}, {"worst", ""}}, defaults::order);
   command
       .add_option_function<std::string>(
           "--order", [&r](const std::string& word) { r.order = IT::refinement_order(word); },
-          "which face comes next: first (default), largest or worst")
-      ->check(CLI::IsMember({"largest", "worst", "first"}));
+          "which face comes next: " + orders.help())
+      ->check(orders.check());
   add("--conforming", r.is_conforming, "split kept edges until all edges are Delaunay");
-  add("--odt-length", r.odt_length, {positive()},
+  add("--odt-length", r.odt_length, {in_range(ranges::odt_length)},
       "then move inserted vertices to an optimal Delaunay triangulation, split edges longer than "
       "this, and refine to the least angle again");
 }
@@ -158,14 +178,15 @@ void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) 
   for (const char* other : {"--max-circumradius", "--max-edge-length", "--max-insertions",
                             "--order", "--conforming", "--odt-length"})
     adaptive->excludes(other);
-  if (has_vertex) add("--source", a.source, {adaptive}, "the vertex; default 0");
-  add("--heat-time", a.heat_time, {positive(), adaptive},
+  if (has_vertex) add("--source", a.source, {adaptive}, "the vertex; " + default_is(a.source));
+  add("--heat-time", a.heat_time, {in_range(ranges::heat_time), adaptive},
       "refine for the heat kernel after this time instead, in squares of the mean edge");
-  add("--tolerance", a.tolerance, {positive(), adaptive},
+  add("--tolerance", a.tolerance, {in_range(ranges::tolerance), adaptive},
       "estimated error to reach, divided by the root of the area, or with --heat-time by the norm "
-      "of the kernel; default 0.01");
-  add("--max-vertices", a.maximum_vertices, {between(1, 1e9), adaptive},
-      "cap on the number of vertices; default 100000");
+      "of the kernel; " +
+          default_is(defaults::tolerance));
+  add("--max-vertices", a.maximum_vertices, {in_range(ranges::max_vertices), adaptive},
+      "cap on the number of vertices; " + default_is(defaults::max_vertices));
 }
 
 void add_matrix_options(CLI::App& command, Options& options) {
@@ -174,8 +195,11 @@ void add_matrix_options(CLI::App& command, Options& options) {
     add(name, path, {file_of({Contents::matrix})}, "write " + what + " in Matrix Market format");
   };
   matrix("--mass", options.mass, "the mass matrix");
-  add("--mass-kind", options.mass_kind, {CLI::IsMember({"lumped", "galerkin"})},
-      "lumped (diagonal, default) or galerkin");
+  const Words kinds({{"lumped", "diagonal"},
+                     {"galerkin", ""},
+                     {"voronoi", "diagonal, the areas of cells, which may be negative"}},
+                    defaults::mass_kind);
+  add("--mass-kind", options.mass_kind, {kinds.check()}, kinds.help());
   matrix("--interpolation", options.interpolation,
          "the interpolation from the vertices of the triangulation to the common subdivision");
   matrix("--input-interpolation", options.input_interpolation,
@@ -183,10 +207,10 @@ void add_matrix_options(CLI::App& command, Options& options) {
 }
 
 void add_correspondence_options(CLI::App& command, Options& options) {
-  Option_adder{command}("--correspondence", options.correspondence,
-                        {CLI::IsMember({"none", "integer", "signposts", "crossings"})},
-                        "how to store where edges run on the input: integer (coordinates, "
-                        "default), signposts, crossings or none");
+  const Words kinds(
+      {{"integer", "coordinates"}, {"signposts", ""}, {"crossings", ""}, {"none", ""}}, "integer");
+  Option_adder{command}("--correspondence", options.correspondence, {kinds.check()},
+                        "how to store where edges run on the input: " + kinds.help());
   add_output_option(command, options, "-o", options.output,
                     {Contents::subdivision, Contents::triangulation});
   add_view_option(command, options, "the triangulation");
@@ -224,7 +248,7 @@ void add_joined_curve_options(CLI::App& command, Options& options) {
       "closed curve");
   add("--marked", options.constraints, {file_name},
       "text file of edges that become curves: the numbers of two vertices on each line");
-  add("--sharp-angle", options.sharp_angle, {between(0, 180)},
+  add("--sharp-angle", options.sharp_angle, {in_range(ranges::sharp_angle)},
       "edges whose faces deviate by more than so many degrees from a plane become curves");
   add("--waypoints", g.has_waypoints, "curves stay at all points that are given");
 }
@@ -233,9 +257,10 @@ void add_results(CLI::App& command, Options& options, bool has_sources,
                  const std::vector<Contents>& outputs) {
   const Option_adder add(command);
   add_output_option(command, options, "-o", options.output, outputs);
-  add("--on", options.application.on, {CLI::IsMember({"subdivision", "input", "intrinsic"})},
-      "where results are: subdivision (on the common subdivision, default), input, or intrinsic "
-      "(values only)");
+  const Words places(
+      {{"subdivision", "on the common subdivision"}, {"input", ""}, {"intrinsic", "values only"}},
+      options.application.on);
+  add("--on", options.application.on, {places.check()}, "where results are: " + places.help());
   add_view_option(command, options, "the result");
   add_refine_flag(command, options);
   add_constraint_options(command, options);
@@ -245,7 +270,8 @@ void add_results(CLI::App& command, Options& options, bool has_sources,
   if (has_sources)
     add("--source", options.application.sources, {curve_points(1)},
         "points, separated by commas: vertices as numbered in the file, from 0, or face:b0:b1:b2")
-        ->required();
+        ->required()
+        ->allow_extra_args(false); // what follows is another mesh
 }
 
 void add_result_options(CLI::App& command, Options& options) {
@@ -253,16 +279,19 @@ void add_result_options(CLI::App& command, Options& options) {
 }
 
 void add_time_option(CLI::App& command, Options& options) {
-  Option_adder{command}("--time-factor", options.application.time_factor, {CLI::PositiveNumber},
+  Option_adder{command}("--time-factor", options.application.time_factor,
+                        {in_range(ranges::time_factor)},
                         "how long heat flows, in squares of the mean edge length; with --signed, "
-                        "in squares of half of it (default 1)");
+                        "in squares of half of it; " +
+                            default_is(defaults::time_factor));
 }
 
 void add_start_option(CLI::App& command, Options& options) {
-  Option_adder{command}(
-      "--start", options.uniformize.start, {CLI::IsMember({"delaunay", "input"})},
-      "triangles whose lengths are scaled: delaunay (those of the intrinsic Delaunay "
-      "triangulation) or input (those of the mesh); by default delaunay");
+  const Words starts(
+      {{"delaunay", "those of the intrinsic Delaunay triangulation"}, {"input", "of the mesh"}},
+      defaults::start);
+  Option_adder{command}("--start", options.uniformize.start, {starts.check()},
+                        "triangles whose lengths are scaled: " + starts.help());
 }
 
 } // namespace program

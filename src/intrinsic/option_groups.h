@@ -16,6 +16,9 @@
 
 namespace program {
 
+/// The megabytes that a page may have.
+inline constexpr IT::Number_range page_megabytes{2, 2000};
+
 /// Adds options to a command.
 using Option_group = void (*)(CLI::App&, Options&);
 
@@ -36,10 +39,14 @@ const std::vector<Command>& commands();
 CLI::Validator file_of(std::vector<Contents> offered);
 /// returns a check that a word is a list of so many points at least.
 CLI::Validator curve_points(std::size_t least);
+/// returns a check that a word is how many levels there are, or a list of them.
+CLI::Validator level_list();
 /// adds an option that names a file to be written with one of several contents; its help lists
 /// them with their extensions.
 void add_output_option(CLI::App& command, Options& options, const std::string& name,
                        std::string& path, const std::vector<Contents>& offered);
+/// adds whether meshes have only what all readers expect.
+void add_plain_flag(CLI::App& command, Options& options);
 /// adds a page that shows something.
 void add_view_option(CLI::App& command, Options& options, const std::string& what);
 

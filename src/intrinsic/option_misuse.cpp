@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "asked_curves.h"
 #include "option_groups.h"
 #include "support/file_formats.h"
 
@@ -52,6 +53,15 @@ std::string overwritten_input(const Options& o) {
                                    std::filesystem::is_regular_file(in, ignored) &&
                                    are_same_file(in, out.path))
         return out.path;
+  return {};
+}
+
+// An input that is no file but the number of a vertex or the like; empty if there is none.
+std::string point_among_inputs(const Options& o) {
+  for (const std::string& in : o.inputs)
+    if (std::error_code ignored; o.inputs.size() > 1 && curve_points_misuse(in, 1).empty() &&
+                                 !std::filesystem::exists(in, ignored))
+      return in;
   return {};
 }
 
@@ -186,6 +196,9 @@ std::string field_misuse(const Options& o) {
 }
 
 std::string misuse(const Options& options) {
+  if (const std::string word = point_among_inputs(options); !word.empty())
+    return word + ": there is no such mesh; if this is a point, separate points by commas: " +
+           "--source 0,1";
   if (!options.input_format.empty() && std::ranges::count(options.inputs, "-") == 0)
     return "--input-format is of standard input; give - as the input, or leave it out";
   if (names_a_file_twice(options)) return "two outputs are the same file; give each its own";

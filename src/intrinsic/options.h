@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/improvement/Improve_options.h>
 #include <CGAL/Intrinsic_triangulations/support/defaults.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,7 @@
 namespace program {
 
 namespace defaults = CGAL::Intrinsic_triangulations::defaults;
+namespace ranges = CGAL::Intrinsic_triangulations::ranges;
 
 /// Which curves are made geodesic, and how far.
 struct Geodesic_options {
@@ -86,6 +88,7 @@ struct Options {
   std::string command;             ///< name of the command
   std::vector<std::string> inputs; ///< all that were given
   std::string input;               ///< the one of this run
+  bool is_standard_input = false;  ///< whether `input` has what came from there
   std::string input_format;        ///< extension of what comes from standard input; empty: guessed
   std::string arithmetic = defaults::arithmetic; ///< `exact` or `double`
   /// `none`, `integer`, `signposts` or `crossings`; empty: what the command takes by default
@@ -101,7 +104,7 @@ struct Options {
   std::string view;                          ///< page that shows the triangulation; empty: none
   double view_limit = 30;                    ///< most megabytes of the page
   std::string mass;                          ///< empty: none
-  std::string mass_kind = defaults::mass_kind; ///< `lumped` or `galerkin`
+  std::string mass_kind = defaults::mass_kind; ///< `lumped`, `galerkin` or `voronoi`
   std::string stats;                           ///< empty: none; `-`: standard output
   std::string records;       ///< file of all records of long lists in `stats`; empty: none
   std::string laplacian;     ///< empty: none

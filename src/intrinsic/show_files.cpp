@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -36,7 +37,8 @@ namespace program {
 
 namespace {
 
-// What files have: values at vertices of the mesh or of the triangulation, and curves.
+// What files have: values at vertices of the mesh or of the triangulation or on faces of the mesh,
+// and curves.
 struct Shown {
   std::vector<IT::Subdivision_field> fields;
   std::vector<IT::Polyline> curves;
@@ -54,25 +56,45 @@ bool are_classes(const Eigen::VectorXd& values) {
   return true;
 }
 
+Eigen::VectorXd column_of(const Number_table& table, std::size_t k, Eigen::Index rows) {
+  Eigen::VectorXd values(rows);
+  for (Eigen::Index i = 0; i < rows; ++i)
+    values[i] = table.values[table.columns * static_cast<std::size_t>(i) + k];
+  return values;
+}
+
+IT::Subdivision_field at_vertices(const Eigen::VectorXd& values,
+                                  const IT::Interpolation_matrix& take) {
+  return {"",
+          are_classes(values) ? IT::nearest_values(take, values) : Eigen::VectorXd(take * values)};
+}
+
+// Values of faces of the mesh.
+IT::Subdivision_field on_faces(const Eigen::VectorXd& values, const IT::Common_subdivision& s) {
+  std::vector<double> there;
+  for (const std::uint32_t f : s.input_face) there.push_back(values[static_cast<Eigen::Index>(f)]);
+  return {"", std::move(there), IT::Subdivision_field::Place::faces};
+}
+
+// \param faces how many faces the mesh has
 template <class Triangulation>
-void add_values(const std::string& path, const Triangulation& t, const IT::Common_subdivision& s,
-                const Options& options, Shown& shown) {
+void add_values(const std::string& path, const Triangulation& t, std::size_t faces,
+                const IT::Common_subdivision& s, const Options& options, Shown& shown) {
   const std::size_t mine = t.number_of_vertices(), rows = t.input().number_of_rows();
-  const std::string what = "vertices of " + options.input;
-  const Number_table table = read_numbers(path, mine, what);
-  if (table.rows() != mine) table.expect_rows(rows, what);
+  const std::string what = "vertices or faces of " + options.input;
+  const Number_table table = read_numbers(path, std::max(mine, faces), what);
+  const std::size_t n = table.rows();
+  const bool is_on_faces = n == faces && n != mine && n != rows;
+  if (n != mine && !is_on_faces) table.expect_rows(rows, "vertices of " + options.input);
   const IT::Interpolation_matrix take =
-      table.rows() == mine ? IT::interpolation_from_intrinsic(s) : IT::interpolation_from_input(s);
+      n == mine ? IT::interpolation_from_intrinsic(s) : IT::interpolation_from_input(s);
   const std::string name = as_utf8(std::filesystem::path(path).stem().string());
   for (std::size_t k = 0; k < table.columns; ++k) {
-    Eigen::VectorXd values(take.cols());
-    for (Eigen::Index i = 0; i < values.size(); ++i)
-      values[i] = table.values[table.columns * static_cast<std::size_t>(i) + k];
-    const bool has_classes = are_classes(values);
-    shown.fields.emplace_back(table.columns == 1 ? name : name + "_" + std::to_string(k),
-                              has_classes ? IT::nearest_values(take, values)
-                                          : Eigen::VectorXd(take * values));
-    shown.fields.back().has_classes = has_classes;
+    const Eigen::VectorXd values =
+        column_of(table, k, is_on_faces ? static_cast<Eigen::Index>(n) : take.cols());
+    shown.fields.push_back(is_on_faces ? on_faces(values, s) : at_vertices(values, take));
+    shown.fields.back().name = table.columns == 1 ? name : name + "_" + std::to_string(k);
+    shown.fields.back().has_classes = are_classes(values);
   }
 }
 
@@ -117,7 +139,7 @@ void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
   Shown shown;
   for (const std::string& path : options.shown)
     if (is_file_of(Contents::values, path))
-      add_values(path, loaded.triangulation, s, options, shown);
+      add_values(path, loaded.triangulation, loaded.facts.polygons, s, options, shown);
     else
       add_curves(path, shown);
   if (is_temporary) options.view = temporary_page(options);

@@ -9,6 +9,7 @@
 #include "options.h"
 #include "output_files.h"
 #include "support/Json.h"
+#include "support/input_name.h"
 #include "support/messages.h"
 
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
@@ -29,8 +30,8 @@ double peak_rss_mib();
 template <class Triangulation>
 Json loaded_json(const Loaded<Triangulation>& loaded, const Options& options) {
   Json json = {{"version", INTRINSIC_TRIANGULATIONS_VERSION}};
-  json.update(
-      json_of(IT::surface_report(as_utf8(options.input), loaded.triangulation, loaded.facts)));
+  json.update(json_of(IT::surface_report(as_utf8(with_input_named(options.input)),
+                                         loaded.triangulation, loaded.facts)));
   const Json seconds = json["seconds"];
   json.erase("seconds"); // which come last
   if (options.polygons != "fan")

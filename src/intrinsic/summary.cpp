@@ -3,6 +3,7 @@
 
 #include "summary.h"
 #include "answers.h"
+#include "support/input_name.h"
 #include "support/messages.h"
 #include "support/progress.h"
 #include "support/warnings.h"
@@ -81,7 +82,8 @@ void print_answer(const Json& json, const Options& options,
 
 void print_warnings(const Options& options) {
   for (const std::string& warning : take_warnings())
-    if (!options.is_quiet) std::cerr << legible(options.input + ": warning: " + warning) << '\n';
+    if (!options.is_quiet)
+      std::cerr << legible(with_input_named(options.input + ": warning: " + warning)) << '\n';
 }
 
 } // namespace program

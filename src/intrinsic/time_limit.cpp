@@ -4,6 +4,7 @@
 #include "time_limit.h"
 
 #include "output_files.h"
+#include "support/input_name.h"
 #include "support/messages.h"
 #include "support/progress.h"
 
@@ -55,8 +56,9 @@ void end_at_time_limit(const Options& options) {
   const double seconds = *options.time_limit;
   std::ostringstream first;
   // the terminal may show a line of progress
-  first << (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") << "intrinsic: " << options.input
-        << ": the time limit of " << seconds << " s was reached while ";
+  first << (isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "")
+        << "intrinsic: " << with_input_named(options.input) << ": the time limit of " << seconds
+        << " s was reached while ";
   message.begin = first.str();
   message.end =
       std::string("; nothing was written; allow more time with --time-limit, or ask for less") +

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "view.h"
+#include "support/input_name.h"
 #include "support/messages.h"
 #include "support/warnings.h"
 
@@ -69,7 +70,8 @@ void write_view(std::ostream& out, const IT::Common_subdivision& s,
     throw std::runtime_error(options.view +
                              ": the program was built without three.js, which the page needs; "
                              "install libjs-three and build it again");
-  const std::string title = as_utf8(std::filesystem::path(options.input).filename().string());
+  const std::string title =
+      as_utf8(std::filesystem::path(with_input_named(options.input)).filename().string());
   const std::string text = description(json);
   view.title = title;
   view.description = text;

@@ -153,6 +153,13 @@ class Pictures(Cli_test):
         self.assertLess(picture.dark(), 0.005)
         self.assertEqual(picture.hues(), 1)
 
+    def test_each_face_has_the_colour_of_its_value(self):
+        sphere = self.sphere()
+        self.write("faces.txt", "".join(f"{i // 256}\n" for i in range(1280)))
+        run = self.run_program("view", sphere, self.path("faces.txt"), "-o", self.path("view.html"))
+        self.assertEqual(run.code, 0, run.err)
+        self.assertGreater(self.screenshot().hues(), 2)
+
     def test_curves_are_seen_from_where_the_page_opens(self):
         sphere = self.sphere(3, (1, 1, 1.5))
         for name, ends in ("front", "0,3"), ("aside", "4,6"), ("below", "8,9"):

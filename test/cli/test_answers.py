@@ -191,8 +191,25 @@ class Several_inputs(Cli_test):
         self.assertEqual(run.returncode, 1)
         self.assertIn("--input-format", run.stderr)
         run = self.piped(grid_file.replace("OFF\n", ""), "info", "-", "--input-format", "off")
-        self.assertIn("standard-input.off", run.stdout + run.stderr)
+        self.assertIn("standard input", run.stdout + run.stderr)
         self.assertEqual(os.listdir(self.temporary), [])
+
+    def test_standard_input_is_called_so(self):
+        with open(self.path("grid.off"), encoding="ascii") as file:
+            grid_file = file.read()
+        for arguments in (("info", "-"), ("info", "-", "--stats", "-"), ("info", "-", "--verbose"),
+                          ("distance", "-", "--source", "99"), ("eigen", "-", "--stats", "-"),
+                          ("delaunay", "-", "--view", "v.html")):
+            run = self.piped(grid_file, *arguments)
+            said = run.stdout + run.stderr
+            self.assertNotIn(self.temporary, said, arguments)
+            self.assertIn("standard input" if run.returncode else "", said)
+        with open(self.path("v.html"), encoding="utf-8") as file:
+            self.assertIn("<title>standard input</title>", file.read())
+        run = self.piped(grid_file, "info", "-", "--stats", "-")
+        self.assertIn('"file": "standard input"', run.stdout)
+        run = self.piped("garbage 1 2", "info", "-", "--input-format", "off")
+        self.assertTrue(run.stderr.startswith("intrinsic: standard input:1: "), run.stderr)
 
     def piped(self, text, *arguments):
         self.temporary = self.path("temporary")

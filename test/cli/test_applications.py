@@ -253,7 +253,7 @@ class Distance(Applications):
                         ("--method", "heat", "--source", "1", "--targets", "2"),
                         ("--method", "heat", "--source", "1", "--max-distance", "2"),
                         ("--source", "1", "--time-factor", "2"),
-                        ("--method", "exact", "--source", "1", "--max-distance", "0"),
+                        ("--method", "exact", "--source", "1", "--max-distance", "-1"),
                         ("--method", "exact", "--curve", "1,2"),
                         ("--method", "exact", "--source", "1", "--time-factor", "2")):
             self.assertEqual(self.run_program("distance", self.sphere, *options).code, 2, options)

@@ -7,6 +7,9 @@ import os
 import re
 import subprocess
 import sys
+import types
+import unittest
+import unittest.mock
 
 from cli_support import HERE, REPORT_PYTHON, Cli_test, Run, grid, icosphere, main
 
@@ -14,9 +17,33 @@ WORKFLOW = os.path.join(HERE, "..", "..", "workflow")
 sys.path.insert(0, WORKFLOW)
 import commands
 import inputs
+import processes
 from failure import Failure
 
 LIMITS = {"time_limit": 60, "memory_limit": 4096, "cores": 1}
+
+
+Names = types.SimpleNamespace
+
+
+class Versions(unittest.TestCase):
+    """Snakemake 7 is what Debian has; 8 has other names."""
+
+    def modules(self, **found):
+        names = ("snakemake.common", "snakemake_interface_executor_plugins.settings")
+        return unittest.mock.patch.dict(sys.modules, {
+            "snakemake": None, **dict.fromkeys(names), **{n.replace("__", "."): m for n, m in found.items()}})
+
+    def test_the_first_process_knows_itself(self):
+        with self.modules(snakemake=Names(), snakemake__common=Names(Mode=Names(default=0))):
+            self.assertTrue(processes.is_first_process(Names(mode=0)))
+            self.assertFalse(processes.is_first_process(Names(mode=1)))
+        settings = Names(ExecMode=Names(DEFAULT=0))
+        with self.modules(snakemake=Names(), snakemake__common=Names(),
+                          snakemake_interface_executor_plugins=Names(),
+                          snakemake_interface_executor_plugins__settings=settings):
+            self.assertTrue(processes.is_first_process(Names(exec_mode=0)))
+            self.assertFalse(processes.is_first_process(Names(exec_mode=1)))
 
 
 class Collections(Cli_test):

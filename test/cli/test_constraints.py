@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Intrinsic Triangulations authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Edges that `--sharp-angle` and `--constrain` keep."""
+"""Edges that `--sharp-angle` and `--keep` keep."""
 
 import math
 import random
@@ -34,33 +34,33 @@ class Constraints(Cli_test):
                 free = self.stats("delaunay", self.rhombus, *options)
                 self.assertEqual(free["delaunay"]["flips"], 1)
                 self.assertNotIn("constraints", free)
-                stats = self.stats("delaunay", self.rhombus, "--constrain", kept, *options)
+                stats = self.stats("delaunay", self.rhombus, "--keep", kept, *options)
                 self.assertEqual(stats["delaunay"]["flips"], 0)
                 self.assertEqual(stats["constraints"],
                                  {"input_edges": 1, "edges": 1, "non_delaunay_edges": 1})
                 self.assertEqual(stats["delaunay"]["non_delaunay_edges"], 0)
                 self.assertEqual(stats["certificate"], "exact" if arithmetic == "exact" else "none")
-        stats = self.stats("laplacian", self.rhombus, "--constrain", kept)
+        stats = self.stats("laplacian", self.rhombus, "--keep", kept)
         self.assertEqual(stats["delaunay"]["flips"], 0)
         # nor of a stored triangulation, in which it was: coordinates tell where it is, whatever is
         # asked for
         self.stats("delaunay", self.rhombus, "-o", "s.idt")
         for command in (("laplacian",), ("delaunay", "--correspondence", "none")):
-            stored = self.stats(command[0], "s.idt", "--constrain", kept, *command[1:])
+            stored = self.stats(command[0], "s.idt", "--keep", kept, *command[1:])
             self.assertEqual(stored["constraints"]["input_edges"], 1)
             self.assertAlmostEqual(stored["laplacian"]["trace"], stats["laplacian"]["trace"])
 
     def test_refinement_splits_constrained_edges_and_keeps_their_parts(self):
         kept = self.write("c.txt", "0 1\n")
         border = 4 * math.hypot(4, 1)
-        for constraint, length in ((("--constrain", kept), border + 8), ((), border)):
+        for constraint, length in ((("--keep", kept), border + 8), ((), border)):
             stats = self.stats("refine", self.rhombus, "--arithmetic", "double", "-o", "t.idt",
                                "--min-angle", "30", "--max-edge-length", "0.5", *constraint)
             self.assertEqual(stats["refine"]["unsatisfied"]["refused"], 0)
             self.assert_close(self.length_on_input_edges("t.idt"), length, 1e-12)
         for kind in KINDS:
             stats = self.stats("refine", self.rhombus, "--max-edge-length", "0.5",
-                               "--constrain", kept, "--correspondence", kind)
+                               "--keep", kept, "--correspondence", kind)
             self.assertEqual(stats["constraints"]["input_edges"], 1)
             self.assertGreaterEqual(stats["constraints"]["edges"], 16)  # no part is longer
             self.assert_certified(stats)
@@ -68,7 +68,7 @@ class Constraints(Cli_test):
     def test_conforming_refinement_splits_kept_edges_until_they_are_delaunay(self):
         kept = self.write("c.txt", "0 1\n")
         for kind in KINDS:
-            refine = ("refine", self.rhombus, "--min-angle", "1", "--constrain", kept,
+            refine = ("refine", self.rhombus, "--min-angle", "1", "--keep", kept,
                       "--correspondence", kind)
             free, stats = self.stats(*refine), self.stats(*refine, "--conforming")
             self.assertGreater(free["constraints"]["non_delaunay_edges"], 0)
@@ -78,7 +78,7 @@ class Constraints(Cli_test):
     def test_optimization_keeps_constrained_edges(self):
         kept = self.write("c.txt", "0 1\n")
         stats = self.stats("refine", self.rhombus, "--arithmetic", "double", "-o", "t.idt",
-                           "--constrain", kept, "--odt-length", "0.5")
+                           "--keep", kept, "--odt-length", "0.5")
         self.assertGreater(stats["odt"]["splits"] + stats["odt"]["moves"], 0)
         self.assert_close(self.length_on_input_edges("t.idt"), 4 * math.hypot(4, 1) + 8, 1e-9)
 
@@ -88,7 +88,7 @@ class Constraints(Cli_test):
         edges = {(min(a, b), max(a, b)) for f in faces for a, b in zip(f, f[1:] + f[:1])}
         kept = self.write("c.txt", "".join(f"{a} {b}\n" for a, b in edges))
         plain = self.stats("info", mesh)
-        stats = self.stats("delaunay", mesh, "--constrain", kept)
+        stats = self.stats("delaunay", mesh, "--keep", kept)
         self.assertEqual(stats["delaunay"]["flips"], 0)
         self.assertEqual(stats["constraints"],
                          {"input_edges": len(edges), "edges": len(edges),
@@ -116,7 +116,7 @@ class Constraints(Cli_test):
         self.assertLess(len(bad), 4000)
         mesh = self.write_off("s.off", *mixed)
         kept = self.write("c.txt", "".join(f"{order[a]} {order[b]}\n" for a, b in listed))
-        stats = self.stats("laplacian", mesh, "--no-flip", "--constrain", kept, "--arithmetic", "double")
+        stats = self.stats("laplacian", mesh, "--no-flip", "--keep", kept, "--arithmetic", "double")
         self.assertTrue(stats["input"]["renumbered"])
         self.assertEqual(stats["constraints"],
                          {"input_edges": 5000, "edges": 5000, "non_delaunay_edges": len(bad)})
@@ -145,7 +145,7 @@ class Constraints(Cli_test):
         kept = self.write("c.txt", "".join(f"{b} {a}\n" for a, b in edges[::3]))
         for arithmetic in ("exact", "double"):
             free = self.stats("delaunay", mesh, "--arithmetic", arithmetic, "-o", "s.idt")
-            for option in (("--constrain", kept), ("--sharp-angle", "60")):
+            for option in (("--keep", kept), ("--sharp-angle", "60")):
                 asked = self.stats("delaunay", mesh, "--arithmetic", arithmetic, *option)
                 stored = self.stats("delaunay", "s.idt", *option, "-o", "k.idt")
                 self.assertGreater(asked["constraints"]["non_delaunay_edges"], 0)
@@ -162,16 +162,16 @@ class Constraints(Cli_test):
                 again = self.stats("delaunay", "r.idt", *option)  # parts of kept edges are kept
                 self.assertEqual(again["delaunay"]["flips"], 0)
                 self.assertEqual(again["constraints"], refined["constraints"])
-        self.assert_fails(self.run_program("delaunay", "s.idt", "--constrain",
+        self.assert_fails(self.run_program("delaunay", "s.idt", "--keep",
                                            self.write("k.txt", f"0 {len(points) - 1}\n")),
                           "k.txt:1", "s.idt")
 
     def test_both_options_add_up(self):
         cube = self.write_off("c.off", CUBE[0], CUBE[1])
         kept = self.write("c.txt", "0 1\n4 5\n")
-        stats = self.stats("delaunay", cube, "--constrain", kept, "--sharp-angle", 120)
+        stats = self.stats("delaunay", cube, "--keep", kept, "--sharp-angle", 120)
         self.assertEqual(stats["constraints"]["input_edges"], 2)
-        stats = self.stats("delaunay", cube, "--constrain", kept, "--sharp-angle", 80)
+        stats = self.stats("delaunay", cube, "--keep", kept, "--sharp-angle", 80)
         self.assertEqual(stats["constraints"]["input_edges"], 12)
 
     def test_what_is_wrong_is_named_with_its_line(self):
@@ -181,13 +181,13 @@ class Constraints(Cli_test):
                             ("0 1 2\n", ("k.txt:1", "two vertices")), ("0\n", ("k.txt:1",)),
                             ("0 -1\n", ("k.txt:1", "-1")), ("a b\n", ("k.txt:1", "\"a\"")),
                             ("0 1.5\n", ("k.txt:1", "1.5")), ("2 2\n", ("k.txt:1", "2 and 2"))):
-            run = self.run_program("delaunay", cube, "--constrain", self.write("k.txt", text))
+            run = self.run_program("delaunay", cube, "--keep", self.write("k.txt", text))
             self.assert_fails(run, *words)
-        self.assert_fails(self.run_program("delaunay", cube, "--constrain", "no.txt"), "no.txt")
-        self.assert_fails(self.run_program("delaunay", cube, "--constrain", self.directory),
+        self.assert_fails(self.run_program("delaunay", cube, "--keep", "no.txt"), "no.txt")
+        self.assert_fails(self.run_program("delaunay", cube, "--keep", self.directory),
                           self.directory)
         # a diagonal that the program has cut a square along is no edge of the file
-        self.assert_fails(self.run_program("delaunay", cube, "--constrain",
+        self.assert_fails(self.run_program("delaunay", cube, "--keep",
                                            self.write("k.txt", "0 3\n1 2\n")), "k.txt:")
         self.run_program("delaunay", cube, "-o", "s.idt", "--correspondence", "none",
                          "--arithmetic", "double")

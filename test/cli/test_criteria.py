@@ -171,7 +171,7 @@ class Adaptive_refinement(Cli_test):
 
     def test_constraints_are_kept(self):
         kept = self.write("c.txt", f"{self.faces[0][0]} {self.faces[0][1]}\n")
-        stats = self.stats("refine", self.mesh, "--adaptive", "--constrain", kept)
+        stats = self.stats("refine", self.mesh, "--adaptive", "--keep", kept)
         self.assertGreaterEqual(stats["constraints"]["edges"], 1)
 
     def test_bad_input(self):
@@ -180,7 +180,7 @@ class Adaptive_refinement(Cli_test):
         two = self.write_off("two.off", *beside(self.points, self.faces, 9))
         self.assert_fails(self.run_program("refine", two, "--adaptive"), "two.off", "connected")
         for arguments in (("--source", "1"), ("--tolerance", "1"), ("--max-vertices", "9"),
-                          ("--adaptive", "--order", "worst"), ("--adaptive", "--tolerance", "0"),
+                          ("--adaptive", "--order", "worst"), ("--adaptive", "--tolerance", "-1"),
                           ("--adaptive", "--max-edge-length", "1"), ("--adaptive", "--odt-length", "1"),
                           ("--adaptive", "--source", "-1"),
                           ("--adaptive", "--correspondence", "crossings"),

@@ -71,6 +71,32 @@ class Options(Cli_test):
         self.assert_misused("laplacian", self.mesh, "-o", "out.txt", word=".mtx")
         self.assert_misused("laplacian", self.mesh, "-o", "a.mtx", "--mass", "a.mtx", word="two")
 
+    def test_misspelt_words_have_the_nearest_one_in_the_message(self):
+        for arguments, word in ((("delanay", self.mesh), "did you mean delaunay?"),
+                                (("xyzzy", self.mesh), "use delaunay, refine,"),
+                                (("refine", self.mesh, "--min-angel", "20"), "did you mean --min-angle?"),
+                                (("delaunay", self.mesh, "--arithmatic=exact"),
+                                 "did you mean --arithmetic?"),
+                                (("distance", self.mesh, "--surce", "1"), "did you mean --source?"),
+                                (("info", self.mesh, "--xyzzy"), "--help lists all"),
+                                (("delaunay", self.mesh, "--constrain", "e.txt"), "no option --constrain")):
+            self.assert_misused(*arguments, word=word)
+
+    def test_points_of_one_option_are_separated_by_commas(self):
+        for option in ("--source", "--targets"):
+            self.assert_misused("distance", self.mesh, "--source", "3", option, "0", "1",
+                                word="1: there is no such mesh; if this is a point, separate")
+        run = self.run_program("distance", self.mesh, "--source", "0,1", "--source", "5")
+        self.assertEqual(run.code, 0, run.err)
+
+    def test_messages_on_numbers_say_which_are_allowed(self):
+        self.assert_misused("eigen", self.mesh, "--count", "0",
+                            word="--count: 0: give a positive whole number\n")
+        self.assert_misused("field", self.mesh, "--degree", "1000",
+                            word="give a whole number from 1 to 999")
+        self.assert_fails(self.run_program("eigen", self.write_off("s.off", *icosphere(4)), "--count",
+                                           "20000"), "s.off: ", "2562 vertices", "not 20000")
+
     def test_outputs_are_told_apart_by_what_they_name(self):
         os.mkdir(self.path("d"))
         os.symlink(".", self.path("link"))
@@ -90,7 +116,7 @@ class Options(Cli_test):
         for output in (self.mesh, "m.off", "./m.off", "link.off"):
             self.assert_misused("delaunay", self.mesh, "-o", output, word="also an input")
         for output in ("edges.txt", "./edges.txt", "hard.json"):
-            self.assert_misused("delaunay", self.mesh, "--constrain", edges, "--stats", output,
+            self.assert_misused("delaunay", self.mesh, "--keep", edges, "--stats", output,
                                 word="also an input")
         self.write("factors.txt", "1\n" * len(self.points))
         self.assert_misused("delaunay", self.mesh, "--metric", "factors.txt", "--stats",

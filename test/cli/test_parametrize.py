@@ -49,6 +49,13 @@ class Parametrize(Cli_test):
                     self.assertTrue(stats["parametrize"]["injective"])
                 self.check_map(points, faces, self.path("m.obj"), stats)
 
+    def test_progress_is_shown_also_if_edges_are_kept(self):
+        mesh = self.write_off("g.off", *grid(4))
+        for more in ((), ("--sharp-angle", "20"), ("--method", "lscm")):
+            run = self.run_program("parametrize", mesh, "--progress", *more)
+            self.assertEqual(run.code, 0, run.err)
+            self.assertIn(": mapping: ", run.err)
+
     def test_polygons_stay_whole(self):
         points, faces = torus(10, 6)
         mesh = self.write_off("m.off", points, faces)

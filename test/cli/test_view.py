@@ -170,6 +170,40 @@ class Files(View_test):
         self.assertEqual(self.data(page, "curves-labels", "i"), [7, 1])
         self.assertEqual(len(self.data(page, "points", "f")), 75)
 
+    def test_shows_what_commands_write_for_curves(self):
+        mesh = self.write_off("grid.off", *grid(4))
+        shown = []
+        for name in ("curves.vtp", "curves.obj", "curves.ply"):
+            written = self.run_program("geodesic", mesh, "--path", "0,14", "--path", "4,20,9",
+                                       "--loop", "6,8,18", "--waypoints", "-o", self.path(name))
+            self.assertEqual(written.code, 0, written.err)
+            run = self.run_program("view", mesh, self.path(name), "-o", self.path("view.html"))
+            self.assertEqual((run.code, run.err), (0, ""))
+            with open(self.path("view.html"), encoding="utf-8") as file:
+                page = file.read()
+            shown.append([self.data(page, key, letter) for key, letter in (
+                ("curves", "f"), ("curves-sizes", "i"), ("curves-labels", "i"))])
+        self.assertEqual(shown[0][2], [0, 1, 2])
+        self.assertEqual(shown, shown[:1] * 3)
+        for name in ("cut.vtp", "cut.ply"):
+            self.run_program("cut", mesh, "--path", "0,24", "-o", self.path(name))
+            self.assert_fails(self.run_program("view", mesh, self.path(name)), name, "surface")
+
+    def test_shows_values_of_faces(self):
+        mesh = self.write_off("grid.off", *grid(4))
+        self.write("area.txt", "".join(f"{0.5 * i} {i % 3}\n" for i in range(32)))
+        run = self.run_program("view", mesh, self.path("area.txt"), "-o", self.path("view.html"))
+        self.assertEqual((run.code, run.err), (0, ""))
+        with open(self.path("view.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertEqual(re.findall(r'data-classes="(\d)"', page), ["0", "1"])
+        corner, source = self.data(page, "triangles", "I"), self.data(page, "sources", "I")[1::2]
+        value = self.data(page, "field-0", "f")
+        self.assertEqual(len(corner), 3 * len(source))
+        for i, v in enumerate(corner):
+            self.assertAlmostEqual(value[v], source[i // 3] / 31, places=6)
+        self.assertEqual(len(set(corner)), len(corner))
+
     def test_without_a_name_the_page_is_temporary(self):
         run = self.run_program("view", self.write_off("grid.off", *grid(2)))
         self.assertEqual(run.code, 0, run.err)
@@ -209,6 +243,9 @@ class Files(View_test):
         run = self.run_program("distance", mesh, "--source", "0", "--on", "input", "-o", self.path("d.ply"))
         self.assertEqual(run.code, 0, run.err)
         self.assertEqual(set(self.read_ply("d.ply")["vertex"][0]), {"x", "y", "z", "distance"})
+        run = self.run_program("geodesic", mesh, "--path", "0,15", "--subdivision", "--plain", "-o",
+                               self.path("g.ply"))
+        self.assertEqual((run.code, set(self.read_ply("g.ply"))), (0, {"vertex", "face"}), run.err)
         self.run_program("delaunay", mesh, "-o", self.path("plain.off"), "--plain")
         with open(self.path("plain.off"), encoding="ascii") as file:
             self.assertEqual({len(line.split()) for line in file.read().splitlines()[-3:]}, {4})

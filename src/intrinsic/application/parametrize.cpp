@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
+#include <cstdint>
 #include <string>
 
 namespace program {
@@ -15,7 +16,7 @@ namespace program {
 namespace {
 
 // Flips and splits, which make harmonic maps injective, would remove edges that are to be kept.
-IT::Map_options asked_of(const Options& options) {
+IT::Map_options asked_of(const Options& options, Progress& progress) {
   const std::string& method = options.application.map;
   IT::Map_options asked;
   asked.method = method == "lscm"       ? IT::Map_method::least_squares
@@ -23,6 +24,9 @@ IT::Map_options asked_of(const Options& options) {
                                         : IT::Map_method::harmonic;
   asked.keeps_edges = has_constraints(options);
   asked.neighbors = options.neighbors.value_or(asked.neighbors);
+  asked.progress = [&progress](std::uint64_t steps) {
+    return progress.show("mapping", std::to_string(steps) + " steps");
+  };
   return asked;
 }
 
@@ -47,8 +51,8 @@ Json json_of(const IT::Map_to_plane& map, const std::string& method) {
 
 void run_parametrize(const Options& options) {
   if (options.application.map == "conformal") return run_conformal_map(options);
-  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress&) {
-    const IT::Map_to_plane map = IT::map_to_plane(t, points, asked_of(options));
+  run_application(options, [&](auto& t, const Sources&, const Points& points, Progress& progress) {
+    const IT::Map_to_plane map = IT::map_to_plane(t, points, asked_of(options, progress));
     Computed computed{"parametrize", json_of(map, options.application.map), {}};
     computed.functions = {{"u", map.uv.col(0)}, {"v", map.uv.col(1)}};
     computed.is_map = true;

@@ -39,7 +39,7 @@ CLI::Validator is_no_result() {
 void add_common(const program::Option_adder& add, Study_options& study) {
   add("--domain", study.domain, {CLI::IsMember(program::surface_words)},
       program::surface_description);
-  add("--time-limit", study.limits.seconds, {program::between(0.001, 1e9)},
+  add("--time-limit", study.limits.seconds, {program::in_range({0.001, 1e9})},
       "seconds that an arithmetic may take on a mesh; default 60");
   add("--memory-limit", study.limits.mib, {CLI::Range(std::uint64_t{64}, std::uint64_t{1} << 40U)},
       "MiB of address space that it may take; default 4096");

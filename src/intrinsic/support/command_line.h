@@ -6,19 +6,23 @@
 
 #include "messages.h"
 
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
+
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 // What the command lines of the programs share.
 
 namespace program {
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 /// Longest word of a command line that messages repeat.
 constexpr std::size_t longest_argument = 60;
@@ -63,41 +67,73 @@ private:
   CLI::App& command_;
 };
 
-/// returns a check that a number is in a range, which NaN is not.
-inline CLI::Validator between(double least, double most) {
+/// returns a check that a word is a number of a range.
+inline CLI::Validator in_range(const IT::Number_range& range) {
   return CLI::Validator(
-      [=](std::string& word) {
+      [range](std::string& word) {
         double x = 0;
         const bool is_number = CLI::detail::lexical_cast(word, x);
-        if (is_number && x >= least && x <= most) return std::string();
-        std::ostringstream message;
-        message << word << ": give a number from " << least << " to " << most;
-        return message.str();
+        return is_number && range.contains(x) ? std::string()
+                                              : word + ": give " + range.description();
       },
       "NUMBER");
 }
 
-/// returns a check that a number is positive and finite.
-inline CLI::Validator positive() {
+/// returns a check that a word is a number of a range, or none: then it is the name of a file.
+inline CLI::Validator in_range_or_name(const IT::Number_range& range) {
   return CLI::Validator(
-      [](std::string& word) {
+      [range](std::string& word) {
         double x = 0;
-        const bool is_number = CLI::detail::lexical_cast(word, x);
-        return is_number && x > 0 && std::isfinite(x) ? std::string()
-                                                      : word + ": give a positive number";
-      },
-      "NUMBER");
-}
-
-/// returns a check that a word is a positive number, or none: then it is the name of a file.
-inline CLI::Validator positive_or_name() {
-  return CLI::Validator(
-      [](std::string& word) {
-        double x = 0;
-        return CLI::detail::lexical_cast(word, x) ? positive()(word) : std::string();
+        return CLI::detail::lexical_cast(word, x) ? in_range(range)(word) : std::string();
       },
       "NUMBER|FILE");
 }
+
+/// says in a help what is done without an option.
+template <class Value>
+std::string default_is(const Value& value) {
+  std::ostringstream text;
+  text << "default " << value;
+  return text.str();
+}
+
+/// A word that an option may be, and what it means.
+struct Word {
+  std::string word;    ///< the word
+  std::string meaning; ///< in a few words; empty: what the word says
+};
+
+/// The words that an option may be.
+class Words {
+public:
+  /// \param usual the one that is chosen without the option; empty: none
+  Words(std::vector<Word> words, std::string usual)
+      : words_(std::move(words)), usual_(std::move(usual)) {}
+
+  /// returns a check that a word is one of them.
+  CLI::Validator check() const {
+    std::vector<std::string> all;
+    for (const Word& w : words_) all.push_back(w.word);
+    return CLI::IsMember(all);
+  }
+  /// lists them in a help, such as "exact (certified, default) or double".
+  std::string help() const {
+    std::string text;
+    for (const Word& w : words_) {
+      text += (&w == &words_.front() ? "" : &w == &words_.back() ? " or " : ", ") + w.word;
+      const bool is_usual = w.word == usual_;
+      const std::string told = w.meaning + (!is_usual           ? ""
+                                            : w.meaning.empty() ? "default"
+                                                                : ", default");
+      if (!told.empty()) text += " (" + told + ")";
+    }
+    return text;
+  }
+
+private:
+  std::vector<Word> words_;
+  std::string usual_;
+};
 
 } // namespace program
 

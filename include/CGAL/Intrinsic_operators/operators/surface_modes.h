@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -15,9 +16,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// More modes than a surface has are refused beyond so many of them: the dense solution of all
+/// takes time by the third power of their number.
+inline constexpr std::size_t most_modes_of_all = 1000;
 
 /*!
 \brief computes the smallest eigenvalues of the Laplacian of a surface, and their functions: squared
@@ -29,10 +35,12 @@ all functions. A point of a cloud at the place of an earlier one has the values 
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation
-\param count how many; all of them, one per row with a mass, if there are fewer
+\param count how many; of a surface with at most `most_modes_of_all` rows that have a mass all of
+  them, if there are fewer
 \param np see `smallest_eigenpairs()`
 \return the pairs, by rows of `t.input_vertex()`, in 1 / area of the input
-\throws Invalid_input if a face has no area, and as `smallest_eigenpairs()` does
+\throws Invalid_input if a face has no area, or if a larger surface has fewer, and as
+  `smallest_eigenpairs()` does
 \complexity that of `smallest_eigenpairs()`
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
@@ -44,7 +52,12 @@ Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
     if (mass.coeff(i, i) > 0)
       chosen.emplace_back(static_cast<int>(i), static_cast<int>(chosen.size()), 1.);
   const auto size = static_cast<Eigen::Index>(chosen.size());
-  const Eigen::Index most = std::min(static_cast<Eigen::Index>(count), size);
+  if (count > chosen.size() && chosen.size() > most_modes_of_all)
+    throw Invalid_input(Element_kind::none, 0,
+                        "the surface has " + std::to_string(size) +
+                            " vertices and as many eigenfunctions, not " + std::to_string(count) +
+                            "; ask for fewer: some hundred take seconds");
+  const auto most = static_cast<Eigen::Index>(std::min(count, chosen.size()));
   if (size == mass.rows()) return smallest_eigenpairs(all, mass, most, np);
   Eigen::SparseMatrix<double> rows(mass.rows(), size);
   rows.setFromTriplets(chosen.begin(), chosen.end());

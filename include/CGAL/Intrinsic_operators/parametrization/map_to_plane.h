@@ -62,9 +62,13 @@ struct Map_visitor {
 
 template <class Triangulation>
 Injective_map map_as_asked(Triangulation& t, const Map_options& options) {
-  if (options.method == Map_method::harmonic && options.keeps_edges)
-    return certified_map(t, harmonic_map(t));
-  return parametrize(t, options.method, parameters::visitor(Map_visitor{&options}));
+  const Map_visitor visitor{&options};
+  if (options.method != Map_method::harmonic || !options.keeps_edges)
+    return parametrize(t, options.method, parameters::visitor(visitor));
+  if (!visitor.ask(0)) return {Status::cancelled, {}, {}};
+  Injective_map map = certified_map(t, harmonic_map(t)); // in one round
+  if (!visitor.ask(1)) return {Status::cancelled, {}, {}};
+  return map;
 }
 
 } // namespace internal

@@ -115,7 +115,8 @@ namespace internal {
           (find_orientation(g).is_orientable
                ? "; reverse one of them to orient the mesh consistently"
                : "; the surface has only one side, as a Moebius strip has: no reversal of faces "
-                 "orients it; cut it open, or take the orientation double cover"));
+                 "orients it; cut it open, or take the orientation double cover with "
+                 "--domain orientation-cover"));
 }
 
 } // namespace internal

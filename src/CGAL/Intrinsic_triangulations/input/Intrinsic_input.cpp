@@ -127,7 +127,8 @@ void check_faces(const Gluing_map& mesh) {
   if (!mesh.is_oriented())
     throw Invalid_input(Element_kind::none, 0,
                         "the gluing does not respect the orientation of the faces; orient them, or "
-                        "take the orientation double cover of a nonorientable surface");
+                        "take the orientation double cover of a nonorientable surface with "
+                        "--domain orientation-cover");
 }
 
 void check_mollification_amount(const std::optional<double>& amount) {

@@ -38,7 +38,7 @@ struct Html_view {
   /// Text of the classic script `TrackballControls.js` of the same distribution. Empty: that of
   /// `find_three_js()`.
   std::string_view trackball_controls;
-  /// Fields of numbers at vertices, one of which is shown as colours at a time.
+  /// Fields of numbers at vertices or on faces, one of which is shown as colours at a time.
   std::span<const Subdivision_field> fields{};
   /// Which of the fields is shown at first; none if there are fewer.
   std::size_t shown_field = 0;

@@ -28,6 +28,16 @@ struct Page_surface {
   // The side of the cells in which vertices were merged, in units of the radius; 0: none were.
   double cell = 0;
 
+  // Gives each triangle corners of its own, three after three at the end of the vertices, so that
+  // it can have values that its neighbours have not.
+  void separate_triangles() {
+    for (std::array<std::uint32_t, 3>& corners : triangles)
+      for (std::uint32_t& corner : corners) {
+        vertices.push_back(vertices[corner]);
+        corner = static_cast<std::uint32_t>(vertices.size() - 1);
+      }
+  }
+
   // The number of bytes in the page. \param per_vertex what fields and places need at each
   std::size_t bytes(std::size_t per_vertex) const {
     const auto bytes_of = [](const Drawn_edges& e) { return 12 * e.room.size() + e.sheets.size(); };

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/view/Page_output.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/drawn_geometry.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_curves.h>
+#include <CGAL/Intrinsic_triangulations/IO/view/page_fields.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_surface.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_template.h>
 #include <CGAL/Intrinsic_triangulations/IO/view/page_texture.h>
@@ -20,10 +21,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <ostream>
 #include <span>
 #include <stdexcept>
@@ -49,6 +48,7 @@ public:
     if (view_.fields.size() > most_fields) view_.fields = view_.fields.first(most_fields);
     choose();
     report(view.fields.size());
+    if (has_face_fields(view_.fields)) surface_.separate_triangles();
   }
 
   // the page, its places filled
@@ -81,7 +81,9 @@ private:
                              view_.trackball_controls.size() + 2 * view_.description.size() + 10000;
     const std::size_t room =
         std::max(view_.maximum_size > text ? (view_.maximum_size - text) / 4 * 3 : 0, least);
-    const std::size_t per_vertex = 4 * view_.fields.size() + (view_.texture.empty() ? 0 : 8);
+    std::size_t per_vertex = 4 * view_.fields.size() + (view_.texture.empty() ? 0 : 8);
+    if (has_face_fields(view_.fields))
+      per_vertex += 6 * (21 + per_vertex); // corners of about two triangles
     surface_ = whole_surface(s_, scaled_);
     curves_ = thinned_curves(view_.curves, scaling_, 0, 1);
     initial_curves_ = thinned_curves(view_.initial_curves, scaling_, 0, 1);
@@ -220,28 +222,15 @@ private:
               scaling.scaled(radius_of_logarithm(s_, points_, view_.texture)));
   }
 
-  // Values from 0 to 1 in single precision, and their range; halves, so that nothing overflows.
   void write_field(std::string_view id, const Subdivision_field& field) {
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const double x : field.values)
-      if (std::isfinite(x)) {
-        least = std::min(least, x);
-        greatest = std::max(greatest, x);
-      }
-    if (greatest < least) least = greatest = 0;
-    const double range = greatest / 2 - least / 2;
+    const Page_field shown = page_field(field, surface_);
     out_.open_data(id);
     out_.text(" data-name=\"");
     out_.escaped(field.name);
-    out_.text("\" data-least=\"", least, "\" data-greatest=\"", greatest, "\" data-classes=\"",
-              field.has_classes ? 1 : 0, "\">");
+    out_.text("\" data-least=\"", shown.least, "\" data-greatest=\"", shown.greatest,
+              "\" data-classes=\"", field.has_classes ? 1 : 0, "\">");
     out_.close_data([&](Output_buffer& out) {
-      for (const std::uint32_t v : surface_.vertices) {
-        const double x = field.values[v];
-        out.base64(!std::isfinite(x) ? std::numeric_limits<float>::quiet_NaN()
-                   : range > 0       ? static_cast<float>((x / 2 - least / 2) / range)
-                                     : 0.f);
-      }
+      for (const float x : shown.values) out.base64(x);
     });
   }
 
@@ -318,10 +307,10 @@ Html_view_report write_html_view(std::ostream& out, const Common_subdivision& s,
                                  const Html_view& view) {
   internal::check_output({s, points, view.fields});
   for (const Subdivision_field& field : view.fields)
-    if (!field.is_function())
+    if (field.components != 1 || field.place == Subdivision_field::Place::corners)
       throw Invalid_input(Element_kind::none, 0,
                           "the field \"" + field.name +
-                              "\" cannot be shown as colours; give a number per vertex");
+                              "\" cannot be shown as colours; give a number per vertex or face");
   if (!view.texture.empty() && view.texture.size() != s.number_of_vertices())
     throw Invalid_input(Element_kind::none, 0,
                         "the texture has " + std::to_string(view.texture.size()) +
