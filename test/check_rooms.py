@@ -32,7 +32,7 @@ import re
 import run_check
 
 PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators",
-            "CGAL/Intrinsic_conformal"] # lowest first
+            "CGAL/Intrinsic_conformal", "CGAL/Intrinsic_simplification"] # lowest first
 PROGRAM, MODULE, PYTHON = "src/intrinsic", "python/src", "python/intrinsic"
 MOST_HEADERS = 15
 MOST_LINES = 350
