@@ -60,6 +60,24 @@ public:
     if (!(*this)(stage)) throw std::runtime_error("the work has been ended");
   }
 
+  /*!
+  \brief asks Python for a number; what is raised there ends the work. It is called without the
+  interpreter's lock.
+  \param otherwise what it returns if the work has ended
+  \param ask called with the lock
+  */
+  template <class Number, class Function>
+  Number ask(Number otherwise, const Function& ask) {
+    if (error_) return otherwise;
+    const pybind11::gil_scoped_acquire lock;
+    try {
+      return ask();
+    } catch (...) {
+      error_ = std::current_exception();
+      return otherwise;
+    }
+  }
+
   /// keeps a message until the work ends.
   void warn(const std::string& message) { warnings_.push_back(message); }
 

@@ -209,6 +209,16 @@ const std::map<std::string, Lines> answers{
     {"edit",
      {{"handles", "{/edit/handles}, energy {/edit/energy}"},
       {"moved", "by at most {/edit/max_displacement}"}}},
+    {"simplify",
+     {{"vertices", "{/simplify/vertices} on {/simplify/faces face}; {/simplify/removed} removed; "
+                   "status {/simplify/status}"},
+      {"lengths", "multiplied by {/simplify/stretch/lower} to {/simplify/stretch/upper}, proven; "
+                  "on average by {/simplify/stretch/mean_lower} to {/simplify/stretch/mean_upper}"},
+      {"stayed", "{/simplify/blocked_by_border vertex vertices} at borders and kept edges",
+       has<blocked>},
+      {"stayed", "{/simplify/not_flattened vertex vertices}, as rounding or loops hinder them",
+       has<unflattened>},
+      {"stayed", "{/simplify/kept_by_bound vertex vertices} within the bound", has<bounded>}}},
     {"view", {}}, // its answer is the page that it has written
     {"info", joined({surface_lines, delaunay_lines, refinement_lines, quality_lines})}};
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "application_options.h"
+#include "coarse_options.h"
 #include "commands.h"
 #include "option_groups.h"
 
@@ -198,6 +199,10 @@ const std::vector<Command> table{
      "deform the surface: move some vertices, others follow smoothly",
      run_edit,
      {common, add_result_options, add_edit_options}},
+    {"simplify",
+     "make a surface with fewer vertices, and prove by how much lengths change",
+     run_simplify,
+     {common, add_constraint_options, add_metric_option, add_simplify_options}},
     {"info",
      "describe a mesh or an intrinsic triangulation as it is, and say whether it is "
      "Delaunay",

@@ -14,6 +14,8 @@ namespace {
 // What `-o` writes.
 std::string contents_of_output(const Options& o) {
   const bool is_curve_command = o.command == "geodesic" && !o.geodesic.writes_subdivision;
+  if (o.command == "simplify")
+    return is_mesh_output(o) ? "the coarse triangles in space" : "the coarse surface";
   if (is_file_of(Contents::triangulation, o.output)) return "the intrinsic triangulation";
   if (is_curve_command) return "the curves";
   if (o.command == "cut") return "the surface cut open";
@@ -38,6 +40,8 @@ std::vector<Output> outputs(const Options& o) {
                           {o.interpolation, "the interpolation from the triangulation"},
                           {o.input_interpolation, "the interpolation from the input"},
                           {o.cut.labels, "labels of faces"},
+                          {o.simplify.prolongation, "the prolongation from the coarse vertices"},
+                          {o.simplify.places, "places on the coarse surface"},
                           {o.application.isolines, "isolines"},
                           {o.application.voronoi, "lines between cells"},
                           {o.application.singularities, "singularities"},

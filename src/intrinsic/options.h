@@ -80,6 +80,17 @@ struct Uniformize_options {
   std::string target; ///< `plane`, `sphere`, `torus` or `disk`; empty: what the surface allows
 };
 
+/// How coarse a surface becomes.
+struct Simplify_command {
+  std::string vertices;                      ///< number or percentage; empty: no bound
+  std::optional<double> stretch{};           ///< largest factor of lengths, and its inverse
+  std::optional<double> flat{};              ///< radians: only vertices as flat as this go
+  std::string cost = defaults::removal_cost; ///< `stretch`, `curvature` or `area`
+  std::string kept_vertices;                 ///< file of vertices that stay; empty: none
+  std::string prolongation;                  ///< from the coarse vertices; empty: none
+  std::string places;                        ///< file of places of the fine vertices; empty: none
+};
+
 /// Up to this least angle, in degrees, refinement always ends.
 inline constexpr double greatest_safe_angle = 30;
 
@@ -135,6 +146,7 @@ struct Options {
   bool is_mollification_given = false;
   Cut_options cut;
   Uniformize_options uniformize;
+  Simplify_command simplify;
 };
 
 /// A file that is written.

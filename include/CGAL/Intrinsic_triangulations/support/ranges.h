@@ -63,7 +63,9 @@ inline constexpr double most_whole = 0x1p53;
   is(levels,           (Number_range{1, 10000, true})) \
   is(degree,           (Number_range{1, 999, true})) \
   is(align,            (Number_range{0, finite})) \
-  is(count,            (Number_range{1, most_whole, true}))
+  is(count,            (Number_range{1, most_whole, true})) \
+  is(stretch,          (Number_range{1, finite})) \
+  is(within,           (Number_range{0, finite}))
 // clang-format on
 #define CGAL_INTRINSIC_TRIANGULATIONS_RANGE(name, value) inline constexpr Number_range name = value;
 CGAL_INTRINSIC_TRIANGULATIONS_RANGES(CGAL_INTRINSIC_TRIANGULATIONS_RANGE)

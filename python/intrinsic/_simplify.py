@@ -1,0 +1,139 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces with fewer vertices, and a proof by how much lengths change."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from . import _arrays, _core, _options
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any, Literal
+    from numpy.typing import ArrayLike
+    from ._coarse import CoarseSurface
+    from ._types import Integers, Matrix, Numbers, Progress
+
+
+class Stretch(NamedTuple):
+    """By what lengths of curves are multiplied from the fine surface to the coarse one.
+
+    `lower` and `upper` are proven for every curve, and so for every geodesic distance;
+    `mean_lower` and `mean_upper` are means of such bounds in faces, by area.
+    """
+
+    lower: float
+    upper: float
+    mean_lower: float
+    mean_upper: float
+
+
+class _Simplification:
+    """The methods of `Surface` that make it coarse."""
+
+    def simplify(self, vertices: float | str | None = None, *, stretch: float | None = None,
+                 keep: ArrayLike | None = None,
+                 cost: Literal["stretch", "curvature", "area"]
+                 | Callable[[Any], float] = "stretch",
+                 progress: Progress = None) -> CoarseSurface:
+        """Returns a surface with fewer vertices, with a proof by how much lengths change.
+
+        Vertices are made flat one by one: lengths of the edges at a vertex are multiplied by one
+        factor until the angles at it sum to a full turn. Then it is removed.
+
+        Parameters:
+            vertices: how many are wanted, or a part of them such as "10%". By default a tenth, or
+                with `stretch` as few as it allows.
+            stretch: no length on the surface is multiplied by more than this, or by less than its
+                inverse: with 1.05, all geodesic distances stay the same up to 5 percent.
+            keep: vertices that stay, of shape (k,); edges that stay, pairs of vertices, of shape
+                (k, 2); or a number: edges at which faces are folded by more degrees.
+            cost: which vertices go first: those that stretch the surface least, "stretch", or those
+                whose "curvature" or "area" moves least; or a function that gets a candidate, with
+                the attributes `vertex`, `curvature`, `area`, `mean_length` and `stretch`, and
+                returns its cost. A vertex whose cost is not finite stays.
+            progress: see `delaunay()`.
+        """
+        return _simplified(self, _wanted(vertices, self.number_of_vertices), stretch, None, keep,
+                           cost, progress)
+
+    def remove_flat_vertices(self, within: float = 0, *, keep: ArrayLike | None = None,
+                             progress: Progress = None) -> CoarseSurface:
+        """Returns the surface without its flat vertices.
+
+        A vertex is flat if the angles at it sum to a full turn, on a border to half a turn: exactly
+        with `within=0`, else up to so many radians. Then lengths change as `simplify()` says. CAD
+        parts whose coordinates were rounded need `within=1e-6` or so.
+
+        Parameters:
+            within: in radians.
+            keep, progress: see `simplify()`.
+        """
+        within = _arrays.not_negative(within, "within")
+        return _simplified(self, None, None, within, keep, "stretch", progress)
+
+    def hierarchy(self, levels: int = 3, *, ratio: float = .25,
+                  progress: Progress = None) -> list[CoarseSurface]:
+        """Returns coarser and coarser surfaces, each of the one before.
+
+        Parameters:
+            levels: how many at most; fewer where no other vertex can be removed.
+            ratio: the part of the vertices that stays at each level.
+            progress: see `delaunay()`.
+        """
+        levels = _arrays.whole(levels, "levels", least=0)
+        ratio = _arrays.number(ratio, "ratio", "a number between 0 and 1", lambda x: 0 < x < 1)
+        found: list[CoarseSurface] = []
+        finer: Any = self
+        while len(found) < levels:
+            wanted = max(1, int(ratio * finer.number_of_vertices))
+            next_one = finer.simplify(wanted, progress=progress)
+            if next_one.number_of_vertices == finer.number_of_vertices:
+                break
+            finer = next_one
+            found.append(finer)
+        return found
+
+
+def _wanted(vertices, count):
+    if vertices is None:
+        return None
+    remedy = "a number of vertices, or a part such as \"10%\""
+    if isinstance(vertices, str):
+        try:
+            part = float(vertices.removesuffix("%")) / 100 if vertices.endswith("%") else np.nan
+        except ValueError:
+            part = np.nan
+        if not 0 < part <= 1:
+            raise ValueError(f"vertices is {vertices!r}; give {remedy}")
+        return int(part * count)
+    return _arrays.whole(vertices, "vertices", remedy, least=1)
+
+
+def _split(keep, count):
+    """Returns the vertices to keep, and pairs or an angle for edges."""
+    none = np.empty(0, dtype=np.int64)
+    if keep is None or _arrays.is_single(keep) or np.ndim(keep) != 1:
+        return none, *_options.kept(keep, count)
+    return _arrays.indices(keep, "keep", (None,), count), None, None
+
+
+def _simplified(surface, wanted, stretch, within, keep, cost, progress):
+    from ._coarse import CoarseSurface
+
+    if stretch is not None:
+        stretch = _arrays.number(stretch, "stretch", "a number from 1", lambda x: 1 <= x < np.inf)
+    own = cost if callable(cost) else None
+    if own is None:
+        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
+    vertices, ends, angle = _split(keep, surface.number_of_input_vertices)
+    fine = surface._flipped() if keep is None or len(vertices) else _core.delaunay(
+        surface._core, ends, angle, None)
+    positions = None if fine.points is None else _core.positions(fine)
+    core, found = _core.simplify(
+        fine, wanted, np.inf if stretch is None else stretch, within,
+        "stretch" if own is not None else cost, own, vertices, ends, angle, positions, progress)
+    return CoarseSurface._of_simplification(core, found)

@@ -1,0 +1,103 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Coarse surfaces: exact distances are within the proven bounds, flat ones stay the same."""
+
+import pickle
+import unittest
+
+import numpy as np
+
+import intrinsic as it
+from support import CUBE, PART, grid
+
+
+def torus(n=40, m=16):
+    i, j = (x.ravel() for x in np.meshgrid(np.arange(n), np.arange(m), indexing="ij"))
+    u, v = 2 * np.pi * i / n, 2 * np.pi * j / m
+    r = 1 + .1 * np.sin(3 * u + v)
+    V = np.column_stack([(3 + r * np.cos(v)) * np.cos(u), (3 + r * np.cos(v)) * np.sin(u),
+                         r * np.sin(v)])
+    a, b, c, d = ((i + k) % n * m + (j + l) % m for k, l in ((0, 0), (1, 0), (1, 1), (0, 1)))
+    return V, np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+class Coarse(unittest.TestCase):
+    def test_distances_are_within_the_proven_bounds(self):
+        s = it.Surface(*torus())
+        for cost in ("stretch", "curvature", "area", lambda c: c.area * (1 + abs(c.curvature))):
+            t = s.simplify(100, cost=cost)
+            self.assertEqual((t.status, t.number_of_vertices), ("done", 100))
+            self.assertEqual(len(np.unique(t.kept)), 100)
+            for i in (0, 17, 99):
+                fine, coarse = s.distance(int(t.kept[i]))[t.kept], t.distance(i)
+                others = np.arange(100) != i
+                ratio = coarse[others] / fine[others]
+                self.assertLessEqual(t.stretch.lower, ratio.min())
+                self.assertLessEqual(ratio.max(), t.stretch.upper)
+
+    def test_a_bound_of_the_stretch_holds(self):
+        t = it.Surface(*torus()).simplify(stretch=1.1)
+        self.assertLessEqual(t.stretch.upper, 1.1)
+        self.assertGreaterEqual(t.stretch.lower, 1 / 1.1)
+        self.assertLess(t.number_of_vertices, 640)
+        self.assertTrue((t.face_stretch[:, 0] >= t.stretch.lower).all())
+
+    def test_functions_are_prolonged(self):
+        V, F = grid(9)
+        s = it.Surface(V, F)
+        t = s.simplify(8)
+        P = t.prolongation
+        self.assertEqual(P.shape, (81, t.number_of_vertices))
+        self.assertGreaterEqual(P.data.min(), 0)
+        np.testing.assert_allclose(P @ V[t.kept], V, atol=1e-11)
+        faces, weights = t.fine_places
+        np.testing.assert_allclose(np.einsum("nk,nkc->nc", weights, V[t.kept[t.faces[faces]]]), V,
+                                   atol=1e-11)
+
+    def test_flat_vertices_go(self):
+        c = it.Surface(*CUBE).refine(max_edge_length=.3)
+        V, F = c.points, c.faces
+        t = it.Surface(V, F).remove_flat_vertices(1e-9)
+        self.assertEqual((t.number_of_vertices, t.number_of_faces), (8, 12))
+        self.assertLess(max(t.stretch.upper - 1, 1 - t.stretch.lower), 1e-9)
+
+    def test_what_is_kept_stays(self):
+        s = it.Surface(*torus())
+        t = s.simplify(1, keep=[5, 80, 600])
+        self.assertLessEqual({5, 80, 600}, set(t.kept))
+        part = it.read(PART)
+        t = part.simplify(1, keep=30.)
+        self.assertGreater(t.number_of_vertices, 1)
+
+    def test_hierarchies_become_coarser(self):
+        s = it.Surface(*torus())
+        levels = s.hierarchy(3)
+        sizes = [640, *(t.number_of_vertices for t in levels)]
+        self.assertEqual(sizes, [640, 160, 40, 10])
+        for finer, t in zip(sizes, levels):
+            self.assertEqual(t.prolongation.shape, (finer, t.number_of_vertices))
+
+    def test_it_is_a_surface_as_any_other(self):
+        t = it.Surface(*torus()).simplify(60)
+        self.assertEqual(t.certificate, "exact")
+        self.assertGreaterEqual(-t.laplacian().min(), 0)
+        self.assertLess(len(repr(t)), 160)
+        u = pickle.loads(pickle.dumps(t))
+        np.testing.assert_array_equal(u.kept, t.kept)
+        self.assertEqual(u.stretch, t.stretch)
+        np.testing.assert_array_equal(u.lengths, t.lengths)
+
+    def test_bad_arguments_are_refused(self):
+        s = it.Surface(*torus())
+        for arguments in ({"vertices": 0}, {"vertices": "x"}, {"vertices": "200%"},
+                          {"stretch": .5}, {"cost": "x"}, {"keep": [4711]}):
+            with self.assertRaises(ValueError, msg=str(arguments)):
+                s.simplify(**arguments)
+        with self.assertRaises(ZeroDivisionError):
+            s.simplify(cost=lambda c: 1 / 0)
+        with self.assertRaises(ValueError):
+            s.remove_flat_vertices(-1)
+
+
+if __name__ == "__main__":
+    unittest.main()
