@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "kept_edges.h"
 
+#include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>

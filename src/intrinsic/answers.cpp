@@ -34,6 +34,8 @@ bool has(const Figures& f) {
 
 // ---- The surface -------------------------------------------------------------------------------
 
+constexpr char blocked[] = "/simplify/blocked_by_border", unflattened[] = "/simplify/not_flattened",
+               bounded[] = "/simplify/kept_by_bound";
 constexpr char isolated[] = "/input/isolated_vertices", degenerate[] = "/input/degenerate_faces",
                triangulated[] = "/input/triangulated_polygons",
                repeated[] = "/input/faces_with_repeated_vertices",

@@ -39,7 +39,8 @@ even degrees can follow curvature.
   is(start, "delaunay") \
   is(degree, 4) \
   is(count, 10) \
-  is(energy, "biharmonic")
+  is(energy, "biharmonic") \
+  is(removal_cost, "stretch")
 // clang-format on
 /// \endcond
 
