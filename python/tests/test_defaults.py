@@ -38,6 +38,7 @@ TABLE = [
     (S.direction_field, {"degree": "degree"}),
     (S.eigen, {"count": "count"}),
     (S.deform, {"energy": "energy"}),
+    (S.simplify, {"cost": "removal_cost"}),
 ]
 
 
