@@ -9,6 +9,7 @@
 <intrinsic.Surface: 4 vertices, 2 faces>
 """
 
+from ._coarse import CoarseSurface
 from ._core import __version__
 from ._curve import Curve, Curves, Cut, Network
 from ._distances import FarthestPoints, Voronoi
@@ -19,6 +20,6 @@ from ._sources import load, points, read
 from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
-__all__ = ["CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints", "Network",
+__all__ = ["CoarseSurface", "CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints", "Network",
            "Operators", "Point", "Surface", "Voronoi", "__version__", "load", "map", "points",
            "read"]

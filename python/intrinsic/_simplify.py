@@ -72,7 +72,7 @@ class _Simplification:
             within: in radians.
             keep, progress: see `simplify()`.
         """
-        within = _arrays.not_negative(within, "within")
+        within = _options.number(within, "within")
         return _simplified(self, None, None, within, keep, "stretch", progress)
 
     def hierarchy(self, levels: int = 3, *, ratio: float = .25,
@@ -125,7 +125,7 @@ def _simplified(surface, wanted, stretch, within, keep, cost, progress):
     from ._coarse import CoarseSurface
 
     if stretch is not None:
-        stretch = _arrays.number(stretch, "stretch", "a number from 1", lambda x: 1 <= x < np.inf)
+        stretch = _options.number(stretch, "stretch")
     own = cost if callable(cost) else None
     if own is None:
         _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))

@@ -16,6 +16,7 @@ from ._files import save_surface
 from ._maps import _Maps
 from ._operators import _Learning
 from ._pages import _Pages
+from ._simplify import _Simplification
 from ._transfers import _Transfers
 
 if TYPE_CHECKING:
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
-class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Pages):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning,
+              _Simplification, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is

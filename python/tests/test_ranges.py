@@ -47,6 +47,8 @@ RANGES = {
     "degree": ("field --degree", lambda s, x: s.direction_field(x)),
     "align": ("field --align", lambda s, x: s.direction_field(align=x)),
     "count": ("eigen --count", lambda s, x: s.eigen(x)),
+    "stretch": ("simplify --stretch", lambda s, x: s.simplify(stretch=x)),
+    "within": ("simplify --flat", lambda s, x: s.remove_flat_vertices(x)),
 }
 # What is no number of a range, but something else: a file, or a list of levels.
 OTHERS = {"max_edge_length": ("few",), "levels": (-1, 1.5, "few")}
@@ -57,6 +59,7 @@ WORDS = {
     "info --polygons": typing.get_args(_types.Polygons),
     "info --domain": typing.get_args(_types.Domain) + ("points",),
     "refine --order": (S.refine, "order"),
+    "simplify --cost": (S.simplify, "cost"),
     "laplacian --mass-kind": (S.mass, "kind"),
     "transfer --method": (S.to_input, "method"),
     "distance --method": typing.get_args(_types.DistanceMethod),
