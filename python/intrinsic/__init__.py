@@ -20,6 +20,6 @@ from ._sources import load, points, read
 from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
-__all__ = ["CoarseSurface", "CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints", "Network",
-           "Operators", "Point", "Surface", "Voronoi", "__version__", "load", "map", "points",
-           "read"]
+__all__ = ["CoarseSurface", "CommonSubdivision", "Curve", "Curves", "Cut", "Failure",
+           "FarthestPoints", "Network", "Operators", "Point", "Surface", "Voronoi", "__version__",
+           "load", "map", "points", "read"]
