@@ -12,9 +12,10 @@ set_target_properties(Intrinsic_triangulations_correspondences PROPERTIES EXPORT
 set_target_properties(Intrinsic_triangulations_geodesics PROPERTIES EXPORT_NAME geodesics)
 set_target_properties(Intrinsic_triangulations_operators PROPERTIES EXPORT_NAME operators)
 set_target_properties(Intrinsic_triangulations_conformal PROPERTIES EXPORT_NAME conformal)
+set_target_properties(Intrinsic_triangulations_simplification PROPERTIES EXPORT_NAME simplification)
 install(TARGETS Intrinsic_triangulations Intrinsic_triangulations_core Intrinsic_triangulations_correspondences
     Intrinsic_triangulations_geodesics Intrinsic_triangulations_operators Intrinsic_triangulations_conformal
-    Intrinsic_triangulations_header_only
+    Intrinsic_triangulations_simplification Intrinsic_triangulations_header_only
   EXPORT Intrinsic_triangulations_targets
   ARCHIVE
     DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${package_component}

@@ -15,7 +15,7 @@ foreach(section IN LISTS sections)
     if(CMAKE_MATCH_2 STREQUAL "manual_program") # its pages are generated from the module
       string(APPEND body "\\subpage py_reference \"Python reference\": a page for each function\n")
     elseif(CMAKE_MATCH_2 STREQUAL "manual_inside")
-      foreach(package IN ITEMS triangulations geodesics operators conformal)
+      foreach(package IN ITEMS triangulations geodesics operators conformal simplification)
         string(APPEND body "- \\subpage page_rooms_of_${package} \"The rooms of ${package}\"\n")
       endforeach()
     endif()

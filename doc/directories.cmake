@@ -2,7 +2,7 @@
 # has a heading and a paragraph.
 
 set(directories "")
-foreach(package IN ITEMS triangulations geodesics operators conformal)
+foreach(package IN ITEMS triangulations geodesics operators conformal simplification)
   set(folder "CGAL/Intrinsic_${package}")
   set(readme "${PROJECT_SOURCE_DIR}/include/${folder}/README.md")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${readme}")

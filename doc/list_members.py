@@ -22,11 +22,12 @@ HEAD = """\
 The names that programs use, for readers without doxygen. `doc/list_members.py` makes this page from
 the comments in the headers, and a test checks that it is up to date. All names are in the namespace
 `CGAL::Intrinsic_triangulations`. Names marked with * are in the header of their package:
-`CGAL/Intrinsic_triangulations.h`, `CGAL/Intrinsic_geodesics.h`, `CGAL/Intrinsic_operators.h` or
-`CGAL/Intrinsic_conformal.h`. The links lead to the headers, which describe parameters, results and costs. The
+`CGAL/Intrinsic_triangulations.h`, `CGAL/Intrinsic_geodesics.h`, `CGAL/Intrinsic_operators.h`,
+`CGAL/Intrinsic_conformal.h` or `CGAL/Intrinsic_simplification.h`. The links lead to the headers, which describe parameters, results and costs. The
 [user manual](Intrinsic_triangulations/user_manual.md) says what to use for which task.
 """
-PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators", "Intrinsic_conformal")
+PACKAGES = ("Intrinsic_triangulations", "Intrinsic_geodesics", "Intrinsic_operators", "Intrinsic_conformal",
+            "Intrinsic_simplification")
 GROUPS = ROOT / "doc" / "Intrinsic_triangulations" / "groups.h"
 # The lines of a topic that name its headers, and the name of the topic.
 GROUP = re.compile(r"((?:^// Headers: .*\n)+)/\*!\n\\defgroup (\w+)", re.MULTILINE)

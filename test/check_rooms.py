@@ -31,7 +31,7 @@ import re
 import run_check
 
 PACKAGES = ["CGAL/Intrinsic_triangulations", "CGAL/Intrinsic_geodesics", "CGAL/Intrinsic_operators",
-            "CGAL/Intrinsic_conformal"] # lowest first
+            "CGAL/Intrinsic_conformal", "CGAL/Intrinsic_simplification"] # lowest first
 PROGRAM, MODULE = "src/intrinsic", "python/src"
 MOST_HEADERS = 15
 MOST_LINES = 350

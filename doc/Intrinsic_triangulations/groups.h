@@ -12,10 +12,9 @@
 \brief All names, by topic.
 
 All names are in the namespace `CGAL::Intrinsic_triangulations` unless they say otherwise. Each of
-the four packages has one header with what most programs need: `CGAL/Intrinsic_triangulations.h`,
-`CGAL/Intrinsic_geodesics.h`, `CGAL/Intrinsic_operators.h` and `CGAL/Intrinsic_conformal.h`; the last
-two need Eigen. A few names need
-their own header: the adaptors of OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`,
+the five packages has one header with what most programs need: `CGAL/Intrinsic_triangulations.h`,
+`CGAL/Intrinsic_geodesics.h`, `CGAL/Intrinsic_operators.h`, `CGAL/Intrinsic_conformal.h` and
+`CGAL/Intrinsic_simplification.h`; the last three need Eigen. A few names need their own header: the adaptors of OpenMesh and `CGAL::Polyhedron_3` in `connectivity/adaptors/`,
 `.idt` files in `IO/idt/`, pages in `IO/view/`. The page of each name says which header it is in.
 
 Names that programs use come first. Read the topics whose names begin with *Inside* if you write a
@@ -142,6 +141,13 @@ the geodesics between points.
 \defgroup ref_applications Applications
 \ingroup page_reference
 \brief Distances by heat, vectors, maps to the plane, editing. They need Eigen.
+*/
+
+// Headers: Intrinsic_simplification/
+/*!
+\defgroup ref_simplification Coarse and equal surfaces
+\ingroup page_reference
+\brief Simplification with a proven stretch, isometries, convex polyhedra.
 */
 
 // Headers: IO/

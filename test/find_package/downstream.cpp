@@ -10,7 +10,7 @@
 #ifdef DOWNSTREAM_INCLUDES_SOURCES // does not link the library
 #include <CGAL/Intrinsic_triangulations_sources.h>
 #ifdef DOWNSTREAM_HAS_operators
-#include <CGAL/Intrinsic_conformal_sources.h> // those of all packages
+#include <CGAL/Intrinsic_simplification_sources.h> // those of all packages
 #endif
 #endif
 
