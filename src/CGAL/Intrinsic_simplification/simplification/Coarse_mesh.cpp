@@ -103,8 +103,8 @@ bool is_proven_left_turn(const Exact_point& p, const Exact_point& q, const Exact
   return a - b > 0x1p-49 * (std::abs(a) + std::abs(b)); // above five roundings
 }
 
-double spread_of(const Coarse_face& f) {
-  const double upper = factors(f.length, f.below)[1], lower = factors(f.length, f.above)[0];
+double spread_of(const Side_values& length, const Face_forms& forms) {
+  const double upper = factors(length, forms.below)[1], lower = factors(length, forms.above)[0];
   return lower > 0 ? std::log(upper / lower) / 2 : std::numeric_limits<double>::infinity();
 }
 
@@ -118,7 +118,7 @@ std::array<double, 3> weights_in(const Plane_triangle& p, const Exact_point& q) 
 }
 
 Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
-    : faces_(fine.gluing.number_of_faces()), outgoing_(outgoing_sides(fine.gluing)),
+    : faces_(fine.gluing.number_of_faces()), forms_(faces_.size()), outgoing_(outgoing_sides(fine.gluing)),
       points_(fine.gluing.number_of_vertices) {
   for (std::uint32_t h = 0; h < fine.gluing.origin.size(); ++h) {
     Coarse_face& f = faces_[h / 3];
@@ -133,8 +133,9 @@ Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
 void Coarse_mesh::start_forms(const Fine_surface& fine) {
   const Protect_FPU_rounding<true> up;
   for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    Coarse_face& face = faces_[f];
-    face.above = face.below = face.length;
+    const Coarse_face& face = faces_[f];
+    Face_forms& forms = forms_[f];
+    forms.above = forms.below = face.length;
     std::array<Interval, 3> exact;
     bool is_exact = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -149,7 +150,7 @@ void Coarse_mesh::start_forms(const Fine_surface& fine) {
     double margin = 0x1p-51;
     while (margin < 1 && !is_proven_above(face.length, Interval(1 + margin), exact))
       margin *= 2;
-    face.above = grown(face.length, margin < 1 ? 1 + 2 * margin
+    forms.above = grown(face.length, margin < 1 ? 1 + 2 * margin
                                                : std::numeric_limits<double>::infinity());
     // x above l / (1 + margin) everywhere if (1 + margin) x - l is not negative
     const auto is_below = [&](double by) {
@@ -160,7 +161,7 @@ void Coarse_mesh::start_forms(const Fine_surface& fine) {
              (Interval(4) * d[0] * d[2] - square(d[0] + d[2] - d[1])).inf() >= 0;
     };
     for (margin = 0x1p-51; margin < 1 && !is_below(1 + margin);) margin *= 2;
-    face.below = grown(face.length, margin < 1 ? 1 / (1 + 2 * margin) : 0);
+    forms.below = grown(face.length, margin < 1 ? 1 / (1 + 2 * margin) : 0);
   }
 }
 
@@ -171,12 +172,14 @@ double Coarse_mesh::quadruple_area(std::uint32_t f) const {
 
 void Coarse_mesh::begin() {
   changed_faces_.clear();
+  changed_forms_.clear();
   changed_outgoing_.clear();
   changed_points_.clear();
 }
 
 void Coarse_mesh::take_back() {
   for (const auto& [f, face] : std::views::reverse(changed_faces_)) faces_[f] = face;
+  for (const auto& [f, forms] : std::views::reverse(changed_forms_)) forms_[f] = forms;
   for (const auto& [v, h] : std::views::reverse(changed_outgoing_)) outgoing_[v] = h;
   for (const auto& [v, point] : std::views::reverse(changed_points_)) points_[v] = point;
   begin();
@@ -221,12 +224,14 @@ bool Coarse_mesh::flip(std::uint32_t h) {
   const auto rotated = [](const Side_values& q, std::uint32_t k) {
     return Side_values{q[k], q[(k + 1) % 3], q[(k + 2) % 3]};
   };
-  const auto forms =
-      flipped_forms(d, {{{rotated(faces_[f].above, h % 3), rotated(faces_[f].below, h % 3)},
-                         {rotated(faces_[e].above, g % 3), rotated(faces_[e].below, g % 3)}}});
-  if (!forms) return false;
+  const auto flipped =
+      flipped_forms(d, {{{rotated(forms_[f].above, h % 3), rotated(forms_[f].below, h % 3)},
+                         {rotated(forms_[e].above, g % 3), rotated(forms_[e].below, g % 3)}}});
+  if (!flipped) return false;
   change(f);
   change(e);
+  change_forms(f);
+  change_forms(e);
   // points, by their places in the plane
   moving_.clear();
   take_points(f, moving_);
@@ -254,9 +259,9 @@ bool Coarse_mesh::flip(std::uint32_t h) {
   }
   for (const std::size_t n : {0, 1})
     for (std::uint32_t k = 0; k < 3; ++k) {
-      Coarse_face& face = faces_[side[n] / 3];
-      face.above[(side[n] + k) % 3] = forms->above[n][k];
-      face.below[(side[n] + k) % 3] = forms->below[n][k];
+      Face_forms& forms = forms_[side[n] / 3];
+      forms.above[(side[n] + k) % 3] = flipped->above[n][k];
+      forms.below[(side[n] + k) % 3] = flipped->below[n][k];
     }
   return true;
 }

@@ -17,16 +17,19 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // A triangle of the surface that becomes coarse. Side k runs from `origin[k]` to the next corner.
-struct Coarse_face {
+struct alignas(64) Coarse_face {
   std::array<std::uint32_t, 3> glue;   // the side that each side is glued to, or none
   std::array<std::uint32_t, 3> origin; // vertices
   Side_values length;                  // squared
-  Side_values above;                   // of a form above that of the fine surface
-  Side_values below;                   // of a form below it
-  double spread = 0;                   // the logarithm of the ratio of the bounds of its stretch
+  float spread = 0; // the logarithm of the ratio of the bounds of its stretch
   std::uint32_t first_point = Gluing::none; // of the points in it, a list
   std::uint8_t kept_sides = 0;              // a bit for each side that must stay an edge
   bool is_removed = false;
+};
+
+// Forms of a face that are proven to bound that of the fine surface.
+struct Face_forms {
+  Side_values above, below;
 };
 
 // A vertex of the fine surface that is gone: a point in a face.
@@ -46,6 +49,7 @@ public:
 
   const std::vector<Coarse_face>& faces() const { return faces_; }
   const Coarse_face& face(std::uint32_t f) const { return faces_[f]; }
+  const Face_forms& forms(std::uint32_t f) const { return forms_[f]; }
   const Point_on_coarse& point(std::uint32_t v) const { return points_[v]; }
   std::uint32_t glued(std::uint32_t h) const { return faces_[h / 3].glue[h % 3]; }
   std::uint32_t origin(std::uint32_t h) const { return faces_[h / 3].origin[h % 3]; }
@@ -78,6 +82,10 @@ public:
     changed_faces_.emplace_back(f, faces_[f]);
     return faces_[f];
   }
+  Face_forms& change_forms(std::uint32_t f) {
+    changed_forms_.emplace_back(f, forms_[f]);
+    return forms_[f];
+  }
   void set_outgoing(std::uint32_t v, std::uint32_t h) {
     changed_outgoing_.emplace_back(v, outgoing_[v]);
     outgoing_[v] = h;
@@ -92,7 +100,7 @@ public:
   }
   void set_length(std::uint32_t h, double l) { faces_[h / 3].length[h % 3] = l; }
   // Needs no record: it follows from what is recorded.
-  void set_spread(std::uint32_t f, double spread) { faces_[f].spread = spread; }
+  void set_spread(std::uint32_t f, double spread) { faces_[f].spread = static_cast<float>(spread); }
 
   // Flips an edge as Euclid does: forms and points move. Returns whether the faces at it are
   // certainly convex together; otherwise nothing changes.
@@ -105,9 +113,11 @@ private:
   void start_forms(const Fine_surface& fine);
 
   std::vector<Coarse_face> faces_;
+  std::vector<Face_forms> forms_;
   std::vector<std::uint32_t> outgoing_;
   std::vector<Point_on_coarse> points_;
   std::vector<std::pair<std::uint32_t, Coarse_face>> changed_faces_;
+  std::vector<std::pair<std::uint32_t, Face_forms>> changed_forms_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_outgoing_;
   std::vector<std::pair<std::uint32_t, Point_on_coarse>> changed_points_;
   std::vector<std::uint32_t> moving_;
@@ -123,7 +133,7 @@ bool is_proven_triangle(const Side_values& l);
 bool is_proven_left_turn(const Exact_point& p, const Exact_point& q, const Exact_point& r);
 
 // The logarithm of the ratio of the stretch bounds of a face, in doubles.
-double spread_of(const Coarse_face& f);
+double spread_of(const Side_values& length, const Face_forms& forms);
 
 // The weights of a point in a triangle; negative ones outside.
 std::array<double, 3> weights_in(const Plane_triangle& p, const Exact_point& q);

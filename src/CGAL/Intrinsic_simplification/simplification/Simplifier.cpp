@@ -97,10 +97,10 @@ bool Simplifier::is_last(std::uint32_t v) const {
 }
 
 double Simplifier::cost(std::uint32_t v) {
-  if (!neighbour_.find(mesh_, v)) return 1e30; // an edge from the vertex to itself: last
-  const Vertex_star::Angles angles = neighbour_.angles(1);
+  neighbour_.find(mesh_, v);
+  const Vertex_star::Angles angles = neighbour_.angles(mesh_, 1);
   const double k = neighbour_.flat_angle() - angles.sum;
-  double spread = 0;
+  float spread = 0;
   for (std::size_t n = 0; n < neighbour_.size(); ++n)
     spread = std::max(spread, mesh_.face(neighbour_.side(n) / 3).spread);
   return spread + 2 * std::abs(k) / std::max(angles.slope, 1e-9);
@@ -126,7 +126,7 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
   const double end = std::log(bound.factor);
   double low = grows ? 0 : end, high = grows ? end : 0; // angles fall from low to high
   bool is_end_known = false;
-  double u = 0, slope = star_.angles(1).slope;
+  double u = 0, slope = star_.angles(mesh_, 1).slope;
   unsigned steps = 0;
   while (std::abs(rest) > tolerance && ++steps < 100) {
     double to = slope > 0 ? u + rest / slope : (low + high) / 2;
@@ -136,13 +136,13 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
         if (!std::isfinite(to)) to = grows ? u + 1 : u - 1;
       } else {
         is_end_known = true;
-        const Vertex_star::Angles at_end = star_.angles(bound.factor);
-        if ((at_end.sum > flat) == grows) {
-          rest = at_end.sum - flat;
-          u = end;
-          break;
+        const Vertex_star::Angles at_end = star_.angles(mesh_, bound.factor);
+        const bool is_solved = bound.side != none && std::abs(at_end.sum - flat) <= tolerance;
+        if ((at_end.sum > flat) == grows && !is_solved) {
+          step_.newton_steps += steps;
+          return end;
         }
-        to = (low + high) / 2;
+        to = is_solved ? end : (low + high) / 2;
       }
     }
     if (to == u || std::abs(to - u) < 1e-17) {
@@ -150,7 +150,7 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
       break;
     }
     u = to;
-    const Vertex_star::Angles now = star_.angles(std::exp(u));
+    const Vertex_star::Angles now = star_.angles(mesh_, std::exp(u));
     rest = now.sum - flat;
     slope = now.slope;
     (rest > 0 ? low : high) = u;
@@ -165,7 +165,7 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
 Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   for (std::size_t events = 0; events < 1000; ++events) {
     if (!star_.find(mesh_, v)) return Fate::failed;
-    double rest = star_.angles(1).sum - star_.flat_angle();
+    double rest = star_.angles(mesh_, 1).sum - star_.flat_angle();
     if (std::abs(rest) <= angle_tolerance(star_)) return Fate::open;
     const bool grows = rest > 0;
     const Vertex_star::Bound bound = grows ? star_.bound_above(mesh_) : star_.bound_below(mesh_);
@@ -179,10 +179,33 @@ Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   return Fate::failed;
 }
 
+// Flips the edges from a flat vertex to itself away, and others where that does not go yet.
+bool Simplifier::open_loops(std::uint32_t v) {
+  for (std::size_t flips = 0; flips < 200 && star_.find(mesh_, v); ++flips) {
+    if (star_.is_proper()) return true;
+    const auto flip_one = [&](bool loops) {
+      for (std::size_t k = 0; k < star_.size(); ++k) {
+        const std::uint32_t h = star_.side(k);
+        const bool is_loop = mesh_.origin(Coarse_mesh::next(h)) == v;
+        if (is_loop == loops && mesh_.is_flippable(h) && mesh_.flip(h)) return true;
+      }
+      return false;
+    };
+    if (!flip_one(true) && !flip_one(false)) return false;
+    ++step_.flips;
+  }
+  return false;
+}
+
 void Simplifier::restore_delaunay() {
   stack_.clear();
   for (const std::uint32_t f : removal_.new_faces())
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
+  if (step_.flips > 0) // loops were flipped away
+    mesh_.for_each_changed([&](std::uint32_t f) {
+      if (!mesh_.face(f).is_removed)
+        for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
+    });
   const std::size_t most = 100 * stack_.size() + 1000; // rounding could flip for ever
   for (std::size_t flips = 0; !stack_.empty() && flips < most;) {
     const std::uint32_t h = stack_.back();
@@ -209,10 +232,10 @@ bool Simplifier::is_within_bounds() {
     const Coarse_face& face = mesh_.face(f);
     if (face.is_removed) continue;
     if (std::isfinite(options_.stretch) &&
-        !(factors(face.length, face.below)[1] <= most &&
-          factors(face.length, face.above)[0] * most >= 1))
+        !(factors(face.length, mesh_.forms(f).below)[1] <= most &&
+          factors(face.length, mesh_.forms(f).above)[0] * most >= 1))
       return false;
-    mesh_.set_spread(f, spread_of(face));
+    mesh_.set_spread(f, spread_of(face.length, mesh_.forms(f)));
   }
   return true;
 }
@@ -222,7 +245,7 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v) {
   step_ = {};
   Fate fate = flatten(v);
   if (fate == Fate::open) {
-    fate = removal_.remove(mesh_, star_, v) ? Fate::removed : Fate::failed;
+    fate = open_loops(v) && removal_.remove(mesh_, star_, v) ? Fate::removed : Fate::failed;
     if (fate == Fate::removed) {
       restore_delaunay();
       if (!is_within_bounds()) fate = Fate::bound;

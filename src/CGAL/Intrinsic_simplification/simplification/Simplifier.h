@@ -53,6 +53,7 @@ private:
   Fate remove(std::uint32_t v);
   Fate flatten(std::uint32_t v);
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
+  bool open_loops(std::uint32_t v);
   void restore_delaunay();
   bool is_within_bounds();
   void renew_costs();

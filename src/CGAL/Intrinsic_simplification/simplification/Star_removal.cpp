@@ -173,7 +173,7 @@ bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) 
   below_.clear();
   for (std::size_t k = 0; k < star.size(); ++k) {
     const Form_of_sides<Interval> matrix(old_triangle(k));
-    const Coarse_face& f = mesh.face(star.side(k) / 3);
+    const Face_forms& f = mesh.forms(star.side(k) / 3);
     const std::uint32_t first = star.side(k) % 3;
     old_forms_.push_back({matrix(from_side(f.above, first)), matrix(from_side(f.below, first))});
   }
@@ -246,8 +246,7 @@ void Star_removal::replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std
       if (triangles_[i].sides[k].is_kept)
         f.kept_sides = static_cast<std::uint8_t>(f.kept_sides | 1U << k);
     }
-    f.above = above_[i];
-    f.below = below_[i];
+    mesh.change_forms(new_faces_[i]) = {above_[i], below_[i]};
   }
   glue_sides(mesh);
   mesh.set_outgoing(v, none);

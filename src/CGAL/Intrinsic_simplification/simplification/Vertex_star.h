@@ -13,8 +13,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The faces at a vertex, counterclockwise, and the squared lengths of their sides: those of spokes
-// are multiplied by a factor s while the vertex becomes flat. The corner of face k is between
-// spokes k and k + 1.
+// are multiplied by a factor s while the vertex becomes flat, and those of edges from the vertex to
+// itself by s^2. The corner of face k is between spokes k and k + 1.
 class Vertex_star {
 public:
   // A sum of angles, and by how much it falls with the logarithm of s.
@@ -28,9 +28,10 @@ public:
     std::uint32_t side; // of the edge; none: a face
   };
 
-  // Finds the faces. Returns whether that is a proper star: with faces, and no edge from the
-  // vertex to itself.
+  // Finds the faces. Returns whether there are any.
   bool find(const Coarse_mesh& mesh, std::uint32_t v);
+  // Whether no edge is from the vertex to itself: each face is there once.
+  bool is_proper() const { return is_proper_; }
 
   std::size_t size() const { return sides_.size(); }
   bool is_on_border() const { return is_on_border_; }
@@ -41,7 +42,7 @@ public:
   double rim(std::size_t k) const { return rim_[k]; }
 
   // The angles at the vertex for a factor.
-  Angles angles(double factor) const;
+  Angles angles(const Coarse_mesh& mesh, double factor) const;
   // The sum of the angles when the star is flat.
   double flat_angle() const;
   // The smallest factor above 1 with which the triangulation changes, and the greatest below 1; if
@@ -53,11 +54,18 @@ public:
 
 private:
   std::size_t after(std::size_t k) const { return k + 1 == spoke_.size() ? 0 : k + 1; }
+  double scaled(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
+  double cosine(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
+  Angles angles_with_loops(const Coarse_mesh& mesh, double factor) const;
+  std::uint32_t changed_edge(const Coarse_mesh& mesh, double factor) const;
+  Bound search_bound(const Coarse_mesh& mesh, bool above) const;
 
   std::vector<std::uint32_t> sides_;
   std::vector<double> spoke_; // one more than faces on the border
   std::vector<double> rim_;
+  std::uint32_t vertex_ = Gluing::none;
   bool is_on_border_ = false;
+  bool is_proper_ = true;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -58,8 +58,8 @@ void find_stretch(Simplification& s, const Coarse_mesh& mesh) {
   for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
     const Coarse_face& face = mesh.face(f);
     if (face.is_removed) continue;
-    const Face_stretch r{proven_lower(face.length, face.above),
-                         proven_upper(face.length, face.below)};
+    const Face_stretch r{proven_lower(face.length, mesh.forms(f).above),
+                         proven_upper(face.length, mesh.forms(f).below)};
     s.face_stretch.push_back(r);
     s.stretch.lower = std::min(s.stretch.lower, r.lower);
     s.stretch.upper = std::max(s.stretch.upper, r.upper);
