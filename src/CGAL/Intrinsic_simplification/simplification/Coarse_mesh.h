@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H
+
+#include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
+#include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A triangle of the surface that becomes coarse. Side k runs from `origin[k]` to the next corner.
+struct alignas(64) Coarse_face {
+  std::array<std::uint32_t, 3> glue;   // the side that each side is glued to, or none
+  std::array<std::uint32_t, 3> origin; // vertices
+  Side_values length;                  // squared
+  float spread = 0; // the logarithm of the ratio of the bounds of its stretch
+  std::uint32_t first_point = Gluing::none; // of the points in it, a list
+  std::uint8_t kept_sides = 0;              // a bit for each side that must stay an edge
+  bool is_removed = false;
+};
+
+// Forms of a face that are proven to bound that of the fine surface.
+struct Face_forms {
+  Side_values above, below;
+};
+
+// A vertex of the fine surface that is gone: a point in a face.
+struct Point_on_coarse {
+  std::uint32_t face = Gluing::none;
+  std::uint32_t next = Gluing::none; // the next point in the face
+  std::array<double, 3> weights{};
+};
+
+// The triangulation while vertices are removed. Changes are recorded, and can be taken back.
+class Coarse_mesh {
+public:
+  explicit Coarse_mesh(const Fine_surface& fine);
+
+  static std::uint32_t next(std::uint32_t h) { return Gluing::next(h); }
+  static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  const std::vector<Coarse_face>& faces() const { return faces_; }
+  const Coarse_face& face(std::uint32_t f) const { return faces_[f]; }
+  const Face_forms& forms(std::uint32_t f) const { return forms_[f]; }
+  const Point_on_coarse& point(std::uint32_t v) const { return points_[v]; }
+  std::uint32_t glued(std::uint32_t h) const { return faces_[h / 3].glue[h % 3]; }
+  std::uint32_t origin(std::uint32_t h) const { return faces_[h / 3].origin[h % 3]; }
+  double length(std::uint32_t h) const { return faces_[h / 3].length[h % 3]; } // squared
+  // A side from the vertex; on the border the one with the border on its right.
+  std::uint32_t outgoing(std::uint32_t v) const { return outgoing_[v]; }
+  bool is_kept_side(std::uint32_t h) const {
+    return (faces_[h / 3].kept_sides >> (h % 3) & 1) != 0;
+  }
+  // Whether flips may replace the edge: it is between two faces, and need not stay.
+  bool is_flippable(std::uint32_t h) const {
+    const std::uint32_t g = glued(h);
+    return g != Gluing::none && g / 3 != h / 3 && !is_kept_side(h);
+  }
+  // Four times the area.
+  double quadruple_area(std::uint32_t f) const;
+
+  // Begins a step: what came before cannot be taken back.
+  void begin();
+  // Takes back all changes of the step.
+  void take_back();
+  // The faces that the step has changed, some of them several times.
+  template <class Function>
+  void for_each_changed(const Function& f) const {
+    for (const auto& [number, face] : changed_faces_) f(number);
+  }
+
+  // What may be changed, after it is recorded.
+  Coarse_face& change(std::uint32_t f) {
+    changed_faces_.emplace_back(f, faces_[f]);
+    return faces_[f];
+  }
+  Face_forms& change_forms(std::uint32_t f) {
+    changed_forms_.emplace_back(f, forms_[f]);
+    return forms_[f];
+  }
+  void set_outgoing(std::uint32_t v, std::uint32_t h) {
+    changed_outgoing_.emplace_back(v, outgoing_[v]);
+    outgoing_[v] = h;
+  }
+  // Takes all points out of a face that was recorded, and appends them to `points`.
+  void take_points(std::uint32_t f, std::vector<std::uint32_t>& points);
+  void put_point(std::uint32_t v, std::uint32_t f, const std::array<double, 3>& weights);
+  // Glues two recorded sides.
+  void glue(std::uint32_t h, std::uint32_t g) {
+    faces_[h / 3].glue[h % 3] = g;
+    if (g != Gluing::none) faces_[g / 3].glue[g % 3] = h;
+  }
+  void set_length(std::uint32_t h, double l) { faces_[h / 3].length[h % 3] = l; }
+  // Needs no record: it follows from what is recorded.
+  void set_spread(std::uint32_t f, double spread) { faces_[f].spread = static_cast<float>(spread); }
+
+  // Flips an edge as Euclid does: forms and points move. Returns whether the faces at it are
+  // certainly convex together; otherwise nothing changes.
+  bool flip(std::uint32_t h);
+  // Whether the angles opposite the edge sum to more than pi, by more than rounding.
+  bool violates_delaunay(std::uint32_t h) const;
+
+private:
+  void rewire(std::uint32_t h, double length);
+  void start_forms(const Fine_surface& fine);
+
+  std::vector<Coarse_face> faces_;
+  std::vector<Face_forms> forms_;
+  std::vector<std::uint32_t> outgoing_;
+  std::vector<Point_on_coarse> points_;
+  std::vector<std::pair<std::uint32_t, Coarse_face>> changed_faces_;
+  std::vector<std::pair<std::uint32_t, Face_forms>> changed_forms_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_outgoing_;
+  std::vector<std::pair<std::uint32_t, Point_on_coarse>> changed_points_;
+  std::vector<std::uint32_t> moving_;
+};
+
+// Four times the area of a triangle, by squared lengths; zero if there is none.
+double quadruple_area_of(double a, double b, double c);
+
+// Whether three squared lengths are those of a triangle with an area: proven.
+bool is_proven_triangle(const Side_values& l);
+
+// Whether three points turn to the left: proven.
+bool is_proven_left_turn(const Exact_point& p, const Exact_point& q, const Exact_point& r);
+
+// The logarithm of the ratio of the stretch bounds of a face, in doubles.
+double spread_of(const Side_values& length, const Face_forms& forms);
+
+// The weights of a point in a triangle; negative ones outside.
+std::array<double, 3> weights_in(const Plane_triangle& p, const Exact_point& q);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H

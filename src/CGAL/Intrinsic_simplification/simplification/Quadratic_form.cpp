@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// The first margin of a proof, relative, and how many times it is multiplied by 4.
+constexpr double first_margin = 0x1p-50;
+constexpr int margins = 24;
+
+double value(const Form& m, double x, double y) {
+  return m.xx * x * x + 2 * (m.xy * x * y) + m.yy * y * y;
+}
+
+double determinant(const Form& m) { return m.xx * m.yy - m.xy * m.xy; }
+
+Form sum(const Form& a, double c, const Form& b) {
+  return {a.xx + c * b.xx, a.xy + c * b.xy, a.yy + c * b.yy};
+}
+
+// The eigenvalues of b - a in the basis in which a is the unit matrix, the greater one first, from
+// the difference: so they are precise where both forms are nearly the same.
+struct Comparison_of_forms {
+  Comparison_of_forms(const Form& a, const Form& b) : difference(sum(b, -1, a)) {
+    const Form& d = difference;
+    const double area = determinant(a);
+    const double half = (a.yy * d.xx - 2 * (a.xy * d.xy) + a.xx * d.yy) / (2 * area);
+    const double product = determinant(d) / area;
+    const double root = std::sqrt(std::max(0., half * half - product));
+    greater = half + root;
+    smaller = half - root;
+  }
+  Form difference;
+  double greater, smaller;
+};
+
+Side_values times(double c, const Side_values& q) { return {c * q[0], c * q[1], c * q[2]}; }
+
+bool is_above_all(const Enclosed_form& m, std::span<const Enclosed_form* const> forms) {
+  return std::ranges::all_of(forms, [&](const Enclosed_form* f) { return is_proven_above(m, *f); });
+}
+bool is_below_all(const Enclosed_form& m, std::span<const Enclosed_form* const> forms) {
+  return std::ranges::all_of(forms, [&](const Enclosed_form* f) { return is_proven_above(*f, m); });
+}
+
+} // namespace
+
+Side_values side_values(const Form& m, const Plane_triangle& p) {
+  return {value(m, p[1].x - p[0].x, p[1].y - p[0].y), value(m, p[2].x - p[1].x, p[2].y - p[1].y),
+          value(m, p[0].x - p[2].x, p[0].y - p[2].y)};
+}
+
+Form join(const Form& a, const Form& b) {
+  const Comparison_of_forms c(a, b);
+  if (!(c.smaller < 0)) return b;
+  if (!(c.greater > 0)) return a;
+  return sum(a, c.greater / (c.greater - c.smaller), sum(c.difference, -c.smaller, a));
+}
+
+Form meet(const Form& a, const Form& b) {
+  const Comparison_of_forms c(a, b);
+  if (!(c.smaller < 0)) return a;
+  if (!(c.greater > 0)) return b;
+  return sum(a, c.smaller / (c.smaller - c.greater), sum(c.difference, -c.greater, a));
+}
+
+std::array<double, 2> factors(const Side_values& form, const Side_values& by) {
+  const auto matrix = [](const Side_values& q) {
+    return Form{q[0], (q[0] + q[2] - q[1]) / 2, q[2]};
+  };
+  const Form a = matrix(by);
+  if (!(determinant(a) > 0)) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {infinity, infinity};
+  }
+  const Comparison_of_forms c(a, matrix(form));
+  return {std::max(0., 1 + c.smaller), 1 + c.greater};
+}
+
+bool is_proven_above(const Enclosed_form& upper, const Enclosed_form& lower) {
+  const Interval x = upper.xx - lower.xx, z = upper.yy - lower.yy, y = upper.xy - lower.xy;
+  return x.inf() >= 0 && z.inf() >= 0 && (x * z - square(y)).inf() >= 0;
+}
+
+bool is_proven_above(const Side_values& upper, const Interval& factor,
+                     const std::array<Interval, 3>& lower) {
+  const Interval a = factor * Interval(upper[0]) - lower[0],
+                 b = factor * Interval(upper[1]) - lower[1],
+                 c = factor * Interval(upper[2]) - lower[2];
+  return a.inf() >= 0 && c.inf() >= 0 && (Interval(4) * a * c - square(a + c - b)).inf() >= 0;
+}
+
+std::optional<Side_values> proven_above(const Form& near, const Plane_triangle& p,
+                                        std::span<const Enclosed_form* const> forms) {
+  const Form_of_sides<Interval> matrix(p);
+  const Side_values q = side_values(near, p);
+  double margin = first_margin;
+  for (int i = 0; i < margins; ++i, margin *= 4) {
+    const Side_values larger = times(1 + margin, q);
+    if (is_above_all(matrix(larger), forms)) return larger;
+  }
+  return std::nullopt;
+}
+
+Side_values proven_below(const Form& near, const Plane_triangle& p,
+                         std::span<const Enclosed_form* const> forms) {
+  const Form_of_sides<Interval> matrix(p);
+  const Side_values q = side_values(near, p);
+  double margin = first_margin;
+  for (int i = 0; i < margins; ++i, margin *= 4) {
+    const Side_values smaller = times(1 / (1 + margin), q);
+    if (is_below_all(matrix(smaller), forms)) return smaller;
+  }
+  return {0, 0, 0};
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

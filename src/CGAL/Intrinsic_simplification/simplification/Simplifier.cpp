@@ -1,0 +1,303 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr std::uint32_t none = Gluing::none;
+
+// Sums of angles this near to a flat one are flat up to rounding.
+double angle_tolerance(const Vertex_star& star) {
+  return 2e-15 + 4e-16 * static_cast<double>(star.size());
+}
+
+} // namespace
+
+Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
+                       const Simplify_options& options)
+    : fine_(fine), options_(options), mesh_(fine),
+      fate_(fine.gluing.number_of_vertices, Fate::open), version_(fate_.size(), 0),
+      is_touched_(fate_.size(), 0) {
+  mark_kept(may_go);
+  count_components();
+  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
+    if (mesh_.outgoing(v) == none) continue;
+    ++number_left_;
+    push(v);
+  }
+}
+
+void Simplifier::mark_kept(const std::vector<char>& may_go) {
+  std::vector<char> is_kept(fine_.number_of_rows, 0);
+  for (const std::uint32_t row : options_.kept_vertices) {
+    if (row >= fine_.number_of_rows)
+      throw Invalid_input::about(Element_kind::vertex, row, " shall stay, but does not exist");
+    is_kept[row] = 1;
+  }
+  for (std::uint32_t v = 0; v < fate_.size(); ++v)
+    if (mesh_.outgoing(v) == none || is_kept[fine_.row[v]] != 0 ||
+        (!may_go.empty() && may_go[v] == 0))
+      fate_[v] = Fate::stays;
+  std::vector<std::uint32_t> edges = options_.kept_edges;
+  std::ranges::sort(edges);
+  if (!edges.empty() && edges.back() > *std::ranges::max_element(fine_.edge))
+    throw Invalid_input::about(Element_kind::edge, edges.back(), " shall stay, but does not exist");
+  for (std::uint32_t h = 0; h < fine_.edge.size() && !edges.empty(); ++h)
+    if (std::ranges::binary_search(edges, fine_.edge[h])) {
+      Coarse_face& f = mesh_.change(h / 3);
+      f.kept_sides = static_cast<std::uint8_t>(f.kept_sides | 1U << h % 3);
+      fate_[fine_.gluing.origin[h]] = fate_[fine_.gluing.origin[Gluing::next(h)]] = Fate::stays;
+    }
+  // several fans of faces at one vertex
+  std::vector<std::uint32_t> corners(fate_.size(), 0);
+  for (const std::uint32_t v : fine_.gluing.origin) ++corners[v];
+  for (std::uint32_t v = 0; v < fate_.size(); ++v)
+    if (fate_[v] == Fate::open) {
+      star_.find(mesh_, v);
+      if (star_.size() != corners[v]) fate_[v] = Fate::stays;
+    }
+}
+
+// A closed component of genus g keeps more vertices than its Euler characteristic, 2 - 2g: with
+// fewer no angles would be left for them.
+void Simplifier::count_components() {
+  const Gluing& g = fine_.gluing;
+  component_ = joined_sets(g.number_of_vertices, [&](const auto& join) {
+    for (std::uint32_t h = 0; h < g.origin.size(); ++h) join(g.origin[h], g.origin[g.next(h)]);
+  });
+  left_.assign(fate_.size(), 0);
+  least_.assign(fate_.size(), 1);
+  std::vector<std::ptrdiff_t> twice_euler(fate_.size(), 0);
+  std::vector<char> has_border(fate_.size(), 0);
+  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
+    ++left_[component_[v]];
+    twice_euler[component_[v]] += 2;
+  }
+  for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
+    const std::uint32_t c = component_[g.origin[h]];
+    twice_euler[c] += (h % 3 == 0 ? 2 : 0) - 1;
+    if (g.glue[h] == none) has_border[c] = 1;
+  }
+  for (std::uint32_t c = 0; c < fate_.size(); ++c)
+    if (has_border[c] == 0 && twice_euler[c] > 0)
+      least_[c] = static_cast<std::size_t>(twice_euler[c] / 2 + 1);
+}
+
+bool Simplifier::is_last(std::uint32_t v) const {
+  return left_[component_[v]] <= least_[component_[v]];
+}
+
+double Simplifier::cost(std::uint32_t v) {
+  neighbour_.find(mesh_, v);
+  const Vertex_star::Angles angles = neighbour_.angles(mesh_, 1);
+  const double k = neighbour_.flat_angle() - angles.sum;
+  float spread = 0;
+  for (std::size_t n = 0; n < neighbour_.size(); ++n)
+    spread = std::max(spread, mesh_.face(neighbour_.side(n) / 3).spread);
+  return spread + 2 * std::abs(k) / std::max(angles.slope, 1e-9);
+}
+
+void Simplifier::push(std::uint32_t v) {
+  ++version_[v];
+  if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
+  fate_[v] = Fate::open;
+  const double c = cost(v);
+  if (!(c <= options_.cost)) {
+    fate_[v] = Fate::bound;
+    return;
+  }
+  queue_.push({c, v, version_[v]});
+}
+
+// The logarithm of the factor with which the angles are flat, between 1 and a bound: Newton's
+// steps, and halving where they leave what is known. \param rest what is missing: the angles minus
+// the flat ones; on return zero, or what is missing at the bound if it is reached before
+double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, double& rest) {
+  const double flat = star_.flat_angle(), tolerance = angle_tolerance(star_);
+  const double end = std::log(bound.factor);
+  double low = grows ? 0 : end, high = grows ? end : 0; // angles fall from low to high
+  bool is_end_known = false;
+  double u = 0, slope = star_.angles(mesh_, 1).slope;
+  unsigned steps = 0;
+  while (std::abs(rest) > tolerance && ++steps < 100) {
+    double to = slope > 0 ? u + rest / slope : (low + high) / 2;
+    if (!(to > low && to < high)) {
+      if (is_end_known || !std::isfinite(end)) {
+        to = (low + high) / 2;
+        if (!std::isfinite(to)) to = grows ? u + 1 : u - 1;
+      } else {
+        is_end_known = true;
+        const Vertex_star::Angles at_end = star_.angles(mesh_, bound.factor);
+        const bool is_solved = bound.side != none && std::abs(at_end.sum - flat) <= tolerance;
+        if ((at_end.sum > flat) == grows && !is_solved) {
+          step_.newton_steps += steps;
+          return end;
+        }
+        to = is_solved ? end : (low + high) / 2;
+      }
+    }
+    if (to == u || std::abs(to - u) < 1e-17) {
+      rest = 0; // no double is better
+      break;
+    }
+    u = to;
+    const Vertex_star::Angles now = star_.angles(mesh_, std::exp(u));
+    rest = now.sum - flat;
+    slope = now.slope;
+    (rest > 0 ? low : high) = u;
+  }
+  if (std::abs(rest) <= tolerance || steps >= 100) rest = 0;
+  step_.newton_steps += steps;
+  most_newton_steps_ = std::max(most_newton_steps_, steps);
+  return u;
+}
+
+// Multiplies the edges at a vertex by a factor until it is flat; edges are flipped on the way.
+Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
+  for (std::size_t events = 0; events < 1000; ++events) {
+    if (!star_.find(mesh_, v)) return Fate::failed;
+    double rest = star_.angles(mesh_, 1).sum - star_.flat_angle();
+    if (std::abs(rest) <= angle_tolerance(star_)) return Fate::open;
+    const bool grows = rest > 0;
+    const Vertex_star::Bound bound = grows ? star_.bound_above(mesh_) : star_.bound_below(mesh_);
+    const double u = factor_within(bound, grows, rest);
+    star_.scale(mesh_, rest == 0 ? std::exp(u) : bound.factor);
+    if (rest == 0) return Fate::open;
+    if (bound.side == none) return Fate::blocked;
+    if (!mesh_.flip(bound.side)) return Fate::failed;
+    ++step_.ptolemy_flips;
+  }
+  return Fate::failed;
+}
+
+// Flips the edges from a flat vertex to itself away, and others where that does not go yet.
+bool Simplifier::open_loops(std::uint32_t v) {
+  for (std::size_t flips = 0; flips < 200 && star_.find(mesh_, v); ++flips) {
+    if (star_.is_proper()) return true;
+    const auto flip_one = [&](bool loops) {
+      for (std::size_t k = 0; k < star_.size(); ++k) {
+        const std::uint32_t h = star_.side(k);
+        const bool is_loop = mesh_.origin(Coarse_mesh::next(h)) == v;
+        if (is_loop == loops && mesh_.is_flippable(h) && mesh_.flip(h)) return true;
+      }
+      return false;
+    };
+    if (!flip_one(true) && !flip_one(false)) return false;
+    ++step_.flips;
+  }
+  return false;
+}
+
+void Simplifier::restore_delaunay() {
+  stack_.clear();
+  for (const std::uint32_t f : removal_.new_faces())
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
+  if (step_.flips > 0) // loops were flipped away
+    mesh_.for_each_changed([&](std::uint32_t f) {
+      if (!mesh_.face(f).is_removed)
+        for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
+    });
+  const std::size_t most = 100 * stack_.size() + 1000; // rounding could flip for ever
+  for (std::size_t flips = 0; !stack_.empty() && flips < most;) {
+    const std::uint32_t h = stack_.back();
+    stack_.pop_back();
+    if (!mesh_.violates_delaunay(h)) continue;
+    const std::uint32_t g = mesh_.glued(h);
+    if (!mesh_.flip(h)) continue;
+    ++flips;
+    ++step_.flips;
+    for (const std::uint32_t s : {h, g})
+      for (const std::uint32_t q : {Coarse_mesh::next(s), Coarse_mesh::previous(s)})
+        stack_.push_back(q);
+  }
+}
+
+// Finds the spread of the faces that have changed.
+bool Simplifier::is_within_bounds() {
+  touched_.clear();
+  mesh_.for_each_changed([&](std::uint32_t f) { touched_.push_back(f); });
+  std::ranges::sort(touched_);
+  touched_.erase(std::ranges::unique(touched_).begin(), touched_.end());
+  const double most = options_.stretch * options_.stretch * (1 - 1e-9);
+  for (const std::uint32_t f : touched_) {
+    const Coarse_face& face = mesh_.face(f);
+    if (face.is_removed) continue;
+    if (std::isfinite(options_.stretch) &&
+        !(factors(face.length, mesh_.forms(f).below)[1] <= most &&
+          factors(face.length, mesh_.forms(f).above)[0] * most >= 1))
+      return false;
+    mesh_.set_spread(f, spread_of(face.length, mesh_.forms(f)));
+  }
+  return true;
+}
+
+Simplifier::Fate Simplifier::remove(std::uint32_t v) {
+  mesh_.begin();
+  step_ = {};
+  Fate fate = flatten(v);
+  if (fate == Fate::open) {
+    fate = open_loops(v) && removal_.remove(mesh_, star_, v) ? Fate::removed : Fate::failed;
+    if (fate == Fate::removed) {
+      restore_delaunay();
+      if (!is_within_bounds()) fate = Fate::bound;
+    }
+  }
+  counts_.newton_steps += step_.newton_steps;
+  if (fate != Fate::removed) {
+    mesh_.take_back();
+    return fate;
+  }
+  counts_.ptolemy_flips += step_.ptolemy_flips;
+  counts_.flips += step_.flips;
+  return fate;
+}
+
+void Simplifier::renew_costs() {
+  std::vector<std::uint32_t>& vertices = stack_;
+  vertices.clear();
+  for (const std::uint32_t f : touched_) {
+    if (mesh_.face(f).is_removed) continue;
+    for (const std::uint32_t v : mesh_.face(f).origin)
+      if (is_touched_[v] == 0) {
+        is_touched_[v] = 1;
+        vertices.push_back(v);
+      }
+  }
+  for (const std::uint32_t v : vertices) is_touched_[v] = 0;
+  for (const std::uint32_t v : vertices) push(v);
+}
+
+void Simplifier::run(std::size_t wanted) {
+  std::size_t removed = 0;
+  status_ = number_left_ <= wanted ? Status::done : Status::stalled;
+  while (number_left_ > wanted && !queue_.empty()) {
+    const auto [c, v, version] = queue_.top();
+    queue_.pop();
+    if (fate_[v] != Fate::open || version != version_[v]) continue;
+    if (is_last(v)) {
+      fate_[v] = Fate::stays;
+      continue;
+    }
+    fate_[v] = remove(v);
+    if (fate_[v] != Fate::removed) continue;
+    --number_left_;
+    --left_[component_[v]];
+    if (number_left_ <= wanted) status_ = Status::done;
+    renew_costs();
+    if (options_.progress && ++removed % 256 == 0 && !options_.progress({removed, number_left_})) {
+      status_ = Status::cancelled;
+      return;
+    }
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,287 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/Star_removal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr std::uint32_t none = Gluing::none;
+constexpr Exact_point centre{0, 0};
+
+double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }
+double squared_norm(const Exact_point& p) { return p.x * p.x + p.y * p.y; }
+Exact_point minus(const Exact_point& p, const Exact_point& q) { return {p.x - q.x, p.y - q.y}; }
+
+Side_values from_side(const Side_values& q, std::uint32_t k) {
+  return {q[k], q[(k + 1) % 3], q[(k + 2) % 3]};
+}
+
+} // namespace
+
+// Points one after another around the centre. Each triangle turns to the left by proof, and all
+// turn about the centre once, so that the polygon has no crossings.
+bool Star_removal::lay_out(const Vertex_star& star) {
+  points_.assign(1, {std::sqrt(star.spoke(0)), 0});
+  for (std::size_t k = 0; k + 1 < star.number_of_spokes(); ++k) {
+    const double a = star.spoke(k), b = star.spoke(k + 1), e = star.rim(k);
+    const double c = (a + b - e) / (2 * a), s = quadruple_area_of(a, b, e) / (2 * a);
+    const Exact_point p = points_.back();
+    points_.push_back({c * p.x - s * p.y, s * p.x + c * p.y});
+  }
+  if (star.is_on_border()) points_.back() = {-std::sqrt(star.spoke(star.size())), 0};
+  for (std::size_t k = 0; k < star.size(); ++k)
+    if (!is_proven_left_turn(centre, points_[k], points_[(k + 1) % points_.size()])) return false;
+  return true;
+}
+
+void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& star) {
+  polygon_.clear();
+  polygon_sides_.clear();
+  triangles_.clear();
+  new_faces_.clear();
+  corners_.clear();
+  outside_.clear();
+  for (std::uint32_t k = 0; k < points_.size(); ++k) {
+    polygon_.push_back(k);
+    if (k == star.size()) { // along the border
+      polygon_sides_.push_back({k, none, squared_norm(minus(points_[k], points_[0])), false});
+      corners_.push_back(mesh.origin(Coarse_mesh::previous(star.side(k - 1))));
+      outside_.push_back(none);
+    } else {
+      const std::uint32_t h = Coarse_mesh::next(star.side(k));
+      polygon_sides_.push_back({k, mesh.glued(h), star.rim(k), mesh.is_kept_side(h)});
+      corners_.push_back(mesh.origin(h));
+      outside_.push_back(mesh.glued(h));
+    }
+  }
+  side_of_rim_.assign(points_.size(), none);
+}
+
+bool Star_removal::is_ear(std::size_t at) const {
+  const std::size_t n = polygon_.size();
+  const std::uint32_t a = polygon_[(at + n - 1) % n], b = polygon_[at], c = polygon_[(at + 1) % n];
+  const auto turn = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+    return cross(minus(points_[q], points_[p]), minus(points_[r], points_[p]));
+  };
+  if (!is_proven_left_turn(points_[a], points_[b], points_[c])) return false;
+  return std::ranges::none_of(polygon_, [&](std::uint32_t p) {
+    return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
+           turn(c, a, p) >= 0;
+  });
+}
+
+// The power of the centre by the circle of an ear, times -1: the least one is a Delaunay triangle
+// of the polygon of a Delaunay star (Devillers, On deletion in Delaunay triangulations, 1999).
+double Star_removal::ear_rank(std::size_t at) const {
+  const std::size_t n = polygon_.size();
+  const Exact_point &a = points_[polygon_[(at + n - 1) % n]], &b = points_[polygon_[at]],
+                    &c = points_[polygon_[(at + 1) % n]];
+  const double area = cross(minus(b, a), minus(c, a));
+  if (!(area > 0)) return std::numeric_limits<double>::infinity();
+  return (squared_norm(a) * cross(b, c) - squared_norm(b) * cross(a, c) +
+          squared_norm(c) * cross(a, b)) /
+         area;
+}
+
+void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
+  const std::size_t n = polygon_.size(), before = (at + n - 1) % n, after = (at + 1) % n;
+  new_faces_.push_back(face);
+  const Exact_point &a = points_[polygon_[before]], &c = points_[polygon_[after]];
+  New_triangle t{{polygon_[before], polygon_[at], polygon_[after]},
+                 {polygon_sides_[before], polygon_sides_[at], {}}};
+  if (n == 3)
+    t.sides[2] = polygon_sides_[after];
+  else
+    t.sides[2] = {none, none, squared_norm(minus(a, c)), false};
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const Rim_side& s = t.sides[k];
+    if (s.rim != none)
+      side_of_rim_[s.rim] = 3 * face + k;
+    else if (s.glued != none) // the triangle of the other side comes before this one
+      for (New_triangle& other : triangles_)
+        for (std::uint32_t m = 0; m < 3; ++m)
+          if (3 * new_faces_[static_cast<std::size_t>(&other - triangles_.data())] + m == s.glued)
+            other.sides[m].glued = 3 * face + k;
+  }
+  triangles_.push_back(t);
+  polygon_sides_[before] = {none, 3 * face + 2, t.sides[2].length, false};
+  polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(at));
+  polygon_sides_.erase(polygon_sides_.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+bool Star_removal::cut_ears(const Vertex_star& star) {
+  while (polygon_.size() >= 3) {
+    std::size_t best = polygon_.size();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t at = 0; at < polygon_.size(); ++at)
+      if (const double rank = ear_rank(at); rank < least && is_ear(at)) {
+        least = rank;
+        best = at;
+      }
+    if (best == polygon_.size()) return false;
+    cut_ear(best, star.side(triangles_.size()) / 3);
+  }
+  return true;
+}
+
+bool Star_removal::has_proven_lengths() const {
+  return std::ranges::all_of(triangles_, [](const New_triangle& t) {
+    return is_proven_triangle({t.sides[0].length, t.sides[1].length, t.sides[2].length});
+  });
+}
+
+Plane_triangle Star_removal::old_triangle(std::size_t k) const {
+  return {centre, points_[k], points_[(k + 1) % points_.size()]};
+}
+
+Plane_triangle Star_removal::new_triangle(const New_triangle& t) const {
+  return {points_[t.corners[0]], points_[t.corners[1]], points_[t.corners[2]]};
+}
+
+// Whether no side of either triangle separates them: by proof, or since the triangles share its
+// ends.
+bool Star_removal::may_overlap(const New_triangle& t, std::size_t k) const {
+  constexpr std::uint32_t middle = none;
+  const auto at = [&](std::uint32_t i) { return i == middle ? centre : points_[i]; };
+  const std::array<std::uint32_t, 3> star{
+      middle, static_cast<std::uint32_t>(k),
+      static_cast<std::uint32_t>((k + 1) % points_.size())};
+  const auto separates = [&](const std::array<std::uint32_t, 3>& x,
+                             const std::array<std::uint32_t, 3>& y) {
+    for (std::size_t s = 0; s < 3; ++s) {
+      const std::uint32_t p = x[s], q = x[(s + 1) % 3];
+      if (std::ranges::all_of(y, [&](std::uint32_t r) {
+            return r == p || r == q || is_proven_left_turn(at(q), at(p), at(r));
+          }))
+        return true;
+    }
+    return false;
+  };
+  return !separates(star, t.corners) && !separates(t.corners, star);
+}
+
+bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) {
+  const Protect_FPU_rounding<true> up;
+  old_forms_.clear();
+  above_.clear();
+  below_.clear();
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const Form_of_sides<Interval> matrix(old_triangle(k));
+    const Face_forms& f = mesh.forms(star.side(k) / 3);
+    const std::uint32_t first = star.side(k) % 3;
+    old_forms_.push_back({matrix(from_side(f.above, first)), matrix(from_side(f.below, first))});
+  }
+  for (const New_triangle& t : triangles_) {
+    std::array<Form, 2> near{};
+    for (const std::size_t b : {0, 1}) {
+      overlapped_.clear();
+      for (std::size_t k = 0; k < star.size(); ++k) {
+        if (!may_overlap(t, k)) continue;
+        const Form form = middle_of(old_forms_[k][b]);
+        near[b] = overlapped_.empty() ? form : b == 0 ? join(near[b], form) : meet(near[b], form);
+        overlapped_.push_back(&old_forms_[k][b]);
+      }
+      if (b == 1)
+        below_.push_back(proven_below(near[b], new_triangle(t), overlapped_));
+      else if (const auto above = proven_above(near[b], new_triangle(t), overlapped_))
+        above_.push_back(*above);
+      else
+        return false;
+    }
+  }
+  return true;
+}
+
+void Star_removal::glue_sides(Coarse_mesh& mesh) {
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (triangles_[i].sides[k].rim == none)
+        mesh.glue(3 * new_faces_[i] + k, triangles_[i].sides[k].glued);
+  for (std::size_t k = 0; k < outside_.size(); ++k)
+    if (outside_[k] != none) mesh.change(outside_[k] / 3);
+  for (std::size_t k = 0; k < outside_.size(); ++k) mesh.glue(side_of_rim_[k], outside_[k]);
+}
+
+void Star_removal::replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
+  // rim edges that are glued to each other
+  for (std::uint32_t& outside : outside_)
+    for (std::size_t k = 0; k < star.size(); ++k)
+      if (outside == Coarse_mesh::next(star.side(k))) {
+        outside = side_of_rim_[k];
+        break;
+      }
+  moving_.clear();
+  places_.clear();
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const std::uint32_t first = star.side(k) % 3;
+    Coarse_face& f = mesh.change(star.side(k) / 3);
+    mesh.take_points(star.side(k) / 3, moving_);
+    const Plane_triangle p = old_triangle(k);
+    while (places_.size() < moving_.size()) {
+      const auto& w = mesh.point(moving_[places_.size()]).weights;
+      Exact_point q;
+      for (std::size_t c = 0; c < 3; ++c) {
+        q.x += w[(first + c) % 3] * p[c].x;
+        q.y += w[(first + c) % 3] * p[c].y;
+      }
+      places_.push_back(q);
+    }
+    f.is_removed = true;
+  }
+  moving_.push_back(v);
+  places_.push_back(centre);
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    Coarse_face& f = mesh.change(new_faces_[i]);
+    f.is_removed = false;
+    f.kept_sides = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      f.origin[k] = corners_[triangles_[i].corners[k]];
+      f.length[k] = triangles_[i].sides[k].length;
+      if (triangles_[i].sides[k].is_kept)
+        f.kept_sides = static_cast<std::uint8_t>(f.kept_sides | 1U << k);
+    }
+    mesh.change_forms(new_faces_[i]) = {above_[i], below_[i]};
+  }
+  glue_sides(mesh);
+  mesh.set_outgoing(v, none);
+  for (const std::uint32_t f : new_faces_)
+    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
+      const std::uint32_t p = mesh.origin(h), old = mesh.outgoing(p);
+      if (mesh.glued(h) == none || mesh.face(old / 3).is_removed || mesh.origin(old) != p)
+        mesh.set_outgoing(p, h);
+    }
+}
+
+void Star_removal::move_points(Coarse_mesh& mesh) {
+  for (std::size_t n = 0; n < moving_.size(); ++n) {
+    std::array<double, 3> best{};
+    double inside = -std::numeric_limits<double>::infinity();
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < triangles_.size() && inside < 0; ++i) {
+      const std::array<double, 3> w = weights_in(new_triangle(triangles_[i]), places_[n]);
+      const double least = std::min({w[0], w[1], w[2]});
+      if (least <= inside) continue;
+      inside = least;
+      best = w;
+      to = i;
+    }
+    mesh.put_point(moving_[n], new_faces_[to], best);
+  }
+}
+
+bool Star_removal::remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
+  if (!lay_out(star)) return false;
+  start_polygon(mesh, star);
+  if (!cut_ears(star) || !has_proven_lengths() || !find_forms(mesh, star)) return false;
+  replace_faces(mesh, star, v);
+  move_points(mesh);
+  return true;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

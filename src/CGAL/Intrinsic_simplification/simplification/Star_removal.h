@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H
+
+#include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
+#include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Removes a flat vertex: its star is laid out in the plane, with the vertex at the origin, and
+// becomes other triangles between the points of its rim. Objects are reused for their memory.
+class Star_removal {
+public:
+  // Returns whether all is proven: triangles in the plane are counterclockwise, new lengths are
+  // those of triangles, and new forms bound the old ones. If not, some changes may have been made.
+  bool remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+
+  // The sides of the triangles that are new, after a removal; those of faces that stay.
+  const std::vector<std::uint32_t>& new_faces() const { return new_faces_; }
+
+private:
+  struct Rim_side { // of the polygon that is left
+    std::uint32_t rim;   // the number of the rim edge; none: a side of a new triangle
+    std::uint32_t glued; // a side outside, or of a new triangle; none: the border
+    double length;
+    bool is_kept;
+  };
+  struct New_triangle {
+    std::array<std::uint32_t, 3> corners; // points
+    std::array<Rim_side, 3> sides;
+  };
+
+  bool lay_out(const Vertex_star& star);
+  bool cut_ears(const Vertex_star& star);
+  void cut_ear(std::size_t at, std::uint32_t face);
+  bool has_proven_lengths() const;
+  bool find_forms(const Coarse_mesh& mesh, const Vertex_star& star);
+  void replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  void move_points(Coarse_mesh& mesh);
+  void start_polygon(const Coarse_mesh& mesh, const Vertex_star& star);
+  double ear_rank(std::size_t at) const;
+  bool is_ear(std::size_t at) const;
+  void glue_sides(Coarse_mesh& mesh);
+  Plane_triangle old_triangle(std::size_t k) const;
+  Plane_triangle new_triangle(const New_triangle& t) const;
+  bool may_overlap(const New_triangle& t, std::size_t k) const;
+
+  std::vector<Exact_point> points_; // of the rim
+  std::vector<std::uint32_t> polygon_; // points that are left
+  std::vector<Rim_side> polygon_sides_; // from each of them
+  std::vector<New_triangle> triangles_;
+  std::vector<std::uint32_t> new_faces_;
+  std::vector<std::uint32_t> side_of_rim_; // the new side at each rim edge
+  std::vector<std::uint32_t> outside_;     // what was glued to each rim edge
+  std::vector<std::uint32_t> corners_;     // the vertices of the points
+  std::vector<Side_values> above_, below_; // of the new triangles
+  std::vector<std::array<Enclosed_form, 2>> old_forms_;
+  std::vector<const Enclosed_form*> overlapped_;
+  std::vector<std::uint32_t> moving_;
+  std::vector<Exact_point> places_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+bool Vertex_star::find(const Coarse_mesh& mesh, std::uint32_t v) {
+  sides_.clear();
+  spoke_.clear();
+  rim_.clear();
+  const std::uint32_t first = mesh.outgoing(v);
+  vertex_ = v;
+  is_on_border_ = false;
+  is_proper_ = true;
+  if (first == Gluing::none) return false;
+  for (std::uint32_t h = first;;) {
+    sides_.push_back(h);
+    spoke_.push_back(mesh.length(h));
+    rim_.push_back(mesh.length(Coarse_mesh::next(h)));
+    const std::uint32_t last = Coarse_mesh::previous(h);
+    is_proper_ = is_proper_ && mesh.origin(Coarse_mesh::next(h)) != v && mesh.origin(last) != v;
+    h = mesh.glued(last);
+    if (h == Gluing::none) {
+      is_on_border_ = true;
+      spoke_.push_back(mesh.length(last));
+      break;
+    }
+    if (h == first) break;
+  }
+  return true;
+}
+
+Vertex_star::Angles Vertex_star::angles(const Coarse_mesh& mesh, double factor) const {
+  if (!is_proper_) return angles_with_loops(mesh, factor);
+  Angles result;
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const double a = factor * spoke_[k], b = factor * spoke_[after(k)], e = rim_[k];
+    const double area = quadruple_area_of(a, b, e);
+    result.sum += std::atan2(area, a + b - e);
+    if (area > 0) result.slope += e / area;
+  }
+  return result;
+}
+
+double Vertex_star::flat_angle() const { return (is_on_border_ ? 1 : 2) * std::numbers::pi; }
+
+// A spoke is Delaunay while the cosines of the angles opposite to it do not sum below zero: times
+// the root of s, that is linear in s.
+Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
+  if (!is_proper_) return search_bound(mesh, true);
+  Bound result{std::numeric_limits<double>::infinity(), Gluing::none};
+  const std::size_t n = rim_.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double a = spoke_[k], b = spoke_[after(k)], d = std::sqrt(a) - std::sqrt(b);
+    if (d != 0) result.factor = std::min(result.factor, rim_[k] / (d * d));
+  }
+  for (std::size_t k = is_on_border_ ? 1 : 0; k < n; ++k) {
+    if (!mesh.is_flippable(sides_[k])) continue;
+    const std::size_t j = k == 0 ? n - 1 : k - 1;
+    const double a = spoke_[k], b = spoke_[j], c = spoke_[after(k)];
+    const double p = (b - a) / std::sqrt(b * rim_[j]) + (c - a) / std::sqrt(c * rim_[k]);
+    if (!(p < 0)) continue;
+    const double s = (std::sqrt(rim_[j] / b) + std::sqrt(rim_[k] / c)) / -p;
+    if (s <= result.factor) result = {s, sides_[k]};
+  }
+  result.factor = std::max(result.factor, 1.);
+  return result;
+}
+
+// A rim edge, likewise; the angle opposite to it across the star does not change, unless that is
+// in the star.
+Vertex_star::Bound Vertex_star::bound_below(const Coarse_mesh& mesh) const {
+  if (!is_proper_) return search_bound(mesh, false);
+  Bound result{0, Gluing::none};
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const double c = std::sqrt(spoke_[k]) + std::sqrt(spoke_[after(k)]);
+    result.factor = std::max(result.factor, rim_[k] / (c * c));
+  }
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const std::uint32_t h = Coarse_mesh::next(sides_[k]);
+    if (!mesh.is_flippable(h)) continue;
+    const std::uint32_t g = mesh.glued(h), next = Coarse_mesh::next(g),
+                        last = Coarse_mesh::previous(g);
+    const double e = rim_[k], root = std::sqrt(spoke_[k] * spoke_[after(k)]);
+    const double c = mesh.length(next), d = mesh.length(last), other = std::sqrt(c * d);
+    double constant = (spoke_[k] + spoke_[after(k)]) / root, falling = e / root;
+    if (mesh.origin(last) == mesh.origin(sides_[k])) { // the face across is in the star
+      constant += (c + d) / other;
+      falling += e / other;
+    } else {
+      constant += (c + d - e) / other;
+    }
+    const double s = falling / constant;
+    if (constant > 0 && s >= result.factor) result = {s, h};
+  }
+  result.factor = std::min(result.factor, 1.);
+  return result;
+}
+
+double Vertex_star::scaled(const Coarse_mesh& mesh, std::uint32_t h, double factor) const {
+  double l = mesh.length(h);
+  if (mesh.origin(h) == vertex_) l *= factor;
+  if (mesh.origin(Coarse_mesh::next(h)) == vertex_) l *= factor;
+  return l;
+}
+
+// Twice the cosine of the angle opposite a side.
+double Vertex_star::cosine(const Coarse_mesh& mesh, std::uint32_t h, double factor) const {
+  const double e = scaled(mesh, h, factor), a = scaled(mesh, Coarse_mesh::next(h), factor),
+               b = scaled(mesh, Coarse_mesh::previous(h), factor);
+  return (a + b - e) / std::sqrt(a * b);
+}
+
+// With loops: the angles of a face at two of its corners change as much as that at the third one,
+// the other way.
+Vertex_star::Angles Vertex_star::angles_with_loops(const Coarse_mesh& mesh, double factor) const {
+  Angles result;
+  for (const std::uint32_t h : sides_) {
+    const std::uint32_t next = Coarse_mesh::next(h), last = Coarse_mesh::previous(h);
+    const double a = scaled(mesh, h, factor), e = scaled(mesh, next, factor),
+                 b = scaled(mesh, last, factor);
+    const double area = quadruple_area_of(a, b, e);
+    result.sum += std::atan2(area, a + b - e);
+    const bool is_first = mesh.origin(next) == vertex_, is_second = mesh.origin(last) == vertex_;
+    if (area > 0 && !(is_first && is_second))
+      result.slope += (is_first ? a / 2 : is_second ? b / 2 : e) / area;
+  }
+  return result;
+}
+
+// An edge of the star that is certainly not Delaunay, or the first side of a face without area;
+// none if there is neither.
+std::uint32_t Vertex_star::changed_edge(const Coarse_mesh& mesh, double factor) const {
+  double least = -1e-11;
+  std::uint32_t result = Gluing::none;
+  for (const std::uint32_t s : sides_)
+    for (const std::uint32_t h : {s, Coarse_mesh::next(s)}) {
+      if (!mesh.is_flippable(h)) continue;
+      const double sum = cosine(mesh, h, factor) + cosine(mesh, mesh.glued(h), factor);
+      if (sum >= least) continue;
+      least = sum;
+      result = h;
+    }
+  return result;
+}
+
+// By small steps, and halving of the one in which the triangulation changes.
+Vertex_star::Bound Vertex_star::search_bound(const Coarse_mesh& mesh, bool above) const {
+  double good = 1, bad = 1;
+  for (int n = 0; n < 1000; ++n) {
+    bad *= above ? 1.05 : 1 / 1.05;
+    if (changed_edge(mesh, bad) != Gluing::none) break;
+    good = bad;
+  }
+  if (good == bad) return {bad, Gluing::none};
+  for (int n = 0; n < 60; ++n) {
+    const double middle = (good + bad) / 2;
+    (changed_edge(mesh, middle) == Gluing::none ? good : bad) = middle;
+  }
+  return {bad, changed_edge(mesh, bad)};
+}
+
+void Vertex_star::scale(Coarse_mesh& mesh, double factor) {
+  if (!is_proper_) {
+    std::vector<std::pair<std::uint32_t, double>> lengths; // before any of them changes
+    for (const std::uint32_t s : sides_)
+      for (const std::uint32_t h : {s, Coarse_mesh::next(s), Coarse_mesh::previous(s)})
+        lengths.emplace_back(h, scaled(mesh, h, factor));
+    for (const auto& [h, l] : lengths) mesh.change(h / 3).length[h % 3] = l;
+    return;
+  }
+  for (double& a : spoke_) a *= factor;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    Coarse_face& f = mesh.change(sides_[k] / 3);
+    f.length[sides_[k] % 3] = spoke_[k];
+    f.length[Coarse_mesh::previous(sides_[k]) % 3] = spoke_[after(k)];
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
+#include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
+#include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr std::uint32_t none = Gluing::none;
+
+// Numbers that elements have when others are left out.
+std::vector<std::uint32_t> compacted(std::size_t size, const auto& stays) {
+  std::vector<std::uint32_t> result(size, none);
+  std::uint32_t n = 0;
+  for (std::uint32_t i = 0; i < size; ++i)
+    if (stays(i)) result[i] = n++;
+  return result;
+}
+
+// The factor, proven not to be greater than `form` by `by` anywhere.
+double proven_lower(const Side_values& form, const Side_values& above) {
+  const std::array<Interval, 3> zero_above{above[0], above[1], above[2]};
+  const double near = factors(form, above)[0];
+  if (!(near > 0 && std::isfinite(near))) return 0;
+  for (double margin = 0x1p-51; margin < 1; margin *= 2) {
+    // form - near / (1 + margin) above >= 0
+    const double inverse = 1 / near * (1 + margin);
+    if (is_proven_above(form, Interval(inverse), zero_above))
+      return (Interval(1) / sqrt(Interval(inverse))).inf();
+  }
+  return 0;
+}
+
+double proven_upper(const Side_values& form, const Side_values& below) {
+  const std::array<Interval, 3> lower{form[0], form[1], form[2]};
+  const double near = factors(form, below)[1];
+  if (!std::isfinite(near)) return std::numeric_limits<double>::infinity();
+  for (double margin = 0x1p-51; margin < 1; margin *= 2) {
+    const double factor = near * (1 + margin);
+    if (is_proven_above(below, Interval(factor), lower)) return sqrt(Interval(factor)).sup();
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+void find_stretch(Simplification& s, const Coarse_mesh& mesh) {
+  const Protect_FPU_rounding<true> up;
+  s.stretch = {std::numeric_limits<double>::infinity(), 0, 0, 0};
+  double area = 0;
+  for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
+    const Coarse_face& face = mesh.face(f);
+    if (face.is_removed) continue;
+    const Face_stretch r{proven_lower(face.length, mesh.forms(f).above),
+                         proven_upper(face.length, mesh.forms(f).below)};
+    s.face_stretch.push_back(r);
+    s.stretch.lower = std::min(s.stretch.lower, r.lower);
+    s.stretch.upper = std::max(s.stretch.upper, r.upper);
+    const double a = mesh.quadruple_area(f);
+    area += a;
+    s.stretch.mean_lower += a * r.lower;
+    s.stretch.mean_upper += a * r.upper;
+  }
+  s.stretch.mean_lower /= area;
+  s.stretch.mean_upper /= area;
+}
+
+} // namespace
+
+Simplification Simplifier::take_result() const {
+  Simplification s;
+  s.status = status_;
+  const auto vertex =
+      compacted(fate_.size(), [&](std::uint32_t v) { return mesh_.outgoing(v) != none; });
+  const auto face = compacted(mesh_.faces().size(),
+                              [&](std::uint32_t f) { return !mesh_.face(f).is_removed; });
+  Gluing g;
+  g.number_of_vertices = static_cast<std::uint32_t>(number_left_);
+  std::vector<double> length; // by sides
+  for (const Coarse_face& f : mesh_.faces()) {
+    if (f.is_removed) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      g.origin.push_back(vertex[f.origin[k]]);
+      g.glue.push_back(f.glue[k] == none ? none : 3 * face[f.glue[k] / 3] + f.glue[k] % 3);
+      length.push_back(std::ldexp(f.length[k], -2 * fine_.scale_exponent));
+    }
+  }
+  s.surface.mesh = Gluing_map(g);
+  s.surface.may_renumber = false;
+  s.surface.squared_lengths.resize(s.surface.mesh.number_of_edges());
+  for (std::uint32_t f = 0; f < g.number_of_faces(); ++f) {
+    const auto sides = s.surface.mesh.sides({f});
+    for (std::uint32_t k = 0; k < 3; ++k)
+      s.surface.squared_lengths[sides[k].index / 2] = length[3 * f + k];
+  }
+  s.places.resize(fine_.number_of_rows);
+  std::vector<char> is_placed(fine_.number_of_rows, 0);
+  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
+    const std::uint32_t row = fine_.row[v];
+    if (vertex[v] != none) s.kept.push_back(row);
+    if (is_placed[row] != 0) continue;
+    is_placed[row] = 1;
+    const Point_on_coarse& p = mesh_.point(v);
+    if (vertex[v] != none)
+      s.places[row] = Place::at_vertex(vertex[v]);
+    else if (p.face != none)
+      s.places[row] = Place::in_face(face[p.face], p.weights);
+  }
+  for (const Fate f : fate_) {
+    s.removed += f == Fate::removed ? 1 : 0;
+    s.blocked_by_border += f == Fate::blocked ? 1 : 0;
+    s.not_flattened += f == Fate::failed ? 1 : 0;
+    s.kept_by_bound += f == Fate::bound ? 1 : 0;
+  }
+  s.newton_steps = counts_.newton_steps;
+  s.most_newton_steps = most_newton_steps_;
+  s.ptolemy_flips = counts_.ptolemy_flips;
+  s.flips = counts_.flips;
+  find_stretch(s, mesh_);
+  return s;
+}
+
+Simplification simplify(const Fine_surface& fine, const Simplify_options& options) {
+  if (!(options.stretch >= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the stretch is at least 1, not " + std::to_string(options.stretch));
+  const bool is_bounded = std::isfinite(options.stretch) || std::isfinite(options.cost);
+  const std::size_t wanted =
+      options.vertices.value_or(is_bounded ? 0 : fine.gluing.number_of_vertices / 10);
+  Simplifier simplifier(fine, {}, options);
+  simplifier.run(wanted);
+  return simplifier.take_result();
+}
+
+Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>& may_go,
+                               const Simplify_options& options) {
+  Simplifier simplifier(fine, may_go, options);
+  simplifier.run(options.vertices.value_or(0));
+  return simplifier.take_result();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
