@@ -57,7 +57,7 @@ Places places_of(const IT::Simplification& s) {
   return places;
 }
 
-py::dict dict_of(const IT::Simplification& s) {
+py::dict dict_of_simplification(const IT::Simplification& s) {
   Places places = places_of(s);
   std::vector<std::array<double, 2>> face_stretch;
   for (const IT::Face_stretch& f : s.face_stretch) face_stretch.push_back({f.lower, f.upper});
@@ -125,7 +125,7 @@ py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stret
                        : IT::simplify(t, options);
   });
   return py::make_tuple(coarse_surface(s, found, points, s.triangulation.index() == 0),
-                        dict_of(found));
+                        dict_of_simplification(found));
 }
 
 } // namespace

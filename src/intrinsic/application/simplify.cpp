@@ -127,8 +127,8 @@ void add_stretch(Surface_with_fields& surface, const Bounds_of_row& bounds) {
     lower.push_back(b.lower);
     upper.push_back(b.upper);
   }
-  surface.fields.emplace_back("upper bound of stretch", std::move(upper));
-  surface.fields.emplace_back("lower bound of stretch", std::move(lower));
+  surface.fields.emplace_back("stretch_upper", std::move(upper));
+  surface.fields.emplace_back("stretch_lower", std::move(lower));
 }
 
 std::vector<Point> points_of_kept(const IT::Simplification& s, const Surface_with_fields& fine) {

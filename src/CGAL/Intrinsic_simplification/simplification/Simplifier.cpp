@@ -13,7 +13,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
 
 // Sums of angles this near to a flat one are flat up to rounding.
 double angle_tolerance(const Vertex_star& star) {

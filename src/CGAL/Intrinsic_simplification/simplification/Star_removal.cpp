@@ -11,7 +11,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
 constexpr Exact_point centre{0, 0};
 
 double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }

@@ -15,7 +15,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
 
 // Numbers that elements have when others are left out.
 std::vector<std::uint32_t> compacted(std::size_t size, const auto& stays) {
