@@ -29,6 +29,22 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& fr
   for (const std::uint32_t i : from) to.push_back(i == none ? none : i + offset);
 }
 
+void append_sides(std::vector<IT::Common_subdivision::Side>& to,
+                  const std::vector<IT::Common_subdivision::Side>& from) {
+  std::vector<std::uint32_t> input, intrinsic;
+  for (const auto& side : to) {
+    input.push_back(side.input_edge);
+    intrinsic.push_back(side.intrinsic_edge);
+  }
+  const std::uint32_t after_input = offset_of(input), after_intrinsic = offset_of(intrinsic);
+  const auto moved = [](std::uint32_t e, std::uint32_t offset) {
+    return e == none ? none : e + offset;
+  };
+  for (const auto& side : from)
+    to.push_back(
+        {moved(side.input_edge, after_input), moved(side.intrinsic_edge, after_intrinsic)});
+}
+
 // Where the right one begins along x, so that a tenth of both widths is between them.
 double shift(const std::vector<Point>& left, const std::vector<Point>& right) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -79,7 +95,7 @@ Surface_with_fields side_by_side(Surface_with_fields left, const Surface_with_fi
   append(s.intrinsic_face, r.intrinsic_face, offset_of(s.intrinsic_face));
   append(s.intrinsic_halfedge, r.intrinsic_halfedge, offset_of(s.intrinsic_halfedge));
   append(s.input_halfedge, r.input_halfedge, offset_of(s.input_halfedge));
-  s.side.insert(s.side.end(), r.side.begin(), r.side.end());
+  append_sides(s.side, r.side);
   if (!s.sheet.empty()) s.sheet.resize(s.number_of_faces(), 0);
   s.vertices.insert(s.vertices.end(), r.vertices.begin(), r.vertices.end());
   s.crossings.insert(s.crossings.end(), r.crossings.begin(), r.crossings.end());
