@@ -4,6 +4,7 @@
 #include "each_input.h"
 #include "standard_input.h"
 #include "summary.h"
+#include "support/input_name.h"
 #include "support/messages.h"
 
 #include <algorithm>
@@ -122,7 +123,8 @@ int run_each_input(const CLI::App& command, const Options& options,
   int worst = 0;
   for (const std::string& input : options.inputs) {
     if (options.inputs.size() > 1 && !options.is_quiet)
-      answer_stream(options) << (&input == &options.inputs.front() ? "" : "\n") << legible(input)
+      answer_stream(options) << (&input == &options.inputs.front() ? "" : "\n")
+                             << legible(input == standard_input ? standard_input_name : input)
                              << ":\n";
     if (input == standard_input && !standard) standard.emplace(options.input_format);
     const bool is_standard = input == standard_input;

@@ -12,6 +12,7 @@
 #include "time_limit.h"
 
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -47,7 +48,9 @@ std::string unknown_option(const CLI::App& command, const std::vector<std::strin
     names.insert(names.end(), option.names.begin(), option.names.end());
   for (const std::string& argument : arguments) {
     const std::string name = argument.substr(0, argument.find('='));
-    if (!name.starts_with("--") || std::ranges::count(names, name) > 0) continue;
+    const bool may_be_option = name.size() > 2 && name.front() == '-' &&
+                               std::isdigit(static_cast<unsigned char>(name[1])) == 0;
+    if (!may_be_option || std::ranges::count(names, name) > 0) continue;
     const std::string nearest = program::nearest_word(name, names);
     return command.get_name() + " has no option " +
            program::legible(name, program::longest_argument) + "; " +

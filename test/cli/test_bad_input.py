@@ -95,7 +95,7 @@ class Refused_input(Cli_test):
             c, d = (2 * i + 2, 2 * i + 3) if i + 1 < n else (1, 0)
             faces += [(a, c, d), (a, d, b)]
         self.refuse(self.write_off("m.off", points, faces), "edge (", "same direction", "one side",
-                    "cut", options=("--domain", "manifold"))
+                    "cut", "--domain orientation-cover", options=("--domain", "manifold"))
 
 
 class Accepted_input(Cli_test):

@@ -77,6 +77,9 @@ class Options(Cli_test):
                                 (("refine", self.mesh, "--min-angel", "20"), "did you mean --min-angle?"),
                                 (("delaunay", self.mesh, "--arithmatic=exact"),
                                  "did you mean --arithmetic?"),
+                                (("delaunay", self.mesh, "--mollify", "none"),
+                                 "did you mean --mollification?"),
+                                (("distance", self.mesh, "-source", "1"), "did you mean --source?"),
                                 (("distance", self.mesh, "--surce", "1"), "did you mean --source?"),
                                 (("info", self.mesh, "--xyzzy"), "--help lists all"),
                                 (("delaunay", self.mesh, "--constrain", "e.txt"), "no option --constrain")):

@@ -28,6 +28,11 @@ std::size_t difference(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+// How many letters two words begin with in common.
+std::size_t common_letters(const std::string& a, const std::string& b) {
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+}
+
 } // namespace
 
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words) {
@@ -39,7 +44,10 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
       least = d;
       nearest = w;
     }
-  return nearest;
+  if (!nearest.empty() || word.empty() || words.empty()) return nearest;
+  const std::string& begins_alike = *std::ranges::max_element(
+      words, {}, [&](const std::string& w) { return common_letters(word, w); });
+  return 3 * common_letters(word, begins_alike) >= 2 * word.size() ? begins_alike : "";
 }
 
 } // namespace program

@@ -10,7 +10,8 @@
 namespace program {
 
 /// returns the word that someone may have meant by another one: that from which it differs in the
-/// fewest letters, if these are at most a third of it; else an empty one.
+/// fewest letters, if these are at most a third of it; else one that begins with two thirds of it;
+/// else an empty one.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& words);
 
 } // namespace program

@@ -72,6 +72,17 @@ TEST(MapToPlane, AsksWhetherToGoOn) {
     options.method = method;
     EXPECT_EQ(IT::map_to_plane(t, corners, options).status, IT::Status::cancelled);
   }
+  options.method = IT::Map_method::harmonic;
+  options.keeps_edges = true;
+  for (const std::uint64_t last : {0U, 1U}) {
+    std::vector<std::uint64_t> asked;
+    options.progress = [&](std::uint64_t n) {
+      asked.push_back(n);
+      return n < last;
+    };
+    EXPECT_EQ(IT::map_to_plane(t, corners, options).status, IT::Status::cancelled);
+    EXPECT_EQ(asked.back(), last);
+  }
 }
 
 TEST(MapToPlane, OfACloudHasNoFaces) {

@@ -303,6 +303,7 @@ TEST(Surface_modes, are_eigenpairs_of_the_matrices_without_isolated_vertices) {
   EXPECT_LE(std::abs(all.values[0]), 1e-12);
   EXPECT_GT(all.values[1], 0.1);
   EXPECT_EQ(all.vectors.row(8).norm(), 0);
+  EXPECT_THROW(IT::surface_modes(Exact(torus(32, 0)), 1025), IT::Invalid_input); // has 1024
 }
 
 TEST(Eigenpairs, refuses_what_makes_no_sense) {

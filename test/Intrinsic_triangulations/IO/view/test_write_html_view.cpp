@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -290,6 +291,32 @@ TEST(Html_view, Scales_a_texture_alike_in_both_directions) {
   EXPECT_THROW(page(s, points_of(s, 1), view), IT::Invalid_input);
 }
 
+TEST(Html_view, Gives_triangles_corners_of_their_own_for_values_of_faces) {
+  const auto s = subdivisions::grid(1);
+  std::vector<double> values;
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) values.push_back(static_cast<double>(f));
+  const std::vector<IT::Subdivision_field> fields{
+      {"faces", values, IT::Subdivision_field::Place::faces},
+      {"vertices", std::vector<double>{0, 1, 2, 3, 4}}};
+  IT::Html_view view = simple_view();
+  view.fields = fields;
+  const std::string html = page(s, points_of(s, 1), view);
+  const auto corner = numbers<std::uint32_t>(html, "triangles");
+  const auto on_faces = numbers<float>(html, "field-0"),
+             at_vertices = numbers<float>(html, "field-1");
+  const std::size_t shared = s.number_of_vertices();
+  ASSERT_EQ(on_faces.size(), shared + corner.size());
+  ASSERT_EQ(at_vertices.size(), on_faces.size());
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    EXPECT_EQ(corner[i], shared + i);
+    EXPECT_EQ(on_faces[corner[i]], on_faces[corner[i / 3 * 3]]); // one colour
+  }
+  EXPECT_EQ(on_faces[corner.front()], 0);
+  EXPECT_EQ(on_faces[corner.back()], 1);
+  EXPECT_TRUE(std::isnan(on_faces[0]));
+  EXPECT_EQ(at_vertices[4], 1);
+}
+
 TEST(Html_view, Refuses_what_it_cannot_show) {
   const auto s = subdivisions::grid(1);
   const Points points = points_of(s, 1);
@@ -300,8 +327,8 @@ TEST(Html_view, Refuses_what_it_cannot_show) {
   for (const IT::Subdivision_field& field :
        {IT::Subdivision_field("short", values),
         IT::Subdivision_field("vectors", std::vector<std::array<double, 3>>(5)),
-        IT::Subdivision_field("faces", std::vector<double>(s.number_of_faces()),
-                              IT::Subdivision_field::Place::faces)}) {
+        IT::Subdivision_field("corners", std::vector<double>(s.corner.size()),
+                              IT::Subdivision_field::Place::corners)}) {
     view.fields = std::span(&field, 1);
     EXPECT_THROW(page(s, points, view), IT::Invalid_input) << field.name;
   }
