@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -10,20 +12,22 @@ namespace CGAL::Intrinsic_triangulations {
 Eigen::SparseMatrix<double> prolongation(const Simplification& s) {
   std::vector<Eigen::Triplet<double>> entries;
   const Gluing_map& mesh = s.surface.mesh;
-  for (std::size_t i = 0; i < s.places.size(); ++i) {
-    const Place& p = s.places[i];
-    const int row = static_cast<int>(i);
-    if (p.is_vertex()) entries.emplace_back(row, static_cast<int>(p.vertex), 1);
-    else if (p.has_face()) {
-      const auto sides = mesh.sides(Gluing_map::Face{p.face});
+  for (std::size_t v = 0; v < s.places.size(); ++v) {
+    const Place& p = s.places[v];
+    const auto row = static_cast<int>(v);
+    if (p.is_vertex()) {
+      entries.emplace_back(row, static_cast<int>(p.vertex), 1);
+    } else if (p.has_face()) {
+      const auto sides = mesh.sides({p.face});
       for (std::size_t k = 0; k < 3; ++k)
-        entries.emplace_back(row, static_cast<int>(mesh.source(sides[k]).index), p.weights[k]);
+        if (p.weights[k] > 0)
+          entries.emplace_back(row, static_cast<int>(mesh.source(sides[k]).index), p.weights[k]);
     }
   }
-  Eigen::SparseMatrix<double> m(static_cast<Eigen::Index>(s.places.size()),
-                                static_cast<Eigen::Index>(s.kept.size()));
-  m.setFromTriplets(entries.begin(), entries.end());
-  return m;
+  Eigen::SparseMatrix<double> result(static_cast<int>(s.places.size()),
+                                     static_cast<int>(s.kept.size()));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations
