@@ -15,14 +15,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
-
 // The first vertices' sides: on the border the one with the border on its right.
 std::vector<std::uint32_t> outgoing_sides(const Gluing& g) {
-  std::vector<std::uint32_t> result(g.number_of_vertices, none);
+  std::vector<std::uint32_t> result(g.number_of_vertices, Gluing::none);
   for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
     std::uint32_t& first = result[g.origin[h]];
-    if (first == none || g.glue[h] == none) first = h;
+    if (first == Gluing::none || g.glue[h] == Gluing::none) first = h;
   }
   return result;
 }
@@ -54,28 +52,47 @@ double squared_distance(const Exact_point& p, const Exact_point& q) {
   return x * x + y * y;
 }
 
+// Multiples of a form that are proven to bound another one, whose values are nearly the same.
+Face_forms forms_about(const Side_values& near, const std::array<Interval, 3>& exact) {
+  const auto grown = [&](double by) {
+    return Side_values{near[0] * by, near[1] * by, near[2] * by};
+  };
+  double margin = 0x1p-51;
+  while (margin < 1 && !is_proven_above(grown(1 + margin), Interval(1), exact)) margin *= 2;
+  const Side_values above =
+      grown(margin < 1 ? 1 + margin : std::numeric_limits<double>::infinity());
+  margin = 0x1p-51;
+  while (margin < 1 && !is_proven_below(grown(1 / (1 + margin)), exact)) margin *= 2;
+  return {above, grown(margin < 1 ? 1 / (1 + margin) : 0)};
+}
+
+// Values that begin at a side of a face, from those that begin at its first side; and back.
+Face_forms from_side(const Face_forms& forms, std::uint32_t h) {
+  Face_forms result;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    result.above[k] = forms.above[(h + k) % 3];
+    result.below[k] = forms.below[(h + k) % 3];
+  }
+  return result;
+}
+Face_forms to_side(const Face_forms& forms, std::uint32_t h) { return from_side(forms, 3 - h % 3); }
+
 // The forms of two faces that are flipped, in those that replace them; nothing if that fails.
-struct Flipped_forms {
-  std::array<Side_values, 2> above, below;
-};
-std::optional<Flipped_forms> flipped_forms(const Plane_diamond& d,
-                                           const std::array<std::array<Side_values, 2>, 2>& q) {
+std::optional<std::array<Face_forms, 2>> flipped_forms(const Plane_diamond& d,
+                                                       const std::array<Face_forms, 2>& old) {
   const Protect_FPU_rounding<true> up;
   const Form_of_sides<Interval> left(d.left()), right(d.right());
+  const Enclosed_form f = left(old[0].above), g = right(old[1].above), f_below = left(old[0].below),
+                      g_below = right(old[1].below);
+  const std::array<const Enclosed_form*, 2> above{&f, &g}, below{&f_below, &g_below};
+  const Form upper = join(middle_of(f), middle_of(g)),
+             lower = meet(middle_of(f_below), middle_of(g_below));
   const std::array<Plane_triangle, 2> faces{d.new_left(), d.new_right()};
-  Flipped_forms result;
-  for (const std::size_t b : {0, 1}) {
-    const Enclosed_form f = left(q[0][b]), g = right(q[1][b]);
-    const std::array<const Enclosed_form*, 2> both{&f, &g};
-    const Form near =
-        b == 0 ? join(middle_of(f), middle_of(g)) : meet(middle_of(f), middle_of(g));
-    for (const std::size_t k : {0, 1})
-      if (b == 1)
-        result.below[k] = proven_below(near, faces[k], both);
-      else if (const auto above = proven_above(near, faces[k], both))
-        result.above[k] = *above;
-      else
-        return std::nullopt;
+  std::array<Face_forms, 2> result;
+  for (const std::size_t k : {0U, 1U}) {
+    const std::optional<Side_values> proven = proven_above(upper, faces[k], above);
+    if (!proven) return std::nullopt;
+    result[k] = {*proven, proven_below(lower, faces[k], below)};
   }
   return result;
 }
@@ -117,9 +134,19 @@ std::array<double, 3> weights_in(const Plane_triangle& p, const Exact_point& q) 
   return {x / sum, y / sum, z / sum};
 }
 
+Exact_point place_in(const Plane_triangle& p, const std::array<double, 3>& weights,
+                     std::uint32_t h) {
+  Exact_point result;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    result.x += weights[(h + k) % 3] * p[k].x;
+    result.y += weights[(h + k) % 3] * p[k].y;
+  }
+  return result;
+}
+
 Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
-    : faces_(fine.gluing.number_of_faces()), forms_(faces_.size()), outgoing_(outgoing_sides(fine.gluing)),
-      points_(fine.gluing.number_of_vertices) {
+    : faces_(fine.gluing.number_of_faces()), forms_(faces_.size()),
+      outgoing_(outgoing_sides(fine.gluing)), points_(fine.gluing.number_of_vertices) {
   for (std::uint32_t h = 0; h < fine.gluing.origin.size(); ++h) {
     Coarse_face& f = faces_[h / 3];
     f.glue[h % 3] = fine.gluing.glue[h];
@@ -133,35 +160,16 @@ Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
 void Coarse_mesh::start_forms(const Fine_surface& fine) {
   const Protect_FPU_rounding<true> up;
   for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    const Coarse_face& face = faces_[f];
-    Face_forms& forms = forms_[f];
-    forms.above = forms.below = face.length;
+    const Side_values& l = faces_[f].length;
+    forms_[f] = {l, l};
     std::array<Interval, 3> exact;
     bool is_exact = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double e = fine.error.empty() ? 0 : fine.error[3 * f + k], l = face.length[k];
-      exact[k] = Interval(l) + Interval(-e, e);
+      const double e = fine.error.empty() ? 0 : fine.error[3 * f + k];
+      exact[k] = Interval(l[k]) + Interval(-e, e);
       is_exact = is_exact && e == 0;
     }
-    if (is_exact) continue;
-    const auto grown = [](const Side_values& q, double by) {
-      return Side_values{q[0] * by, q[1] * by, q[2] * by};
-    };
-    double margin = 0x1p-51;
-    while (margin < 1 && !is_proven_above(face.length, Interval(1 + margin), exact))
-      margin *= 2;
-    forms.above = grown(face.length, margin < 1 ? 1 + 2 * margin
-                                               : std::numeric_limits<double>::infinity());
-    // x above l / (1 + margin) everywhere if (1 + margin) x - l is not negative
-    const auto is_below = [&](double by) {
-      const Interval c = Interval(1) / Interval(by);
-      std::array<Interval, 3> d;
-      for (std::size_t k = 0; k < 3; ++k) d[k] = exact[k] - c * Interval(face.length[k]);
-      return d[0].inf() >= 0 && d[2].inf() >= 0 &&
-             (Interval(4) * d[0] * d[2] - square(d[0] + d[2] - d[1])).inf() >= 0;
-    };
-    for (margin = 0x1p-51; margin < 1 && !is_below(1 + margin);) margin *= 2;
-    forms.below = grown(face.length, margin < 1 ? 1 / (1 + 2 * margin) : 0);
+    if (!is_exact) forms_[f] = forms_about(l, exact);
   }
 }
 
@@ -171,6 +179,7 @@ double Coarse_mesh::quadruple_area(std::uint32_t f) const {
 }
 
 void Coarse_mesh::begin() {
+  changed_.clear();
   changed_faces_.clear();
   changed_forms_.clear();
   changed_outgoing_.clear();
@@ -186,9 +195,9 @@ void Coarse_mesh::take_back() {
 }
 
 void Coarse_mesh::take_points(std::uint32_t f, std::vector<std::uint32_t>& points) {
-  for (std::uint32_t p = faces_[f].first_point; p != none; p = points_[p].next)
+  for (std::uint32_t p = faces_[f].first_point; p != Gluing::none; p = points_[p].next)
     points.push_back(p);
-  faces_[f].first_point = none;
+  faces_[f].first_point = Gluing::none;
 }
 
 void Coarse_mesh::put_point(std::uint32_t v, std::uint32_t f,
@@ -212,7 +221,7 @@ bool Coarse_mesh::violates_delaunay(std::uint32_t h) const {
 }
 
 bool Coarse_mesh::flip(std::uint32_t h) {
-  const std::uint32_t g = glued(h), f = h / 3, e = g / 3;
+  const std::uint32_t g = glued(h);
   const Plane_diamond d = lay_out(length(h), *this, h, g);
   if (!(d.k.y > 0 && d.m.y < 0 && is_proven_left_turn(d.m, d.k, d.i) &&
         is_proven_left_turn(d.k, d.m, d.j)))
@@ -221,48 +230,27 @@ bool Coarse_mesh::flip(std::uint32_t h) {
   if (!is_proven_triangle({km, length(previous(h)), length(next(g))}) ||
       !is_proven_triangle({km, length(previous(g)), length(next(h))}))
     return false;
-  const auto rotated = [](const Side_values& q, std::uint32_t k) {
-    return Side_values{q[k], q[(k + 1) % 3], q[(k + 2) % 3]};
-  };
-  const auto flipped =
-      flipped_forms(d, {{{rotated(forms_[f].above, h % 3), rotated(forms_[f].below, h % 3)},
-                         {rotated(forms_[e].above, g % 3), rotated(forms_[e].below, g % 3)}}});
-  if (!flipped) return false;
-  change(f);
-  change(e);
-  change_forms(f);
-  change_forms(e);
-  // points, by their places in the plane
+  const std::array<Face_forms, 2> old{from_side(forms_[h / 3], h), from_side(forms_[g / 3], g)};
+  const std::optional<std::array<Face_forms, 2>> now = flipped_forms(d, old);
+  if (!now) return false;
+  change(h / 3);
+  change(g / 3);
   moving_.clear();
-  take_points(f, moving_);
+  take_points(h / 3, moving_);
   const std::size_t left = moving_.size();
-  take_points(e, moving_);
+  take_points(g / 3, moving_);
   rewire(h, km);
-  const std::array<std::uint32_t, 2> side{h, g};
-  const std::array<Plane_triangle, 2> old{d.left(), d.right()},
-      now{d.new_left(), d.new_right()};
   for (std::size_t n = 0; n < moving_.size(); ++n) {
-    const std::size_t from = n < left ? 0 : 1;
     const auto& w = points_[moving_[n]].weights;
-    Exact_point p;
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const double weight = w[(side[from] + k) % 3];
-      p.x += weight * old[from][k].x;
-      p.y += weight * old[from][k].y;
-    }
-    const std::size_t to =
-        (d.k.x - d.m.x) * (p.y - d.m.y) - (d.k.y - d.m.y) * (p.x - d.m.x) >= 0 ? 0 : 1;
-    const std::array<double, 3> u = weights_in(now[to], p);
+    const Exact_point p = n < left ? place_in(d.left(), w, h) : place_in(d.right(), w, g);
+    const bool is_left = (d.k.x - d.m.x) * (p.y - d.m.y) >= (d.k.y - d.m.y) * (p.x - d.m.x);
+    const std::array<double, 3> u = weights_in(is_left ? d.new_left() : d.new_right(), p);
     std::array<double, 3> weights;
-    for (std::uint32_t k = 0; k < 3; ++k) weights[(side[to] + k) % 3] = u[k];
-    put_point(moving_[n], side[to] / 3, weights);
+    for (std::uint32_t k = 0; k < 3; ++k) weights[((is_left ? h : g) + k) % 3] = u[k];
+    put_point(moving_[n], (is_left ? h : g) / 3, weights);
   }
-  for (const std::size_t n : {0, 1})
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      Face_forms& forms = forms_[side[n] / 3];
-      forms.above[(side[n] + k) % 3] = flipped->above[n][k];
-      forms.below[(side[n] + k) % 3] = flipped->below[n][k];
-    }
+  change_forms(h / 3) = to_side((*now)[0], h);
+  change_forms(g / 3) = to_side((*now)[1], g);
   return true;
 }
 
@@ -271,40 +259,35 @@ bool Coarse_mesh::flip(std::uint32_t h) {
 void Coarse_mesh::rewire(std::uint32_t h, double km) {
   const std::uint32_t g = glued(h), jk = next(h), ki = previous(h), im = next(g), mj = previous(g);
   const std::uint32_t i = origin(h), j = origin(g), k = origin(ki), m = origin(mj);
-  std::array<std::pair<std::uint32_t, std::uint32_t>, 4> first; // vertices, their sides
-  for (std::size_t n = 0; n < 4; ++n) {
-    const std::uint32_t v = std::array{i, j, k, m}[n];
-    first[n] = {v, outgoing_[v]};
-  }
+  const std::array<std::pair<std::uint32_t, std::uint32_t>, 4> first{
+      {{i, outgoing_[i]}, {j, outgoing_[j]}, {k, outgoing_[k]}, {m, outgoing_[m]}}};
+  // each of the outer sides moves to the place of another one
+  const std::array<std::uint32_t, 4> was{ki, im, mj, jk}, is{jk, ki, im, mj};
+  const auto moved = [&](std::uint32_t s) {
+    const auto at = std::ranges::find(was, s);
+    return at == was.end() ? s : is[static_cast<std::size_t>(at - was.begin())];
+  };
   struct Outer {
     std::uint32_t glued;
     double length;
     bool is_kept;
   };
-  const auto outer = [this](std::uint32_t s) {
+  std::array<Outer, 4> outer;
+  std::ranges::transform(was, outer.begin(), [this](std::uint32_t s) {
     return Outer{glued(s), length(s), is_kept_side(s)};
-  };
-  const std::array<Outer, 4> before{outer(ki), outer(im), outer(mj), outer(jk)};
-  const std::array<std::uint32_t, 4> was{ki, im, mj, jk}, is{jk, ki, im, mj};
-  const auto moved = [&](std::uint32_t s) {
-    for (std::size_t n = 0; n < 4; ++n)
-      if (s == was[n]) return is[n];
-    return s;
-  };
-  Coarse_face& f = faces_[h / 3];
-  Coarse_face& e = faces_[g / 3];
-  f.origin[h % 3] = m, f.origin[jk % 3] = k, f.origin[ki % 3] = i;
-  e.origin[g % 3] = k, e.origin[im % 3] = m, e.origin[mj % 3] = j;
-  f.kept_sides = e.kept_sides = 0;
+  });
+  const auto put = [&](std::uint32_t s, std::uint32_t v) { faces_[s / 3].origin[s % 3] = v; };
+  put(h, m), put(jk, k), put(ki, i);
+  put(g, k), put(im, m), put(mj, j);
+  faces_[h / 3].kept_sides = faces_[g / 3].kept_sides = 0;
   set_length(h, km);
   set_length(g, km);
   for (std::size_t n = 0; n < 4; ++n) {
-    const std::uint32_t s = is[n], o = moved(before[n].glued);
-    set_length(s, before[n].length);
-    if (before[n].is_kept)
-      faces_[s / 3].kept_sides = static_cast<std::uint8_t>(faces_[s / 3].kept_sides | 1U << s % 3);
-    if (o != none && o / 3 != h / 3 && o / 3 != g / 3) change(o / 3);
-    glue(s, o);
+    set_length(is[n], outer[n].length);
+    if (outer[n].is_kept) keep_side(is[n]);
+    const std::uint32_t o = moved(outer[n].glued);
+    if (o != Gluing::none && o / 3 != h / 3 && o / 3 != g / 3) change_neighbour(o / 3);
+    glue(is[n], o);
   }
   for (const auto& [v, old] : first)
     if (old / 3 == h / 3 || old / 3 == g / 3)

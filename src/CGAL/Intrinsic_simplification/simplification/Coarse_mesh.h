@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_COARSE_MESH_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_COARSE_MESH_H
 
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
@@ -21,7 +21,7 @@ struct alignas(64) Coarse_face {
   std::array<std::uint32_t, 3> glue;   // the side that each side is glued to, or none
   std::array<std::uint32_t, 3> origin; // vertices
   Side_values length;                  // squared
-  float spread = 0; // the logarithm of the ratio of the bounds of its stretch
+  float spread = 0;                    // the logarithm of the ratio of the bounds of its stretch
   std::uint32_t first_point = Gluing::none; // of the points in it, a list
   std::uint8_t kept_sides = 0;              // a bit for each side that must stay an edge
   bool is_removed = false;
@@ -71,14 +71,16 @@ public:
   void begin();
   // Takes back all changes of the step.
   void take_back();
-  // The faces that the step has changed, some of them several times.
-  template <class Function>
-  void for_each_changed(const Function& f) const {
-    for (const auto& [number, face] : changed_faces_) f(number);
-  }
+  // The faces of which the step has changed corners or lengths, some of them several times.
+  const std::vector<std::uint32_t>& changed() const { return changed_; }
 
   // What may be changed, after it is recorded.
   Coarse_face& change(std::uint32_t f) {
+    changed_.push_back(f);
+    return change_neighbour(f);
+  }
+  // The same for a face that is only glued to others.
+  Coarse_face& change_neighbour(std::uint32_t f) {
     changed_faces_.emplace_back(f, faces_[f]);
     return faces_[f];
   }
@@ -98,6 +100,9 @@ public:
     faces_[h / 3].glue[h % 3] = g;
     if (g != Gluing::none) faces_[g / 3].glue[g % 3] = h;
   }
+  void keep_side(std::uint32_t h) {
+    faces_[h / 3].kept_sides = static_cast<std::uint8_t>(faces_[h / 3].kept_sides | 1U << h % 3);
+  }
   void set_length(std::uint32_t h, double l) { faces_[h / 3].length[h % 3] = l; }
   // Needs no record: it follows from what is recorded.
   void set_spread(std::uint32_t f, double spread) { faces_[f].spread = static_cast<float>(spread); }
@@ -116,6 +121,7 @@ private:
   std::vector<Face_forms> forms_;
   std::vector<std::uint32_t> outgoing_;
   std::vector<Point_on_coarse> points_;
+  std::vector<std::uint32_t> changed_;
   std::vector<std::pair<std::uint32_t, Coarse_face>> changed_faces_;
   std::vector<std::pair<std::uint32_t, Face_forms>> changed_forms_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_outgoing_;
@@ -135,9 +141,13 @@ bool is_proven_left_turn(const Exact_point& p, const Exact_point& q, const Exact
 // The logarithm of the ratio of the stretch bounds of a face, in doubles.
 double spread_of(const Side_values& length, const Face_forms& forms);
 
+// The point with weights in a face of which side h is the first side in the plane.
+Exact_point place_in(const Plane_triangle& p, const std::array<double, 3>& weights,
+                     std::uint32_t h);
+
 // The weights of a point in a triangle; negative ones outside.
 std::array<double, 3> weights_in(const Plane_triangle& p, const Exact_point& q);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_COARSE_MESH_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_COARSE_MESH_H

@@ -43,6 +43,11 @@ struct Comparison_of_forms {
 
 Side_values times(double c, const Side_values& q) { return {c * q[0], c * q[1], c * q[2]}; }
 
+// of a form with values on the sides of a triangle
+bool is_nowhere_negative(const Interval& a, const Interval& b, const Interval& c) {
+  return a.inf() >= 0 && c.inf() >= 0 && (Interval(4) * a * c - square(a + c - b)).inf() >= 0;
+}
+
 bool is_above_all(const Enclosed_form& m, std::span<const Enclosed_form* const> forms) {
   return std::ranges::all_of(forms, [&](const Enclosed_form* f) { return is_proven_above(m, *f); });
 }
@@ -91,10 +96,13 @@ bool is_proven_above(const Enclosed_form& upper, const Enclosed_form& lower) {
 
 bool is_proven_above(const Side_values& upper, const Interval& factor,
                      const std::array<Interval, 3>& lower) {
-  const Interval a = factor * Interval(upper[0]) - lower[0],
-                 b = factor * Interval(upper[1]) - lower[1],
-                 c = factor * Interval(upper[2]) - lower[2];
-  return a.inf() >= 0 && c.inf() >= 0 && (Interval(4) * a * c - square(a + c - b)).inf() >= 0;
+  const auto difference = [&](std::size_t k) { return factor * Interval(upper[k]) - lower[k]; };
+  return is_nowhere_negative(difference(0), difference(1), difference(2));
+}
+
+bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& upper) {
+  const auto difference = [&](std::size_t k) { return upper[k] - Interval(lower[k]); };
+  return is_nowhere_negative(difference(0), difference(1), difference(2));
 }
 
 std::optional<Side_values> proven_above(const Form& near, const Plane_triangle& p,

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_QUADRATIC_FORM_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_QUADRATIC_FORM_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_QUADRATIC_FORM_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_QUADRATIC_FORM_H
 
 #include <CGAL/Interval_nt.h>
 
@@ -89,6 +89,9 @@ bool is_proven_above(const Enclosed_form& upper, const Enclosed_form& lower);
 bool is_proven_above(const Side_values& upper, const Interval& factor,
                      const std::array<Interval, 3>& lower);
 
+// Certainly the values are those of a form that is nowhere above the other one.
+bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& upper);
+
 // Values on the sides of a triangle, of a form that is proven to be above all given ones; nothing
 // if the triangle has no area in intervals. \param near such a form, up to rounding
 std::optional<Side_values> proven_above(const Form& near, const Plane_triangle& p,
@@ -100,4 +103,4 @@ Side_values proven_below(const Form& near, const Plane_triangle& p,
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_QUADRATIC_FORM_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_QUADRATIC_FORM_H

@@ -13,8 +13,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
-
 // Sums of angles this near to a flat one are flat up to rounding.
 double angle_tolerance(const Vertex_star& star) {
   return 2e-15 + 4e-16 * static_cast<double>(star.size());
@@ -25,12 +23,12 @@ double angle_tolerance(const Vertex_star& star) {
 Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
                        const Simplify_options& options)
     : fine_(fine), options_(options), mesh_(fine),
-      fate_(fine.gluing.number_of_vertices, Fate::open), version_(fate_.size(), 0),
-      is_touched_(fate_.size(), 0) {
+      fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
+      costs_(fine, mesh_, options) {
   mark_kept(may_go);
   count_components();
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {
-    if (mesh_.outgoing(v) == none) continue;
+    if (mesh_.outgoing(v) == Gluing::none) continue;
     ++number_left_;
     push(v);
   }
@@ -44,7 +42,7 @@ void Simplifier::mark_kept(const std::vector<char>& may_go) {
     is_kept[row] = 1;
   }
   for (std::uint32_t v = 0; v < fate_.size(); ++v)
-    if (mesh_.outgoing(v) == none || is_kept[fine_.row[v]] != 0 ||
+    if (mesh_.outgoing(v) == Gluing::none || is_kept[fine_.row[v]] != 0 ||
         (!may_go.empty() && may_go[v] == 0))
       fate_[v] = Fate::stays;
   std::vector<std::uint32_t> edges = options_.kept_edges;
@@ -53,8 +51,7 @@ void Simplifier::mark_kept(const std::vector<char>& may_go) {
     throw Invalid_input::about(Element_kind::edge, edges.back(), " shall stay, but does not exist");
   for (std::uint32_t h = 0; h < fine_.edge.size() && !edges.empty(); ++h)
     if (std::ranges::binary_search(edges, fine_.edge[h])) {
-      Coarse_face& f = mesh_.change(h / 3);
-      f.kept_sides = static_cast<std::uint8_t>(f.kept_sides | 1U << h % 3);
+      mesh_.keep_side(h);
       fate_[fine_.gluing.origin[h]] = fate_[fine_.gluing.origin[Gluing::next(h)]] = Fate::stays;
     }
   // several fans of faces at one vertex
@@ -85,7 +82,7 @@ void Simplifier::count_components() {
   for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
     const std::uint32_t c = component_[g.origin[h]];
     twice_euler[c] += (h % 3 == 0 ? 2 : 0) - 1;
-    if (g.glue[h] == none) has_border[c] = 1;
+    if (g.glue[h] == Gluing::none) has_border[c] = 1;
   }
   for (std::uint32_t c = 0; c < fate_.size(); ++c)
     if (has_border[c] == 0 && twice_euler[c] > 0)
@@ -96,26 +93,14 @@ bool Simplifier::is_last(std::uint32_t v) const {
   return left_[component_[v]] <= least_[component_[v]];
 }
 
-double Simplifier::cost(std::uint32_t v) {
-  neighbour_.find(mesh_, v);
-  const Vertex_star::Angles angles = neighbour_.angles(mesh_, 1);
-  const double k = neighbour_.flat_angle() - angles.sum;
-  float spread = 0;
-  for (std::size_t n = 0; n < neighbour_.size(); ++n)
-    spread = std::max(spread, mesh_.face(neighbour_.side(n) / 3).spread);
-  return spread + 2 * std::abs(k) / std::max(angles.slope, 1e-9);
-}
-
 void Simplifier::push(std::uint32_t v) {
-  ++version_[v];
   if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
-  fate_[v] = Fate::open;
-  const double c = cost(v);
-  if (!(c <= options_.cost)) {
-    fate_[v] = Fate::bound;
-    return;
-  }
-  queue_.push({c, v, version_[v]});
+  neighbour_.find(mesh_, v);
+  const double c = costs_.cost(mesh_, neighbour_, v);
+  const bool is_allowed = std::isfinite(c) && c <= options_.cost;
+  fate_[v] = is_allowed ? Fate::open : Fate::bound;
+  is_cost_old_[v] = 0;
+  if (is_allowed) queue_.push({c, v});
 }
 
 // The logarithm of the factor with which the angles are flat, between 1 and a bound: Newton's
@@ -137,7 +122,8 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
       } else {
         is_end_known = true;
         const Vertex_star::Angles at_end = star_.angles(mesh_, bound.factor);
-        const bool is_solved = bound.side != none && std::abs(at_end.sum - flat) <= tolerance;
+        const bool is_solved =
+            bound.side != Gluing::none && std::abs(at_end.sum - flat) <= tolerance;
         if ((at_end.sum > flat) == grows && !is_solved) {
           step_.newton_steps += steps;
           return end;
@@ -172,7 +158,7 @@ Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
     const double u = factor_within(bound, grows, rest);
     star_.scale(mesh_, rest == 0 ? std::exp(u) : bound.factor);
     if (rest == 0) return Fate::open;
-    if (bound.side == none) return Fate::blocked;
+    if (bound.side == Gluing::none) return Fate::blocked;
     if (!mesh_.flip(bound.side)) return Fate::failed;
     ++step_.ptolemy_flips;
   }
@@ -202,10 +188,9 @@ void Simplifier::restore_delaunay() {
   for (const std::uint32_t f : removal_.new_faces())
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
   if (step_.flips > 0) // loops were flipped away
-    mesh_.for_each_changed([&](std::uint32_t f) {
+    for (const std::uint32_t f : mesh_.changed())
       if (!mesh_.face(f).is_removed)
         for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
-    });
   const std::size_t most = 100 * stack_.size() + 1000; // rounding could flip for ever
   for (std::size_t flips = 0; !stack_.empty() && flips < most;) {
     const std::uint32_t h = stack_.back();
@@ -223,8 +208,7 @@ void Simplifier::restore_delaunay() {
 
 // Finds the spread of the faces that have changed.
 bool Simplifier::is_within_bounds() {
-  touched_.clear();
-  mesh_.for_each_changed([&](std::uint32_t f) { touched_.push_back(f); });
+  touched_ = mesh_.changed();
   std::ranges::sort(touched_);
   touched_.erase(std::ranges::unique(touched_).begin(), touched_.end());
   const double most = options_.stretch * options_.stretch * (1 - 1e-9);
@@ -240,60 +224,69 @@ bool Simplifier::is_within_bounds() {
   return true;
 }
 
+// Removes a flat vertex.
+Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
+  if (!open_loops(v)) {
+    const auto is_fixed_loop = [&](std::uint32_t h) {
+      return mesh_.origin(Coarse_mesh::next(h)) == v && !mesh_.is_flippable(h);
+    };
+    return std::ranges::any_of(star_.sides(), is_fixed_loop) ? Fate::blocked : Fate::failed;
+  }
+  if (!removal_.remove(mesh_, star_, v)) return Fate::failed;
+  restore_delaunay();
+  return is_within_bounds() ? Fate::removed : Fate::bound;
+}
+
 Simplifier::Fate Simplifier::remove(std::uint32_t v) {
   mesh_.begin();
   step_ = {};
-  Fate fate = flatten(v);
-  if (fate == Fate::open) {
-    fate = open_loops(v) && removal_.remove(mesh_, star_, v) ? Fate::removed : Fate::failed;
-    if (fate == Fate::removed) {
-      restore_delaunay();
-      if (!is_within_bounds()) fate = Fate::bound;
-    }
+  if (costs_.moves_mass()) {
+    star_.find(mesh_, v);
+    costs_.remember(mesh_, star_);
   }
+  Fate fate = flatten(v);
+  if (fate == Fate::open) fate = replace_star(v);
   counts_.newton_steps += step_.newton_steps;
   if (fate != Fate::removed) {
     mesh_.take_back();
     return fate;
   }
+  if (costs_.moves_mass()) costs_.move_mass(v);
   counts_.ptolemy_flips += step_.ptolemy_flips;
   counts_.flips += step_.flips;
   return fate;
 }
 
+// Costs of vertices in the queue are found again when it is their turn, which saves most of them;
+// those that stayed get a new chance.
 void Simplifier::renew_costs() {
-  std::vector<std::uint32_t>& vertices = stack_;
-  vertices.clear();
   for (const std::uint32_t f : touched_) {
     if (mesh_.face(f).is_removed) continue;
     for (const std::uint32_t v : mesh_.face(f).origin)
-      if (is_touched_[v] == 0) {
-        is_touched_[v] = 1;
-        vertices.push_back(v);
-      }
+      if (fate_[v] == Fate::open)
+        is_cost_old_[v] = 1;
+      else
+        push(v);
   }
-  for (const std::uint32_t v : vertices) is_touched_[v] = 0;
-  for (const std::uint32_t v : vertices) push(v);
 }
 
 void Simplifier::run(std::size_t wanted) {
   std::size_t removed = 0;
   status_ = number_left_ <= wanted ? Status::done : Status::stalled;
   while (number_left_ > wanted && !queue_.empty()) {
-    const auto [c, v, version] = queue_.top();
+    const std::uint32_t v = queue_.top().vertex;
     queue_.pop();
-    if (fate_[v] != Fate::open || version != version_[v]) continue;
-    if (is_last(v)) {
-      fate_[v] = Fate::stays;
+    if (is_cost_old_[v] != 0) {
+      push(v);
       continue;
     }
-    fate_[v] = remove(v);
+    fate_[v] = is_last(v) ? Fate::stays : remove(v);
     if (fate_[v] != Fate::removed) continue;
     --number_left_;
     --left_[component_[v]];
     if (number_left_ <= wanted) status_ = Status::done;
     renew_costs();
-    if (options_.progress && ++removed % 256 == 0 && !options_.progress({removed, number_left_})) {
+    if (++removed % 256 == 0 && options_.progress && !options_.progress({removed, number_left_})) {
       status_ = Status::cancelled;
       return;
     }

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_SIMPLIFIER_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_SIMPLIFIER_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFIER_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFIER_H
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
+#include <CGAL/Intrinsic_simplification/simplification/Removal_costs.h>
 #include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.h>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
@@ -36,7 +37,7 @@ private:
   enum class Fate : std::uint8_t { open, removed, stays, blocked, failed, bound };
   struct Entry {
     double cost;
-    std::uint32_t vertex, version;
+    std::uint32_t vertex;
     bool operator>(const Entry& e) const {
       return cost != e.cost ? cost > e.cost : vertex > e.vertex;
     }
@@ -48,28 +49,32 @@ private:
   void mark_kept(const std::vector<char>& may_go);
   void count_components();
   bool is_last(std::uint32_t v) const;
-  double cost(std::uint32_t v);
   void push(std::uint32_t v);
   Fate remove(std::uint32_t v);
+  Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
   bool open_loops(std::uint32_t v);
   void restore_delaunay();
   bool is_within_bounds();
   void renew_costs();
+  void write_surface(Simplification& s, const std::vector<std::uint32_t>& vertex,
+                     const std::vector<std::uint32_t>& face) const;
+  void write_places(Simplification& s, const std::vector<std::uint32_t>& vertex,
+                    const std::vector<std::uint32_t>& face) const;
 
   const Fine_surface& fine_;
   const Simplify_options& options_;
   Coarse_mesh mesh_;
   std::vector<Fate> fate_;
-  std::vector<std::uint32_t> version_;
-  std::vector<std::uint32_t> component_; // of each vertex
+  std::vector<char> is_cost_old_;         // of each vertex in the queue: its star has changed
+  std::vector<std::uint32_t> component_;  // of each vertex
   std::vector<std::size_t> left_, least_; // vertices of each component; how many must stay
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   Vertex_star star_, neighbour_;
   Star_removal removal_;
+  Removal_costs costs_;
   std::vector<std::uint32_t> stack_, touched_;
-  std::vector<char> is_touched_;
   std::size_t number_left_ = 0;
   Counts counts_, step_;
   unsigned most_newton_steps_ = 0;
@@ -78,4 +83,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_SIMPLIFIER_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFIER_H

@@ -11,15 +11,15 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
 constexpr Exact_point centre{0, 0};
 
 double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }
 double squared_norm(const Exact_point& p) { return p.x * p.x + p.y * p.y; }
 Exact_point minus(const Exact_point& p, const Exact_point& q) { return {p.x - q.x, p.y - q.y}; }
 
-Side_values from_side(const Side_values& q, std::uint32_t k) {
-  return {q[k], q[(k + 1) % 3], q[(k + 2) % 3]};
+// Values that begin at a side of a face, from those that begin at its first side.
+Side_values begun_at(const Side_values& q, std::uint32_t h) {
+  return {q[h % 3], q[(h + 1) % 3], q[(h + 2) % 3]};
 }
 
 } // namespace
@@ -50,9 +50,10 @@ void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& sta
   for (std::uint32_t k = 0; k < points_.size(); ++k) {
     polygon_.push_back(k);
     if (k == star.size()) { // along the border
-      polygon_sides_.push_back({k, none, squared_norm(minus(points_[k], points_[0])), false});
+      polygon_sides_.push_back(
+          {k, Gluing::none, squared_norm(minus(points_[k], points_[0])), false});
       corners_.push_back(mesh.origin(Coarse_mesh::previous(star.side(k - 1))));
-      outside_.push_back(none);
+      outside_.push_back(Gluing::none);
     } else {
       const std::uint32_t h = Coarse_mesh::next(star.side(k));
       polygon_sides_.push_back({k, mesh.glued(h), star.rim(k), mesh.is_kept_side(h)});
@@ -60,7 +61,7 @@ void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& sta
       outside_.push_back(mesh.glued(h));
     }
   }
-  side_of_rim_.assign(points_.size(), none);
+  side_of_rim_.assign(points_.size(), Gluing::none);
 }
 
 bool Star_removal::is_ear(std::size_t at) const {
@@ -89,6 +90,10 @@ double Star_removal::ear_rank(std::size_t at) const {
          area;
 }
 
+std::size_t Star_removal::triangle_of(std::uint32_t face) const {
+  return static_cast<std::size_t>(std::ranges::find(new_faces_, face) - new_faces_.begin());
+}
+
 void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
   const std::size_t n = polygon_.size(), before = (at + n - 1) % n, after = (at + 1) % n;
   new_faces_.push_back(face);
@@ -98,19 +103,16 @@ void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
   if (n == 3)
     t.sides[2] = polygon_sides_[after];
   else
-    t.sides[2] = {none, none, squared_norm(minus(a, c)), false};
+    t.sides[2] = {Gluing::none, Gluing::none, squared_norm(minus(a, c)), false};
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Rim_side& s = t.sides[k];
-    if (s.rim != none)
+    if (s.rim != Gluing::none)
       side_of_rim_[s.rim] = 3 * face + k;
-    else if (s.glued != none) // the triangle of the other side comes before this one
-      for (New_triangle& other : triangles_)
-        for (std::uint32_t m = 0; m < 3; ++m)
-          if (3 * new_faces_[static_cast<std::size_t>(&other - triangles_.data())] + m == s.glued)
-            other.sides[m].glued = 3 * face + k;
+    else if (s.glued != Gluing::none) // the triangle of the other side comes before this one
+      triangles_[triangle_of(s.glued / 3)].sides[s.glued % 3].glued = 3 * face + k;
   }
   triangles_.push_back(t);
-  polygon_sides_[before] = {none, 3 * face + 2, t.sides[2].length, false};
+  polygon_sides_[before] = {Gluing::none, 3 * face + 2, t.sides[2].length, false};
   polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(at));
   polygon_sides_.erase(polygon_sides_.begin() + static_cast<std::ptrdiff_t>(at));
 }
@@ -147,11 +149,10 @@ Plane_triangle Star_removal::new_triangle(const New_triangle& t) const {
 // Whether no side of either triangle separates them: by proof, or since the triangles share its
 // ends.
 bool Star_removal::may_overlap(const New_triangle& t, std::size_t k) const {
-  constexpr std::uint32_t middle = none;
+  constexpr std::uint32_t middle = Gluing::none;
   const auto at = [&](std::uint32_t i) { return i == middle ? centre : points_[i]; };
-  const std::array<std::uint32_t, 3> star{
-      middle, static_cast<std::uint32_t>(k),
-      static_cast<std::uint32_t>((k + 1) % points_.size())};
+  const std::array<std::uint32_t, 3> star{middle, static_cast<std::uint32_t>(k),
+                                          static_cast<std::uint32_t>((k + 1) % points_.size())};
   const auto separates = [&](const std::array<std::uint32_t, 3>& x,
                              const std::array<std::uint32_t, 3>& y) {
     for (std::size_t s = 0; s < 3; ++s) {
@@ -168,32 +169,33 @@ bool Star_removal::may_overlap(const New_triangle& t, std::size_t k) const {
 
 bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) {
   const Protect_FPU_rounding<true> up;
-  old_forms_.clear();
+  old_above_.clear();
+  old_below_.clear();
   above_.clear();
   below_.clear();
   for (std::size_t k = 0; k < star.size(); ++k) {
     const Form_of_sides<Interval> matrix(old_triangle(k));
     const Face_forms& f = mesh.forms(star.side(k) / 3);
-    const std::uint32_t first = star.side(k) % 3;
-    old_forms_.push_back({matrix(from_side(f.above, first)), matrix(from_side(f.below, first))});
+    old_above_.push_back(matrix(begun_at(f.above, star.side(k))));
+    old_below_.push_back(matrix(begun_at(f.below, star.side(k))));
   }
   for (const New_triangle& t : triangles_) {
-    std::array<Form, 2> near{};
-    for (const std::size_t b : {0, 1}) {
-      overlapped_.clear();
-      for (std::size_t k = 0; k < star.size(); ++k) {
-        if (!may_overlap(t, k)) continue;
-        const Form form = middle_of(old_forms_[k][b]);
-        near[b] = overlapped_.empty() ? form : b == 0 ? join(near[b], form) : meet(near[b], form);
-        overlapped_.push_back(&old_forms_[k][b]);
-      }
-      if (b == 1)
-        below_.push_back(proven_below(near[b], new_triangle(t), overlapped_));
-      else if (const auto above = proven_above(near[b], new_triangle(t), overlapped_))
-        above_.push_back(*above);
-      else
-        return false;
+    overlapped_above_.clear();
+    overlapped_below_.clear();
+    Form upper{}, lower{};
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      if (!may_overlap(t, k)) continue;
+      const bool is_first = overlapped_above_.empty();
+      const Form above = middle_of(old_above_[k]), below = middle_of(old_below_[k]);
+      upper = is_first ? above : join(upper, above);
+      lower = is_first ? below : meet(lower, below);
+      overlapped_above_.push_back(&old_above_[k]);
+      overlapped_below_.push_back(&old_below_[k]);
     }
+    const auto above = proven_above(upper, new_triangle(t), overlapped_above_);
+    if (!above) return false;
+    above_.push_back(*above);
+    below_.push_back(proven_below(lower, new_triangle(t), overlapped_below_));
   }
   return true;
 }
@@ -201,14 +203,26 @@ bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) 
 void Star_removal::glue_sides(Coarse_mesh& mesh) {
   for (std::size_t i = 0; i < triangles_.size(); ++i)
     for (std::uint32_t k = 0; k < 3; ++k)
-      if (triangles_[i].sides[k].rim == none)
+      if (triangles_[i].sides[k].rim == Gluing::none)
         mesh.glue(3 * new_faces_[i] + k, triangles_[i].sides[k].glued);
   for (std::size_t k = 0; k < outside_.size(); ++k)
-    if (outside_[k] != none) mesh.change(outside_[k] / 3);
+    if (outside_[k] != Gluing::none) mesh.change_neighbour(outside_[k] / 3);
   for (std::size_t k = 0; k < outside_.size(); ++k) mesh.glue(side_of_rim_[k], outside_[k]);
 }
 
-void Star_removal::replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
+// Finds the places of the points in the star, and takes its faces away.
+void Star_removal::take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
+  moving_.clear();
+  places_.clear();
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const std::uint32_t f = star.side(k) / 3;
+    mesh.change(f).is_removed = true;
+    mesh.take_points(f, moving_);
+    for (std::size_t n = places_.size(); n < moving_.size(); ++n)
+      places_.push_back(place_in(old_triangle(k), mesh.point(moving_[n]).weights, star.side(k)));
+  }
+  moving_.push_back(v);
+  places_.push_back(centre);
   // rim edges that are glued to each other
   for (std::uint32_t& outside : outside_)
     for (std::size_t k = 0; k < star.size(); ++k)
@@ -216,44 +230,26 @@ void Star_removal::replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std
         outside = side_of_rim_[k];
         break;
       }
-  moving_.clear();
-  places_.clear();
-  for (std::size_t k = 0; k < star.size(); ++k) {
-    const std::uint32_t first = star.side(k) % 3;
-    Coarse_face& f = mesh.change(star.side(k) / 3);
-    mesh.take_points(star.side(k) / 3, moving_);
-    const Plane_triangle p = old_triangle(k);
-    while (places_.size() < moving_.size()) {
-      const auto& w = mesh.point(moving_[places_.size()]).weights;
-      Exact_point q;
-      for (std::size_t c = 0; c < 3; ++c) {
-        q.x += w[(first + c) % 3] * p[c].x;
-        q.y += w[(first + c) % 3] * p[c].y;
-      }
-      places_.push_back(q);
-    }
-    f.is_removed = true;
-  }
-  moving_.push_back(v);
-  places_.push_back(centre);
+}
+
+void Star_removal::put_triangles(Coarse_mesh& mesh, std::uint32_t v) {
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     Coarse_face& f = mesh.change(new_faces_[i]);
     f.is_removed = false;
     f.kept_sides = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
       f.origin[k] = corners_[triangles_[i].corners[k]];
       f.length[k] = triangles_[i].sides[k].length;
-      if (triangles_[i].sides[k].is_kept)
-        f.kept_sides = static_cast<std::uint8_t>(f.kept_sides | 1U << k);
+      if (triangles_[i].sides[k].is_kept) mesh.keep_side(3 * new_faces_[i] + k);
     }
     mesh.change_forms(new_faces_[i]) = {above_[i], below_[i]};
   }
   glue_sides(mesh);
-  mesh.set_outgoing(v, none);
+  mesh.set_outgoing(v, Gluing::none);
   for (const std::uint32_t f : new_faces_)
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) {
       const std::uint32_t p = mesh.origin(h), old = mesh.outgoing(p);
-      if (mesh.glued(h) == none || mesh.face(old / 3).is_removed || mesh.origin(old) != p)
+      if (mesh.glued(h) == Gluing::none || mesh.face(old / 3).is_removed || mesh.origin(old) != p)
         mesh.set_outgoing(p, h);
     }
 }
@@ -279,7 +275,8 @@ bool Star_removal::remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint3
   if (!lay_out(star)) return false;
   start_polygon(mesh, star);
   if (!cut_ears(star) || !has_proven_lengths() || !find_forms(mesh, star)) return false;
-  replace_faces(mesh, star, v);
+  take_faces(mesh, star, v);
+  put_triangles(mesh, v);
   move_points(mesh);
   return true;
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_STAR_REMOVAL_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_STAR_REMOVAL_H
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
@@ -27,7 +27,7 @@ public:
   const std::vector<std::uint32_t>& new_faces() const { return new_faces_; }
 
 private:
-  struct Rim_side { // of the polygon that is left
+  struct Rim_side {      // of the polygon that is left
     std::uint32_t rim;   // the number of the rim edge; none: a side of a new triangle
     std::uint32_t glued; // a side outside, or of a new triangle; none: the border
     double length;
@@ -41,9 +41,11 @@ private:
   bool lay_out(const Vertex_star& star);
   bool cut_ears(const Vertex_star& star);
   void cut_ear(std::size_t at, std::uint32_t face);
+  std::size_t triangle_of(std::uint32_t face) const;
   bool has_proven_lengths() const;
   bool find_forms(const Coarse_mesh& mesh, const Vertex_star& star);
-  void replace_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  void take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  void put_triangles(Coarse_mesh& mesh, std::uint32_t v);
   void move_points(Coarse_mesh& mesh);
   void start_polygon(const Coarse_mesh& mesh, const Vertex_star& star);
   double ear_rank(std::size_t at) const;
@@ -53,21 +55,21 @@ private:
   Plane_triangle new_triangle(const New_triangle& t) const;
   bool may_overlap(const New_triangle& t, std::size_t k) const;
 
-  std::vector<Exact_point> points_; // of the rim
-  std::vector<std::uint32_t> polygon_; // points that are left
+  std::vector<Exact_point> points_;     // of the rim
+  std::vector<std::uint32_t> polygon_;  // points that are left
   std::vector<Rim_side> polygon_sides_; // from each of them
   std::vector<New_triangle> triangles_;
   std::vector<std::uint32_t> new_faces_;
-  std::vector<std::uint32_t> side_of_rim_; // the new side at each rim edge
-  std::vector<std::uint32_t> outside_;     // what was glued to each rim edge
-  std::vector<std::uint32_t> corners_;     // the vertices of the points
-  std::vector<Side_values> above_, below_; // of the new triangles
-  std::vector<std::array<Enclosed_form, 2>> old_forms_;
-  std::vector<const Enclosed_form*> overlapped_;
+  std::vector<std::uint32_t> side_of_rim_;           // the new side at each rim edge
+  std::vector<std::uint32_t> outside_;               // what was glued to each rim edge
+  std::vector<std::uint32_t> corners_;               // the vertices of the points
+  std::vector<Side_values> above_, below_;           // of the new triangles
+  std::vector<Enclosed_form> old_above_, old_below_; // of the faces of the star
+  std::vector<const Enclosed_form*> overlapped_above_, overlapped_below_;
   std::vector<std::uint32_t> moving_;
   std::vector<Exact_point> places_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_STAR_REMOVAL_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_STAR_REMOVAL_H

@@ -39,14 +39,28 @@ bool Vertex_star::find(const Coarse_mesh& mesh, std::uint32_t v) {
 
 Vertex_star::Angles Vertex_star::angles(const Coarse_mesh& mesh, double factor) const {
   if (!is_proper_) return angles_with_loops(mesh, factor);
-  Angles result;
+  // the angles as arguments of complex numbers, whose product is kept in the upper half plane
+  double x = 1, y = 0, slope = 0;
+  int half_turns = 0;
   for (std::size_t k = 0; k < rim_.size(); ++k) {
     const double a = factor * spoke_[k], b = factor * spoke_[after(k)], e = rim_[k];
-    const double area = quadruple_area_of(a, b, e);
-    result.sum += std::atan2(area, a + b - e);
-    if (area > 0) result.slope += e / area;
+    const double area = quadruple_area_of(a, b, e), p = a + b - e;
+    const double scale = 1 / (std::abs(p) + area), c = p * scale, s = area * scale;
+    const double turned = x * c - y * s;
+    y = x * s + y * c;
+    x = turned;
+    if (y < 0 || (y == 0 && x < 0)) {
+      x = -x;
+      y = -y;
+      ++half_turns;
+    }
+    if (area > 0) slope += e / area;
+    if (std::abs(x) + y < 0x1p-500) { // vertices of huge degree
+      x *= 0x1p500;
+      y *= 0x1p500;
+    }
   }
-  return result;
+  return {half_turns * std::numbers::pi + std::atan2(y, x), slope};
 }
 
 double Vertex_star::flat_angle() const { return (is_on_border_ ? 1 : 2) * std::numbers::pi; }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_VERTEX_STAR_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_VERTEX_STAR_H
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_VERTEX_STAR_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_VERTEX_STAR_H
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 
@@ -37,9 +37,16 @@ public:
   bool is_on_border() const { return is_on_border_; }
   // The side from the vertex that begins the corner of face k.
   std::uint32_t side(std::size_t k) const { return sides_[k]; }
+  const std::vector<std::uint32_t>& sides() const { return sides_; }
   double spoke(std::size_t k) const { return spoke_[k]; }
   std::size_t number_of_spokes() const { return spoke_.size(); }
   double rim(std::size_t k) const { return rim_[k]; }
+  // The spoke after spoke k.
+  std::size_t after(std::size_t k) const { return k + 1 == spoke_.size() ? 0 : k + 1; }
+  // The side that starts where spoke k ends: of the rim, on the border the last one of the star.
+  std::uint32_t rim_corner(std::size_t k) const {
+    return k < sides_.size() ? Coarse_mesh::next(sides_[k]) : Coarse_mesh::previous(sides_[k - 1]);
+  }
 
   // The angles at the vertex for a factor.
   Angles angles(const Coarse_mesh& mesh, double factor) const;
@@ -53,7 +60,6 @@ public:
   void scale(Coarse_mesh& mesh, double factor);
 
 private:
-  std::size_t after(std::size_t k) const { return k + 1 == spoke_.size() ? 0 : k + 1; }
   double scaled(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
   double cosine(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
   Angles angles_with_loops(const Coarse_mesh& mesh, double factor) const;
@@ -70,4 +76,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCE_SIMPLIFICATION_VERTEX_STAR_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_VERTEX_STAR_H

@@ -15,11 +15,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr std::uint32_t none = Gluing::none;
-
 // Numbers that elements have when others are left out.
 std::vector<std::uint32_t> compacted(std::size_t size, const auto& stays) {
-  std::vector<std::uint32_t> result(size, none);
+  std::vector<std::uint32_t> result(size, Gluing::none);
   std::uint32_t n = 0;
   for (std::uint32_t i = 0; i < size; ++i)
     if (stays(i)) result[i] = n++;
@@ -72,23 +70,26 @@ void find_stretch(Simplification& s, const Coarse_mesh& mesh) {
   s.stretch.mean_upper /= area;
 }
 
+void expect_range(const Simplify_options& options) {
+  if (!(options.stretch >= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the stretch is at least 1, not " + std::to_string(options.stretch));
+}
+
 } // namespace
 
-Simplification Simplifier::take_result() const {
-  Simplification s;
-  s.status = status_;
-  const auto vertex =
-      compacted(fate_.size(), [&](std::uint32_t v) { return mesh_.outgoing(v) != none; });
-  const auto face = compacted(mesh_.faces().size(),
-                              [&](std::uint32_t f) { return !mesh_.face(f).is_removed; });
+// The triangles that are left, numbered without gaps, in the units of the user.
+void Simplifier::write_surface(Simplification& s, const std::vector<std::uint32_t>& vertex,
+                               const std::vector<std::uint32_t>& face) const {
   Gluing g;
   g.number_of_vertices = static_cast<std::uint32_t>(number_left_);
   std::vector<double> length; // by sides
   for (const Coarse_face& f : mesh_.faces()) {
     if (f.is_removed) continue;
     for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t o = f.glue[k];
       g.origin.push_back(vertex[f.origin[k]]);
-      g.glue.push_back(f.glue[k] == none ? none : 3 * face[f.glue[k] / 3] + f.glue[k] % 3);
+      g.glue.push_back(o == Gluing::none ? o : 3 * face[o / 3] + o % 3);
       length.push_back(std::ldexp(f.length[k], -2 * fine_.scale_exponent));
     }
   }
@@ -100,25 +101,39 @@ Simplification Simplifier::take_result() const {
     for (std::uint32_t k = 0; k < 3; ++k)
       s.surface.squared_lengths[sides[k].index / 2] = length[3 * f + k];
   }
+}
+
+void Simplifier::write_places(Simplification& s, const std::vector<std::uint32_t>& vertex,
+                              const std::vector<std::uint32_t>& face) const {
   s.places.resize(fine_.number_of_rows);
   std::vector<char> is_placed(fine_.number_of_rows, 0);
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {
     const std::uint32_t row = fine_.row[v];
-    if (vertex[v] != none) s.kept.push_back(row);
+    if (vertex[v] != Gluing::none) s.kept.push_back(row);
     if (is_placed[row] != 0) continue;
     is_placed[row] = 1;
     const Point_on_coarse& p = mesh_.point(v);
-    if (vertex[v] != none)
+    if (vertex[v] != Gluing::none)
       s.places[row] = Place::at_vertex(vertex[v]);
-    else if (p.face != none)
+    else if (p.face != Gluing::none)
       s.places[row] = Place::in_face(face[p.face], p.weights);
   }
-  for (const Fate f : fate_) {
-    s.removed += f == Fate::removed ? 1 : 0;
-    s.blocked_by_border += f == Fate::blocked ? 1 : 0;
-    s.not_flattened += f == Fate::failed ? 1 : 0;
-    s.kept_by_bound += f == Fate::bound ? 1 : 0;
-  }
+}
+
+Simplification Simplifier::take_result() const {
+  Simplification s;
+  s.status = status_;
+  const auto vertex =
+      compacted(fate_.size(), [&](std::uint32_t v) { return mesh_.outgoing(v) != Gluing::none; });
+  const auto face =
+      compacted(mesh_.faces().size(), [&](std::uint32_t f) { return !mesh_.face(f).is_removed; });
+  write_surface(s, vertex, face);
+  write_places(s, vertex, face);
+  const auto count = [&](Fate f) { return static_cast<std::size_t>(std::ranges::count(fate_, f)); };
+  s.removed = count(Fate::removed);
+  s.blocked_by_border = count(Fate::blocked);
+  s.not_flattened = count(Fate::failed);
+  s.kept_by_bound = count(Fate::bound);
   s.newton_steps = counts_.newton_steps;
   s.most_newton_steps = most_newton_steps_;
   s.ptolemy_flips = counts_.ptolemy_flips;
@@ -128,9 +143,7 @@ Simplification Simplifier::take_result() const {
 }
 
 Simplification simplify(const Fine_surface& fine, const Simplify_options& options) {
-  if (!(options.stretch >= 1))
-    throw Invalid_input(Element_kind::none, 0,
-                        "the stretch is at least 1, not " + std::to_string(options.stretch));
+  expect_range(options);
   const bool is_bounded = std::isfinite(options.stretch) || std::isfinite(options.cost);
   const std::size_t wanted =
       options.vertices.value_or(is_bounded ? 0 : fine.gluing.number_of_vertices / 10);
@@ -141,9 +154,14 @@ Simplification simplify(const Fine_surface& fine, const Simplify_options& option
 
 Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>& may_go,
                                const Simplify_options& options) {
+  expect_range(options);
   Simplifier simplifier(fine, may_go, options);
   simplifier.run(options.vertices.value_or(0));
-  return simplifier.take_result();
+  Simplification s = simplifier.take_result();
+  if (s.status == Status::stalled && !options.vertices &&
+      s.blocked_by_border + s.not_flattened + s.kept_by_bound == 0)
+    s.status = Status::done; // all are gone that may go
+  return s;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
