@@ -28,6 +28,8 @@ public:
   // Moves the mass of a vertex that is gone to the neighbours that are remembered.
   void move_mass(std::uint32_t v);
   bool moves_mass() const { return !mass_.empty(); }
+  // Whether costs are spreads of the bounds of faces, expected ones.
+  bool are_stretches() const { return !moves_mass() && !options_.own_cost; }
 
 private:
   // A mass at a vertex, and how far it is from where it was, in the mean.

@@ -165,22 +165,34 @@ Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   return Fate::failed;
 }
 
-// Flips the edges from a flat vertex to itself away, and others where that does not go yet.
+// Whether an edge from the vertex to itself must stay, such as the last one of a border.
+bool Simplifier::has_fixed_loop(std::uint32_t v) const {
+  return !star_.is_proper() && std::ranges::any_of(star_.sides(), [&](std::uint32_t h) {
+    return mesh_.origin(Coarse_mesh::next(h)) == v && !mesh_.is_flippable(h);
+  });
+}
+
+// By how much a flip of the edge makes the degree of the vertex smaller.
+int Simplifier::degree_fall(std::uint32_t h, std::uint32_t v) const {
+  if (!mesh_.is_flippable(h)) return 0;
+  const auto count = [&](std::uint32_t s) { return mesh_.origin(s) == v ? 1 : 0; };
+  const std::uint32_t g = mesh_.glued(h);
+  return count(h) + count(g) - count(Coarse_mesh::previous(h)) - count(Coarse_mesh::previous(g));
+}
+
+// Flips the edges from a flat vertex to itself away, and others where that does not go yet; the
+// degree falls with each flip.
 bool Simplifier::open_loops(std::uint32_t v) {
-  for (std::size_t flips = 0; flips < 200 && star_.find(mesh_, v); ++flips) {
-    if (star_.is_proper()) return true;
-    const auto flip_one = [&](bool loops) {
-      for (std::size_t k = 0; k < star_.size(); ++k) {
-        const std::uint32_t h = star_.side(k);
-        const bool is_loop = mesh_.origin(Coarse_mesh::next(h)) == v;
-        if (is_loop == loops && mesh_.is_flippable(h) && mesh_.flip(h)) return true;
-      }
-      return false;
+  while (star_.find(mesh_, v) && !star_.is_proper()) {
+    const auto flip_one = [&](int fall) {
+      return std::ranges::any_of(star_.sides(), [&](std::uint32_t h) {
+        return degree_fall(h, v) == fall && mesh_.flip(h);
+      });
     };
-    if (!flip_one(true) && !flip_one(false)) return false;
+    if (!flip_one(2) && !flip_one(1)) return false;
     ++step_.flips;
   }
-  return false;
+  return true;
 }
 
 void Simplifier::restore_delaunay() {
@@ -219,33 +231,33 @@ bool Simplifier::is_within_bounds() {
         !(factors(face.length, mesh_.forms(f).below)[1] <= most &&
           factors(face.length, mesh_.forms(f).above)[0] * most >= 1))
       return false;
-    mesh_.set_spread(f, spread_of(face.length, mesh_.forms(f)));
+    const double spread = spread_of(face.length, mesh_.forms(f));
+    mesh_.set_spread(f, spread);
+    step_.spread = std::max(step_.spread, spread);
   }
   return true;
 }
 
 // Removes a flat vertex.
 Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
-  if (!open_loops(v)) {
-    const auto is_fixed_loop = [&](std::uint32_t h) {
-      return mesh_.origin(Coarse_mesh::next(h)) == v && !mesh_.is_flippable(h);
-    };
-    return std::ranges::any_of(star_.sides(), is_fixed_loop) ? Fate::blocked : Fate::failed;
-  }
+  if (!open_loops(v)) return Fate::failed;
   if (!removal_.remove(mesh_, star_, v)) return Fate::failed;
   restore_delaunay();
   return is_within_bounds() ? Fate::removed : Fate::bound;
 }
 
-Simplifier::Fate Simplifier::remove(std::uint32_t v) {
+// \return `open`: it would stretch the surface much more than expected, and others less
+Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
   step_ = {};
-  if (costs_.moves_mass()) {
-    star_.find(mesh_, v);
-    costs_.remember(mesh_, star_);
-  }
+  star_.find(mesh_, v);
+  if (has_fixed_loop(v)) return Fate::blocked;
+  if (costs_.moves_mass()) costs_.remember(mesh_, star_);
   Fate fate = flatten(v);
   if (fate == Fate::open) fate = replace_star(v);
+  if (fate == Fate::removed && costs_.are_stretches() && step_.spread > 1.25 * expected &&
+      !queue_.empty() && step_.spread > queue_.top().cost)
+    fate = Fate::open;
   counts_.newton_steps += step_.newton_steps;
   if (fate != Fate::removed) {
     mesh_.take_back();
@@ -274,13 +286,14 @@ void Simplifier::run(std::size_t wanted) {
   std::size_t removed = 0;
   status_ = number_left_ <= wanted ? Status::done : Status::stalled;
   while (number_left_ > wanted && !queue_.empty()) {
-    const std::uint32_t v = queue_.top().vertex;
+    const auto [expected, v] = queue_.top();
     queue_.pop();
     if (is_cost_old_[v] != 0) {
       push(v);
       continue;
     }
-    fate_[v] = is_last(v) ? Fate::stays : remove(v);
+    fate_[v] = is_last(v) ? Fate::stays : remove(v, expected);
+    if (fate_[v] == Fate::open) queue_.push({step_.spread, v});
     if (fate_[v] != Fate::removed) continue;
     --number_left_;
     --left_[component_[v]];

@@ -44,16 +44,19 @@ private:
   };
   struct Counts {
     std::size_t newton_steps = 0, ptolemy_flips = 0, flips = 0;
+    double spread = 0; // the greatest one of the faces that have changed
   };
 
   void mark_kept(const std::vector<char>& may_go);
   void count_components();
   bool is_last(std::uint32_t v) const;
   void push(std::uint32_t v);
-  Fate remove(std::uint32_t v);
+  Fate remove(std::uint32_t v, double expected);
   Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
+  bool has_fixed_loop(std::uint32_t v) const;
+  int degree_fall(std::uint32_t h, std::uint32_t v) const;
   bool open_loops(std::uint32_t v);
   void restore_delaunay();
   bool is_within_bounds();
