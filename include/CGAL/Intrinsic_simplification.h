@@ -11,5 +11,9 @@ Includes simplification with a proven stretch, isometries, convex polyhedra of m
 */
 
 #include <CGAL/Intrinsic_conformal.h>
+#include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>
+#include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
+#include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
+#include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_H

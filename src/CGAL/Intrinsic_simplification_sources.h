@@ -11,5 +11,13 @@ one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_conformal_sources.h>
+#include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Removal_costs.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Simplifier.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Star_removal.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Vertex_star.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/coarse_surface.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

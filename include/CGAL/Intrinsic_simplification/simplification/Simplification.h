@@ -20,8 +20,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// Which vertices `simplify()` removes first.
 enum class Removal_cost : std::uint8_t {
   stretch,   ///< those that stretch the surface least, with what earlier removals did there
-  curvature, ///< those whose curvature has to move least, as Liu et al. (2023) measure it
-  area       ///< those whose area has to move least
+  curvature, ///< those whose curvature is least, times how far it moves: after Liu et al. (2023)
+  area       ///< the same with area in place of curvature
 };
 
 /// What a cost of your own is computed from: a vertex that could be removed next.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -15,7 +16,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
-#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -52,8 +53,13 @@ bool is_flat(const Triangulation& t, typename Triangulation::vertex_descriptor v
 }
 
 // For each vertex, in the order of the mesh, whether it is flat to within an angle.
+// \throws Invalid_input if the angle is negative
 template <class Triangulation>
 std::vector<char> flat_vertices(const Triangulation& t, double within) {
+  if (!(within >= 0))
+    throw Invalid_input(Element_kind::none, 0,
+                        "an angle within which vertices are flat is not negative, as " +
+                            std::to_string(within) + " is");
   constexpr double nearly = 1e-6; // above the rounding of angles
   std::vector<char> result;
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();

@@ -24,10 +24,10 @@ Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>
 /*!
 \brief removes vertices at which the surface is flat, or the border straight.
 
-With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly: the ladder
-decides, no tolerance. Then the surface stays the same, and the proven stretch differs from 1 only by
-the rounding of new lengths. CAD parts that were rounded have few such vertices; `within` 1e-6 or so
-removes the others as `simplify()` does.
+With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly: the
+ladder decides, no tolerance. Then the surface stays the same, and the proven stretch differs from 1
+only by the rounding of new lengths. CAD parts that were rounded have few such vertices; `within` 1e-6
+or so removes the others as `simplify()` does.
 \tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric and a session that
   compares angles with pi
 \param t the triangulation, Delaunay

@@ -20,7 +20,8 @@ namespace CGAL::Intrinsic_triangulations {
 \param t the triangulation, Delaunay
 \param levels how many at most
 \param ratio the part of the vertices that stays at each level, below 1
-\param options bounds and costs of each level; `vertices` is replaced, and what is kept refers to `t`
+\param options bounds and costs of each level; `vertices` is replaced, and what is kept refers to
+  `t`
 \return the coarse surfaces, the finest first; fewer where no other vertex can be removed. The
   matrix from level i + 1 to i is `prolongation()` of element i + 1, where level 0 is `t`
 \throws Invalid_input as `simplify()`
@@ -34,9 +35,9 @@ std::vector<Simplification> hierarchy(const Triangulation& t, std::size_t levels
   };
   options.vertices = wanted(t.number_of_vertices());
   while (result.size() < levels) {
-    Simplification next =
-        result.empty() ? simplify(t, options)
-                       : simplify(delaunay_triangulation(result.back().surface), options);
+    Simplification next = result.empty()
+                              ? simplify(t, options)
+                              : simplify(delaunay_triangulation(result.back().surface), options);
     if (next.removed == 0) break;
     options.vertices = wanted(next.kept.size());
     options.kept_vertices.clear();
