@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/read_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <Eigen/Core>
 
@@ -61,18 +62,14 @@ void add_values(const std::string& path, const Triangulation& t, const IT::Commo
   const std::string what = "vertices of " + options.input;
   const Number_table table = read_numbers(path, mine, what);
   if (table.rows() != mine) table.expect_rows(rows, what);
-  const IT::Interpolation_matrix take =
-      table.rows() == mine ? IT::interpolation_from_intrinsic(s) : IT::interpolation_from_input(s);
   const std::string name = as_utf8(std::filesystem::path(path).stem().string());
   for (std::size_t k = 0; k < table.columns; ++k) {
-    Eigen::VectorXd values(take.cols());
+    Eigen::VectorXd values(static_cast<Eigen::Index>(table.rows()));
     for (Eigen::Index i = 0; i < values.size(); ++i)
       values[i] = table.values[table.columns * static_cast<std::size_t>(i) + k];
-    const bool has_classes = are_classes(values);
-    shown.fields.emplace_back(table.columns == 1 ? name : name + "_" + std::to_string(k),
-                              has_classes ? IT::nearest_values(take, values)
-                                          : Eigen::VectorXd(take * values));
-    shown.fields.back().has_classes = has_classes;
+    shown.fields.push_back(
+        IT::interpolated_field(table.columns == 1 ? name : name + "_" + std::to_string(k), s,
+                               values, are_classes(values)));
   }
 }
 
@@ -111,7 +108,7 @@ void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
   const bool is_temporary = options.view.empty();
   options.no_flip = true;
   Json json = improve_and_measure(loaded, options, progress, {});
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("subdividing");
   const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
   Shown shown;
