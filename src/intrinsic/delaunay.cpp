@@ -5,6 +5,7 @@
 #include "commands.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <string>
 
@@ -33,7 +34,7 @@ void run_info(const Options& options) {
     Options as_it_is = options;
     as_it_is.no_flip = true;
     Json json = improve_and_measure(loaded, as_it_is, progress);
-    Stopwatch watch;
+    IT::Stopwatch watch;
     Output_files files;
     finish(json, options, files, watch);
   });

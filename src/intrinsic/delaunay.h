@@ -23,6 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <Eigen/SparseCore>
 
@@ -96,7 +97,7 @@ Drawn_subdivision drawn_subdivision(const Loaded<Triangulation>& loaded, const O
 inline void write_mesh(std::ostream& out, const std::string& extension,
                        const IT::Common_subdivision& s, const std::vector<Point>& points,
                        std::span<const IT::Subdivision_field> fields, const Options& options) {
-  if (is_plain(options))
+  if (writes_plain_meshes(options))
     IT::write_plain_subdivision(out, extension, s, points, fields);
   else
     IT::write_common_subdivision(out, extension, s, points, fields);
@@ -132,7 +133,7 @@ void write_matrices(Triangulation& t, const Options& options, Output_files& file
 /// writes the common subdivision, what interpolates there, and the page that shows it.
 template <class Triangulation>
 void write_subdivision(const Loaded<Triangulation>& loaded, const Options& options, Json& json,
-                       Output_files& files, Progress& progress, Stopwatch& watch) {
+                       Output_files& files, Progress& progress, IT::Stopwatch& watch) {
   progress.show("subdividing");
   const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
   if constexpr (!Triangulation::Metric::is_exact)
@@ -162,7 +163,7 @@ void write_subdivision(const Loaded<Triangulation>& loaded, const Options& optio
 template <class Triangulation>
 void delaunay(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   Json json = improve_and_measure(loaded, options, progress, {});
-  Stopwatch watch;
+  IT::Stopwatch watch;
   Output_files files;
   if constexpr (Triangulation::has_correspondence)
     if (needs_subdivision(options))

@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_surface.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/count_elements.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -85,7 +86,7 @@ inline std::vector<Point> points_of_copies(std::vector<Point> points, const Cut&
 template <class Triangulation>
 Loaded<Triangulation> build(IT::Read_surface file, const Options& options,
                             const Cutter& cut_open = {}) {
-  Stopwatch watch;
+  IT::Stopwatch watch;
   if (cut_open.prepare) cut_open.prepare(file);
   Constraints constraints = constraints_of(file.input, options);
   std::vector<Point> points = file.input.points;
@@ -113,7 +114,7 @@ Loaded<Triangulation> build(IT::Read_surface file, const Options& options,
 template <class Triangulation>
 Loaded<Triangulation> load_mesh(const Options& options, Progress& progress,
                                 const Cutter& cut_open) {
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("reading");
   IT::Read_surface file = IT::read_surface(options.input, surface_of(options));
   const double seconds = watch.lap() - file.facts.seconds_of_reading; // of matching edges

@@ -58,7 +58,7 @@ bool is_mesh_output(const Options& options) {
   return is_file_of(Contents::subdivision, options.output);
 }
 
-bool is_plain(const Options& options) {
+bool writes_plain_meshes(const Options& options) {
   return options.is_plain || options.application.on == "input";
 }
 

@@ -161,7 +161,7 @@ std::vector<Output> outputs(const Options& options);
 bool is_standard_output(const std::string& path);
 /// tells whether meshes are written without labels, edges and colours: if that is asked for, and
 /// where results are on the mesh of the file, whose labels tell nothing.
-bool is_plain(const Options& options);
+bool writes_plain_meshes(const Options& options);
 /// tells whether the output is the common subdivision, not the intrinsic triangulation.
 bool is_mesh_output(const Options& options);
 /// tells whether distances are asked for in batches: of pairs, or from many sets of sources.

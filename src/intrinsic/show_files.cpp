@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/IO/curves/read_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <Eigen/Core>
 
@@ -63,17 +64,14 @@ Eigen::VectorXd column_of(const Number_table& table, std::size_t k, Eigen::Index
   return values;
 }
 
-IT::Subdivision_field at_vertices(const Eigen::VectorXd& values,
-                                  const IT::Interpolation_matrix& take) {
-  return {"",
-          are_classes(values) ? IT::nearest_values(take, values) : Eigen::VectorXd(take * values)};
-}
-
 // Values of faces of the mesh.
-IT::Subdivision_field on_faces(const Eigen::VectorXd& values, const IT::Common_subdivision& s) {
+IT::Subdivision_field on_faces(const std::string& name, const Eigen::VectorXd& values,
+                               const IT::Common_subdivision& s) {
   std::vector<double> there;
   for (const std::uint32_t f : s.input_face) there.push_back(values[static_cast<Eigen::Index>(f)]);
-  return {"", std::move(there), IT::Subdivision_field::Place::faces};
+  IT::Subdivision_field field(name, std::move(there), IT::Subdivision_field::Place::faces);
+  field.has_classes = are_classes(values);
+  return field;
 }
 
 // \param faces how many faces the mesh has
@@ -86,15 +84,13 @@ void add_values(const std::string& path, const Triangulation& t, std::size_t fac
   const std::size_t n = table.rows();
   const bool is_on_faces = n == faces && n != mine && n != rows;
   if (n != mine && !is_on_faces) table.expect_rows(rows, "vertices of " + options.input);
-  const IT::Interpolation_matrix take =
-      n == mine ? IT::interpolation_from_intrinsic(s) : IT::interpolation_from_input(s);
-  const std::string name = as_utf8(std::filesystem::path(path).stem().string());
+  const std::string stem = as_utf8(std::filesystem::path(path).stem().string());
   for (std::size_t k = 0; k < table.columns; ++k) {
-    const Eigen::VectorXd values =
-        column_of(table, k, is_on_faces ? static_cast<Eigen::Index>(n) : take.cols());
-    shown.fields.push_back(is_on_faces ? on_faces(values, s) : at_vertices(values, take));
-    shown.fields.back().name = table.columns == 1 ? name : name + "_" + std::to_string(k);
-    shown.fields.back().has_classes = are_classes(values);
+    const std::string name = table.columns == 1 ? stem : stem + "_" + std::to_string(k);
+    const Eigen::VectorXd values = column_of(table, k, static_cast<Eigen::Index>(n));
+    shown.fields.push_back(is_on_faces
+                               ? on_faces(name, values, s)
+                               : IT::interpolated_field(name, s, values, are_classes(values)));
   }
 }
 
@@ -133,7 +129,7 @@ void view(Loaded<Triangulation>& loaded, Options options, Progress& progress) {
   const bool is_temporary = options.view.empty();
   options.no_flip = true;
   Json json = improve_and_measure(loaded, options, progress, {});
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("subdividing");
   const auto [s, points, triangles] = drawn_subdivision(loaded, options, json);
   Shown shown;

@@ -7,6 +7,8 @@
 #include "support/Figures.h"
 #include "support/warnings.h"
 
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
+
 #include <cstddef>
 #include <iterator>
 #include <ostream>
@@ -100,7 +102,7 @@ Json with_short_lists(const Json& json, const Options& options, Output_files& fi
 
 } // namespace
 
-void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch) {
+void finish(Json& json, const Options& options, Output_files& files, IT::Stopwatch& watch) {
   json["seconds"]["write"] = watch.lap();
   json["peak_rss_mib"] = peak_rss_mib();
   const Json shown = with_short_lists(json, options, files);

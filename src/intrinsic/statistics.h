@@ -14,6 +14,7 @@
 
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <cstddef>
 
@@ -52,7 +53,7 @@ file for them, all records, commits the files, and prints the answer and what it
 \param files the files written so far
 \param watch started when writing began
 */
-void finish(Json& json, const Options& options, Output_files& files, Stopwatch& watch);
+void finish(Json& json, const Options& options, Output_files& files, IT::Stopwatch& watch);
 
 } // namespace program
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <Eigen/Core>
 
@@ -114,7 +115,7 @@ void transfer(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   if (from_input) table = read(t.input().number_of_rows(), "vertices of " + options.input);
   Json json = improve_and_measure(loaded, options, progress, {});
   if (!from_input) table = read(t.number_of_vertices(), "vertices of the intrinsic triangulation");
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("subdividing");
   IT::Common_subdivision s = subdivide(loaded, options, json);
   json["seconds"]["subdivide"] = watch.lap();

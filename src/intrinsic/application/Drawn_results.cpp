@@ -5,6 +5,7 @@
 #include "../support/Number_rows.h"
 #include "../view.h"
 
+#include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/subdivision/write_common_subdivision.h>
 
@@ -23,15 +24,11 @@ namespace program {
 namespace {
 
 // The first two functions.
-std::vector<std::array<double, 2>> drawn_texture(const Computed& computed,
-                                                 const IT::Interpolation_matrix& interpolation) {
-  std::vector<std::array<double, 2>> texture(static_cast<std::size_t>(interpolation.rows()));
-  for (std::size_t c = 0; c < 2; ++c) {
-    const Eigen::VectorXd places =
-        interpolation * computed.functions[c].values.head(interpolation.cols());
-    for (std::size_t v = 0; v < texture.size(); ++v)
-      texture[v][c] = places[static_cast<Eigen::Index>(v)];
-  }
+std::vector<std::array<double, 2>>
+drawn_texture(const std::vector<IT::Subdivision_field>& functions) {
+  std::vector<std::array<double, 2>> texture;
+  for (std::size_t v = 0; v < functions[0].values.size(); ++v)
+    texture.push_back({functions[0].values[v], functions[1].values[v]});
   return texture;
 }
 
@@ -78,13 +75,10 @@ void write_functions(std::ostream& out, const Computed& computed,
 Drawn_results draw(Drawn_subdivision drawn, const Computed& computed,
                    const IT::Interpolation_matrix& interpolation) {
   Drawn_results results{std::move(drawn), {}};
-  if (computed.is_map) results.texture = drawn_texture(computed, interpolation);
-  for (const Function& f : computed.functions) {
-    const Eigen::VectorXd values = f.values.head(interpolation.cols());
-    results.fields.push_back({f.name, f.has_classes ? IT::nearest_values(interpolation, values)
-                                                    : Eigen::VectorXd(interpolation * values)});
-    results.fields.back().has_classes = f.has_classes;
-  }
+  for (const Function& f : computed.functions)
+    results.fields.push_back(
+        IT::interpolated_field(f.name, interpolation, f.values, f.has_classes));
+  if (computed.is_map) results.texture = drawn_texture(results.fields);
   if (computed.displacements.size() == 0) return results;
   const Eigen::MatrixXd d = interpolation * computed.displacements.topRows(interpolation.cols());
   for (std::size_t v = 0; v < results.drawn.points.size(); ++v)
@@ -124,9 +118,7 @@ void write_laid_out(const Laid_out& laid_out, const Marks& marks, const Options&
     std::vector<IT::Subdivision_field> shown;
     for (const IT::Subdivision_field& field : opened.fields)
       if (field.is_function()) shown.push_back(field);
-    std::vector<std::array<double, 2>> texture;
-    for (std::size_t v = 0; v < opened.points.size(); ++v)
-      texture.push_back({shown[0].values[v], shown[1].values[v]});
+    const std::vector<std::array<double, 2>> texture = drawn_texture(shown);
     view.fields = shown;
     view.shown_field = shown.size(); // none
     view.texture = texture;

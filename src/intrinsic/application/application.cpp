@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <cstddef>
 #include <span>
@@ -98,7 +99,7 @@ void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
   Json json = improve_and_measure(loaded, about_source(options, asked, sources), progress, [&] {
     return insert_curves(loaded.triangulation, asked, options);
   });
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("solving");
   Computed computed = solved(loaded, options, solve, sources, progress);
   if (computed.marks.points.empty() && !sources.empty())

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_operators/vectors/Vectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
+#include <CGAL/Intrinsic_triangulations/formulas/is_torn.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,15 +99,12 @@ Computed transport(const Triangulation& t, const Options& options, const Points&
   return computed;
 }
 
-// Where a map is torn, or stretched more than this many times.
-constexpr double greatest_stretch = 3;
-
 struct Torn_map {
   std::size_t edges = 0;
   double radius = std::numeric_limits<double>::infinity(); // of a disk without them
 };
 
-// The cut locus crosses edges that are much longer in the map than on the surface.
+// The cut locus crosses edges that are torn.
 template <class Triangulation>
 Torn_map torn_map(const Triangulation& t, const Eigen::VectorXd& u, const Eigen::VectorXd& v) {
   Torn_map torn;
@@ -116,7 +114,7 @@ Torn_map torn_map(const Triangulation& t, const Eigen::VectorXd& u, const Eigen:
     const std::uint32_t i = t.input_vertex(source(h, t.mesh())),
                         j = t.input_vertex(target(h, t.mesh()));
     const double length = unit * std::sqrt(t.metric().approximate_squared_length(t.index(e)));
-    if (!(std::hypot(u[i] - u[j], v[i] - v[j]) > greatest_stretch * length)) continue;
+    if (!IT::is_torn({u[i], v[i]}, {u[j], v[j]}, length)) continue;
     ++torn.edges;
     torn.radius = std::min({torn.radius, std::hypot(u[i], v[i]), std::hypot(u[j], v[j])});
   }

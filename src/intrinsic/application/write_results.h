@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <Eigen/Core>
 
@@ -145,7 +146,7 @@ std::vector<std::vector<Point>> axes_in_space(const Loaded<Triangulation>& loade
 template <class Triangulation>
 void write_on_surface(const Loaded<Triangulation>& loaded, const Loaded<Triangulation>& surface,
                       const Computed& computed, const Options& options, Json& json,
-                      Output_files& files, Progress& progress, Stopwatch& watch) {
+                      Output_files& files, Progress& progress, IT::Stopwatch& watch) {
   Json unread;
   const bool is_on_input = &surface != &loaded;
   Drawn_subdivision drawn = drawn_subdivision(surface, options, is_on_input ? unread : json);
@@ -219,7 +220,7 @@ void write_lines(const Loaded<Triangulation>& loaded, const Computed& computed,
 template <class Triangulation>
 void write_results(const Loaded<Triangulation>& loaded, const Computed& computed,
                    const Options& options, Json& json, Output_files& files, Progress& progress,
-                   Stopwatch& watch) {
+                   IT::Stopwatch& watch) {
   const bool is_on_input = options.application.on == "input" || computed.is_of_input;
   if (computed.laid_out) {
     expect_points(loaded, options);

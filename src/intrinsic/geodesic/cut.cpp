@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,7 +70,7 @@ auto isoline_labels(Loaded<Triangulation>& loaded, const Options& options, Json&
 // Cuts as options say.
 template <class Triangulation>
 IT::Cut_surface cut_surface(Loaded<Triangulation>& loaded, const Options& options, Json& json,
-                            Progress& progress, Stopwatch& watch) {
+                            Progress& progress, IT::Stopwatch& watch) {
   Triangulation& t = loaded.triangulation;
   const auto cut_along = [&](const auto& curves) {
     json["seconds"]["curves"] = watch.lap();
@@ -127,7 +128,7 @@ void cut(Loaded<Triangulation>& loaded, const Options& options, Progress& progre
   naming_file(options.input, [&] { IT::expect_one_sheet(t.input()); });
   expect_points(loaded, options);
   Json json = loaded_json(loaded, options);
-  Stopwatch watch;
+  IT::Stopwatch watch;
   const IT::Cut_surface s = cut_surface(loaded, options, json, progress, watch);
   const std::vector<Point> points = IT::positions(s, input_points(loaded), t.input());
   json["cut"] = cut_json(s, points);

@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -44,7 +45,7 @@ public:
 private:
   Json& json_;
   Progress& progress_;
-  Stopwatch watch_;
+  IT::Stopwatch watch_;
   const char* timed_ = "paths";
 };
 
@@ -110,7 +111,7 @@ template <class Triangulation>
 void write_curves_on_subdivision(const Loaded<Triangulation>& loaded,
                                  const IT::Curves_along_edges<Triangulation>& found,
                                  const Options& options, Json& json, Output_files& files,
-                                 Progress& progress, Stopwatch& watch) {
+                                 Progress& progress, IT::Stopwatch& watch) {
   progress.show("subdividing");
   const Drawn_subdivision drawn = drawn_subdivision(loaded, options, json);
   json["seconds"]["subdivide"] = watch.lap();
@@ -150,7 +151,7 @@ void geodesic(Loaded<Triangulation>& loaded, const Options& options, Progress& p
     json = loaded_json(loaded, options);
     shorten(json);
   }
-  Stopwatch watch;
+  IT::Stopwatch watch;
   Output_files files;
   if (options.geodesic.writes_subdivision || !options.view.empty())
     write_curves_on_subdivision(loaded, found, options, json, files, progress, watch);

@@ -4,7 +4,6 @@
 #ifndef INTRINSIC_STUDY_MEASURE_H
 #define INTRINSIC_STUDY_MEASURE_H
 
-#include "../support/progress.h"
 #include "Compared_metric.h"
 #include "Cycle_counter.h"
 #include "results.h"
@@ -13,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/certify_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ struct Timed_flips {
 template <class Triangulation>
 Timed_flips<Triangulation> timed_flips(const IT::Intrinsic_input& input) {
   IT::Intrinsic_input copy = input;
-  Stopwatch watch;
+  IT::Stopwatch watch;
   Timed_flips<Triangulation> run{Triangulation(std::move(copy)), {}, 0, 0};
   run.build = watch.lap();
   run.result = IT::flip_to_delaunay(run.triangulation);

@@ -9,21 +9,6 @@
 
 namespace program {
 
-/// measures wall clock time.
-class Stopwatch {
-public:
-  /// returns the seconds since construction or the last call.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
-    return seconds;
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// returns the current stage; a signal handler may call it.
 const char* current_stage();
 

@@ -75,7 +75,8 @@ private:
   // Bound for rounding of angles, and of parts of a line, at its ends: the root of 2^-52, which is
   // the error of angles near 0 and pi that are found from lengths.
   static constexpr double rounding = 0x1p-26;
-  // The part of a line by which it may miss its target.
+  // The part of a line by which it may miss its target. Of 4,600 random polylines on the data set,
+  // also stretched by 100, 97 fail in exact arithmetic, with 2^-10 96, with 2^-26 112, with 0 378.
   static constexpr double nearness = 0x1p-16;
   // The same at its end. Rounding in larger faces that are thin has moved its ends by 2^-12 of it.
   static constexpr double nearness_at_end = 0x1p-10;

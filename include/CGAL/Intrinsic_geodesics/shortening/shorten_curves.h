@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_geodesics/shortening/Curve_shortener.h>
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/segments/Segment_flipper.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <cmath>
@@ -42,7 +43,7 @@ struct Any_shortening_visitor {
 template <class Triangulation>
 std::uint64_t default_cap(const Triangulation& t) {
   return Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
-                                         : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())};
+                                         : flip_cap(num_edges(t.mesh()));
 }
 
 template <class Triangulation, class NamedParameters>

@@ -99,7 +99,8 @@ class Geodesic_tree_builder {
   using Session = typename Triangulation::Session;
   using View = Intrinsic_view<Triangulation>;
   static constexpr std::uint32_t none = Gluing::none;
-  static constexpr unsigned most_futile = 100; // ways to a vertex that are not shorter
+  // Ways to a vertex that are not shorter. With five, trees of the data set are the same.
+  static constexpr unsigned most_futile = 100;
 
 public:
   Geodesic_tree_builder(const Triangulation& t, Session& session)

@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -197,7 +198,7 @@ private:
     // of equilateral faces, two per vertex
     const double vertices = stored_area(t_) * t_.input().names().sheets / length / length /
                             (std::sqrt(3.) / 2),
-                 cap = 1e6 + 10 * static_cast<double>(num_faces(t_.mesh()));
+                 cap = static_cast<double>(insertion_cap(num_faces(t_.mesh())));
     if (vertices <= cap) return;
     std::ostringstream message;
     message << "edges of the length " << length << " need more than "

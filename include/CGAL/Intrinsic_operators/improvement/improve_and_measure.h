@@ -162,7 +162,7 @@ template <RefinableTriangulation Triangulation>
 void measure_improved(Triangulation& t, const std::vector<std::array<double, 3>>& points,
                       const Marked_edges<Triangulation, std::uint32_t>& constrained,
                       bool are_lengths_changed, Improved_surface& improved) {
-  internal::Stopwatch watch;
+  Stopwatch watch;
   // the metric does not know coordinates of inserted vertices
   const bool has_points = num_vertices(t.mesh()) == t.input().number_of_vertices();
   improved.measured =

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_OPERATORS_SUBDIVISION_MATRICES_H
 
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
@@ -190,6 +191,25 @@ Interpolation_matrix interpolation_from_intrinsic(const Common_subdivision& s);
 /// vertex with the largest weight, the first of several. \param interpolation see above
 Eigen::VectorXd nearest_values(const Interpolation_matrix& interpolation,
                                const Eigen::VectorXd& values);
+
+/*!
+\brief takes numbers at vertices to a field of the common subdivision: linearly or, if they name
+classes, by `nearest_values()`.
+\param name the name of the field
+\param interpolation from the vertices of the input, or of the intrinsic triangulation
+\param values a number for each column of the matrix; it does not read further ones
+\param has_classes whether the numbers name classes
+*/
+Subdivision_field interpolated_field(std::string name, const Interpolation_matrix& interpolation,
+                                     const Eigen::VectorXd& values, bool has_classes = false);
+
+/*!
+\brief does the same with the matrix that fits the number of values.
+\param values a number for each vertex of the intrinsic triangulation, or of the input
+\throws std::invalid_argument if there are as many values as neither has vertices
+*/
+Subdivision_field interpolated_field(std::string name, const Common_subdivision& s,
+                                     const Eigen::VectorXd& values, bool has_classes = false);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -73,7 +73,7 @@ Map_certificate complete_certificate(const Triangulation& t, const Eigen::Matrix
   return certify_map(faces, numbers, borders, uv);
 }
 
-// Keeps as many bad faces as a certificate lists.
+// Keeps as many bad faces as a certificate lists: a screen or two of them.
 inline Map_certificate shortened(Map_certificate c) {
   if (c.bad_faces.size() > 100) c.bad_faces.resize(100);
   return c;

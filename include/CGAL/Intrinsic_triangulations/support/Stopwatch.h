@@ -6,12 +6,12 @@
 
 #include <chrono>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
-// Measures wall clock time.
+/// measures wall clock time.
 class Stopwatch {
 public:
-  // The seconds since construction or the last call.
+  /// returns the seconds since construction or the last call.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
@@ -23,6 +23,6 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_STOPWATCH_H

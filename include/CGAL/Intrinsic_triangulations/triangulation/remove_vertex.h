@@ -222,7 +222,8 @@ private:
     }
   }
 
-  // relative area that a face with a straight angle has by rounding after many moves
+  // Relative area that a face with a straight angle has by rounding after many moves: areas are
+  // roots, and that of 2^-52 is 1.5e-8.
   static constexpr double straight_tolerance = 1e-7;
   // Area by squared side of a face that may be such a one. If it is none, `straight_edge()` finds
   // no straight angle, and only time is lost.

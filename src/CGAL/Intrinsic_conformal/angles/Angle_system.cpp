@@ -104,16 +104,11 @@ bool Angle_system::has_same_pattern(const Eigen::SparseMatrix<double>& m) const 
          std::equal(m.innerIndexPtr(), m.innerIndexPtr() + m.nonZeros(), last_.innerIndexPtr());
 }
 
-// A few flips leave an order of elimination nearly as good as it was. But for rounding, orders only
-// differ in time.
+// Flips leave an order of elimination nearly as good as it was: on the data set a new one wherever
+// the factor grows saves no time. But for rounding, orders only differ in time.
 void Angle_system::analyze(const Eigen::SparseMatrix<double>& m) {
-  constexpr double more = 1.2; // entries of the factor than when the order was found
-  if (analysis_) {
-    analysis_ = std::make_shared<const Symbolic_factorization>(m, analysis_->row);
-    if (analysis_->column_begin.back() <= more * factor_entries_) return;
-  }
-  analysis_ = std::make_shared<const Symbolic_factorization>(m);
-  factor_entries_ = analysis_->column_begin.back();
+  analysis_ = analysis_ ? std::make_shared<const Symbolic_factorization>(m, analysis_->row)
+                        : std::make_shared<const Symbolic_factorization>(m);
 }
 
 void Angle_system::factor() {

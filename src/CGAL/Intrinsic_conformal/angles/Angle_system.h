@@ -68,7 +68,6 @@ private:
   std::vector<Weighted_edge> edges_; // by their numbers
   Eigen::SparseMatrix<double> last_; // whose analysis we have
   Shared_analysis analysis_;
-  double factor_entries_ = 0;                     // when the order of elimination was found
   std::optional<Laplacian_factorization> factor_; // of the faces, once it was needed
 };
 

@@ -19,6 +19,7 @@ bool are_in_range(std::span<const Double_double> factors) {
     least = std::min(least, std::ilogb(w));
     most = std::max(most, std::ilogb(w));
   }
+  // four factors, each at most 2^240 times or a part of the middle of this range
   return factors.empty() || most - least <= 480;
 }
 

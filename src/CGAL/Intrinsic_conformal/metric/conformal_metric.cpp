@@ -18,7 +18,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr double longest_step = 8; // larger changes of u make needles of good triangles
+// Larger changes of u make needles of good triangles. On meshes of the data set that are stretched
+// by 100, steps without a bound take 2.7 times as long, and steps up to 2 take 1.5 times as long;
+// both leave one of 100 metrics unsolved.
+constexpr double longest_step = 8;
 
 // The factors exp(u/2) at rows. Doubles have too few digits: beside a needle of 1e-9 of the edges
 // around it, a unit in the last place changes angles by 1e-7.
@@ -79,8 +82,9 @@ private:
   bool is_rounding() const;
   // Takes steps until the status of the result is known.
   void iterate(Conformal_metric& result);
-  // Takes up to `most` whole steps while the residual is above a bound, and keeps the best place.
-  void polish(Conformal_metric& result, double bound, unsigned most);
+  // Takes one more step, unless the residual is rounding. Layouts need more than the tolerance, and
+  // a step nearly squares the residual.
+  void polish(Conformal_metric& result);
   // Goes where the lambda lengths at a vertex have the mean of all: where they differ by many
   // powers of ten, triangles are needles whose angles are lost in rounding.
   void balance();
@@ -178,7 +182,8 @@ void Conformal_newton::match_areas() {
 // of what it is at the start: at the minimum rounding decides on its sign. The norm of the excess
 // must not rise either, but by some slack for rounding: Newton's direction makes it fall at first,
 // and where it rises, a vertex gets dozens of needles from all over the surface, with an excess of
-// hundreds of radians that later steps hardly reduce.
+// hundreds of radians that later steps hardly reduce. Of the 100 metrics above, a slack of 1 leaves
+// one unsolved, and none at all leaves two.
 double Conformal_newton::step() {
   // a shorter part of the longest step, 8, changes u by 1e-8: no step from there converges
   constexpr double shortest = 0x1p-30, slack = 1.05;
@@ -207,6 +212,8 @@ double Conformal_newton::step() {
 }
 
 void Conformal_newton::balance() {
+  // Two are enough in a test, for factors over twenty powers of ten. No metric of the data set
+  // needs any, so that more of them take no time.
   constexpr int sweeps = 30;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     std::vector<double> sum(factors_.size(), 0), count(factors_.size(), 0);
@@ -267,19 +274,14 @@ void Conformal_newton::iterate(Conformal_metric& result) {
   if (result.residual <= options_.tolerance) result.status = Status::done;
 }
 
-void Conformal_newton::polish(Conformal_metric& result, double bound, unsigned most) {
-  Factors best = factors_;
-  double last = result.residual; // of where the surface is now
-  for (unsigned n = 0; n < most && result.residual > bound && change(system_->solve(excess_));
-       ++n) {
-    ++result.iterations;
-    last = residual(excess_);
-    if (last >= result.residual) continue;
-    result.residual = last;
-    best = factors_;
-  }
-  if (last > result.residual) go_to(best);
-  if (result.residual <= options_.tolerance) result.status = Status::done;
+void Conformal_newton::polish(Conformal_metric& result) {
+  const Factors before = factors_;
+  if (result.residual <= options_.tolerance * 0x1p-10 || !change(system_->solve(excess_))) return;
+  ++result.iterations;
+  if (const double now = residual(excess_); now < result.residual)
+    result.residual = now;
+  else
+    go_to(before);
 }
 
 Conformal_metric Conformal_newton::solve() {
@@ -295,10 +297,7 @@ Conformal_metric Conformal_newton::solve() {
       result.residual = before;
     }
   }
-  // among rounding a step may be better or worse: the best of so many counts
-  if (result.status == Status::stalled && is_rounding()) polish(result, options_.tolerance, 16);
-  // Layouts need more than the tolerance, and one step nearly squares the residual.
-  if (result.status == Status::done) polish(result, options_.tolerance * 0x1p-10, 1);
+  if (result.status == Status::done) polish(result);
   result.flips = flips_;
   for (const Double_double& w : factors_) {
     result.u.push_back(logarithmic_scale(w));

@@ -92,6 +92,7 @@ std::vector<Weighted_site> sites_near(const std::vector<Weighted_site>& sites,
   for (const Part_corner& c : part) middle = middle + share * c.point;
   double radius = 0;
   for (const Part_corner& c : part) radius = std::max(radius, length(c.point - middle));
+  // by the triangle inequality, and a little for rounding
   const double most = least_distance(sites, middle) + 2.001 * radius;
   std::vector<Weighted_site> result;
   for (const Weighted_site& s : sites) {
@@ -137,7 +138,7 @@ void Face_divider::divide(std::uint32_t face, const Face_part& whole) {
   const double size = std::max({shape.base.length, shape.right.length, shape.left.length});
   constexpr double rounding = 1e-9; // no line is more certain, relative to the face
   tolerance_ = std::max(given_tolerance_, rounding * size);
-  shortest_ = 1e-3 * tolerance_;
+  shortest_ = 1e-3 * tolerance_; // of pieces of lines: far below what is asked for
   parts_ = 0;
   axis_ = longest_side(shape);
   is_flat_ = !(shape.apex.y > rounding * size);
@@ -164,6 +165,7 @@ void Face_divider::divide(const Face_part& part, const Sites& all, std::vector<P
   if (is_last && changes.size() != 2) return meet(part, changes);
   const Sites sites = sites_near(all, part);
   std::vector<Line> lines;
+  // the middle; other lines if that one passes through a corner, or along a side
   for (const double t : {0.5, 0.45, 0.6, 0.3}) lines.push_back({box.middle(t), box.direction()});
   if (!sources.empty()) {
     lines.insert(lines.begin(), {sources.back(), box.direction()});

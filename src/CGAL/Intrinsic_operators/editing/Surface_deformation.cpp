@@ -204,6 +204,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
 // By handles if that is faster; also if the matrix is not definite and memory suffices.
 void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
                                             const Eigen::VectorXd& mass) {
+  // Both ways take as long for 64 handles on 2,800 and on 10,000 vertices, for 128 on 38,000; 2000
+  // handles take 8 seconds on 10,000 vertices, 28 on 38,000.
   constexpr std::size_t few = 64, many = 2000;
   constexpr std::size_t numbers = 100000000; // by handles and rows: 800 MB
   std::vector<std::uint32_t> beside = internal::rows_beside_free_ones(laplacian, rows_);

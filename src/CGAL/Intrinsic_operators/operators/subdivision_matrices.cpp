@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.h>
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
+#include <CGAL/Intrinsic_triangulations/IO/subdivision/Subdivision_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <Eigen/Core>
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -71,6 +73,28 @@ Eigen::VectorXd nearest_values(const Interpolation_matrix& interpolation,
       }
   }
   return result;
+}
+
+Subdivision_field interpolated_field(std::string name, const Interpolation_matrix& interpolation,
+                                     const Eigen::VectorXd& values, bool has_classes) {
+  const Eigen::VectorXd known = values.head(interpolation.cols());
+  Subdivision_field field(std::move(name), has_classes ? nearest_values(interpolation, known)
+                                                       : Eigen::VectorXd(interpolation * known));
+  field.has_classes = has_classes;
+  return field;
+}
+
+Subdivision_field interpolated_field(std::string name, const Common_subdivision& s,
+                                     const Eigen::VectorXd& values, bool has_classes) {
+  const bool is_intrinsic = values.size() == s.number_of_intrinsic_vertices;
+  if (!is_intrinsic && values.size() != s.number_of_input_vertices)
+    throw std::invalid_argument(
+        name + " has " + std::to_string(values.size()) + " numbers; give one for each of " +
+        std::to_string(s.number_of_intrinsic_vertices) + " vertices of the triangulation, or " +
+        std::to_string(s.number_of_input_vertices) + " of the mesh");
+  return interpolated_field(
+      std::move(name), is_intrinsic ? interpolation_from_intrinsic(s) : interpolation_from_input(s),
+      values, has_classes);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -140,6 +140,7 @@ static Border_map borders_beside_each_other(const std::vector<Disk_border>& bord
   std::vector<std::uint32_t> component;
   for (std::uint32_t i = 0; i < borders.size(); ++i) {
     const Disk_border& b = borders[i];
+    // smaller ones would be less than a pixel on a screen
     const double part = std::sqrt(b.area / largest), radius = part >= 1e-3 ? part : 1e-3;
     map.positions.middleRows(static_cast<Eigen::Index>(component.size()),
                              static_cast<Eigen::Index>(b.rows.size())) =

@@ -41,7 +41,7 @@ public:
   // \param a compressed, both triangles of it
   Multifrontal_cholesky(const Eigen::SparseMatrix<Scalar>& a, const Shared_analysis& analysis)
       : factor_(analysis) {
-    Multifrontal_elimination(*analysis, Hermitian_arithmetic(factor_, a)).eliminate();
+    Multifrontal_elimination(*analysis, Self_adjoint_arithmetic(factor_, a)).eliminate();
   }
 
   Vectors solve(const Vectors& b) const override { return factor_.solve(b); }

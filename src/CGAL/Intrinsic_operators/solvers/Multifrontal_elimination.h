@@ -84,7 +84,7 @@ private:
 // The same for a symmetric or Hermitian matrix, with its diagonal as it is. Packs are numbers;
 // complex ones are pairs of doubles.
 template <class Number>
-class Hermitian_arithmetic {
+class Self_adjoint_arithmetic {
 public:
   static constexpr int parts = sizeof(Number) / sizeof(double);
   using Pack = Eigen::Array<double, parts, 1>;
@@ -96,7 +96,7 @@ public:
   using Multiple = std::conditional_t<parts == 1, double, Complex_multiple>;
   using Factor = Multifrontal_factor<Number>;
 
-  Hermitian_arithmetic(Factor& factor, const Eigen::SparseMatrix<Number>& matrix)
+  Self_adjoint_arithmetic(Factor& factor, const Eigen::SparseMatrix<Number>& matrix)
       : factor_(factor), matrix_(matrix), diagonal_(matrix.diagonal().real()) {}
 
   Pack diagonal(int row) const { return real(diagonal_[row]); }

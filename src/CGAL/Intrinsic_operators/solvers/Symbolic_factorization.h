@@ -197,8 +197,11 @@ inline void Symbolic_factorization::begin_supernode(int column) {
 
 // Supernodes above subtrees of some work come after both halves.
 inline void Symbolic_factorization::find_parts() {
-  // The lesser half gets the next subtree: they differ at most by the greatest share.
-  constexpr double worth_a_thread = 1e6, greatest_share = 0.2;
+  // A unit takes a nanosecond: starting a thread, which takes 18 microseconds, is 2 % of this work.
+  constexpr double worth_a_thread = 1e6;
+  // The lesser half gets the next subtree: they differ at most by this share. Counted in operations
+  // two threads are 1.5 times as fast on the data set, with 0.1 1.4 times, with 0.4 1.55 times.
+  constexpr double greatest_share = 0.2;
   std::vector<double> work(row_number(supernodes()), 0); // of the subtree
   double all = 0;
   for (int s = 0; s < supernodes(); ++s) {

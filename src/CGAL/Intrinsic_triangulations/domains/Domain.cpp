@@ -209,7 +209,7 @@ std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
   std::vector<double> result;
   result.reserve(edges.number_of_edges());
   for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
-    const double known = length(edges[e][0]);
+    const double known = length(edges[e][0]); // up to the rounding of ten digits in a file
     for (const Edge_side& s : edges[e])
       if (const double l = length(s); std::abs(l - known) > 1e-9 * std::max(l, known))
         throw Invalid_input(Element_kind::face, s.halfedge / 3,

@@ -111,6 +111,7 @@ std::vector<std::uint32_t> Double_cover::order_umbrellas(const std::vector<std::
   }
   std::vector<std::array<std::int64_t, 2>> steps;
   steps.reserve(sums.size());
+  // with 30 binary places, so that rounding decides on no order
   for (const Corner& c : sums)
     steps.push_back({-std::llround(std::ldexp(c.angle, 30)),
                      c.opposite > 0 ? -std::llround(std::ldexp(std::log2(c.opposite), 30)) : 0});

@@ -73,7 +73,7 @@ Built_surface<Triangulation> stored_surface(Triangulation stored) {
 */
 template <NumberedTriangulation Triangulation>
 Built_surface<Triangulation> read_stored_surface(const std::string& path) {
-  internal::Stopwatch watch;
+  Stopwatch watch;
   auto t = read_intrinsic_triangulation<Triangulation>(std::filesystem::path(path));
   const double seconds = watch.lap();
   Built_surface<Triangulation> built = stored_surface(std::move(t));

@@ -78,7 +78,7 @@ void count_elements_of(Built_surface<Triangulation>& built) {
 template <NumberedTriangulation Triangulation>
 Built_surface<Triangulation> build_surface(Read_surface surface,
                                            std::vector<std::array<double, 3>> points = {}) {
-  internal::Stopwatch watch;
+  Stopwatch watch;
   if (points.empty()) points = surface.input.points;
   if (!points.empty()) {
     internal::expect_point_per_vertex(points.size(), surface.input.mesh.number_of_vertices());

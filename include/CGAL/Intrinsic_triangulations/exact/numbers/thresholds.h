@@ -30,10 +30,6 @@ struct thresholds {
   /// Cost of a proof that is not counted: two milliseconds.
   static constexpr double few_image_steps = 0x1p12;
 
-  /// Number of roots whose signs are changed where there are too many for a proof that a value is
-  /// zero: one image that is not proves the contrary.
-  static constexpr std::size_t signs_without_proof = 4;
-
   /*!
   \brief Maximal cost of products in a proof by coefficients, for repeated flips: the sum of
   products of lengths of coefficients, in words.

@@ -149,6 +149,8 @@ public:
   }
 
 private:
+  // Weight up to which a point is taken to be on a side: far above rounding. With 2^-50 and with
+  // 2^-4 tufted covers of the data set are refined alike.
   static constexpr double nearness = 0x1p-20;
   // an edge and the parameter along its even halfedge
   using Place_on_edge = std::pair<std::uint32_t, double>;

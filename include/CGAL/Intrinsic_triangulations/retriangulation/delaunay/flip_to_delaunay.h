@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -212,7 +213,7 @@ Flip_to_delaunay_result flip_to_delaunay(Triangulation& t, const EdgeRange& edge
       "function progress()");
   const std::uint64_t cap = internal::value_or<maximum_number>(
       np, Triangulation::Metric::is_exact ? std::numeric_limits<std::uint64_t>::max()
-                                          : 1000000 + 100 * std::uint64_t{num_edges(t.mesh())});
+                                          : internal::flip_cap(num_edges(t.mesh())));
   return internal::flip_from(
       t, edges, constrained,
       [&observed](const Flip_to_delaunay_result& r) { return bool(observed.progress(r)); }, cap);

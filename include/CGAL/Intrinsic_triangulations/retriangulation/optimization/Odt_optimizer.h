@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_result.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -103,7 +104,7 @@ public:
         number_of_iterations_(value_or<tags::number_of_iterations>(np, 100U)),
         convergence_(value_or<tags::convergence>(np, 1e-3)),
         cap_(value_or<tags::maximum_insertions>(np, std::optional<std::uint64_t>())
-                 .value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
+                 .value_or(insertion_cap(num_faces(t.mesh())))) {
     const double length =
         value_or<tags::maximum_edge_length>(np, std::numeric_limits<double>::infinity());
     if (!(length > 0)) throw std::invalid_argument("the largest length of edges must be positive");
@@ -146,7 +147,8 @@ public:
   // ---- observer of the flipper
   bool before_check() { return true; }
   bool before_flip() {
-    if (Triangulation::Metric::is_exact || result_.flips < flip_cap()) return true;
+    const std::uint64_t cap = flip_cap(num_edges(mesh_) + result_.splits + result_.moves);
+    if (Triangulation::Metric::is_exact || result_.flips < cap) return true;
     is_going_on_ = false;
     return false;
   }
@@ -162,11 +164,6 @@ private:
   void set_whole(std::uint32_t e, std::uint32_t whole) {
     if (e >= whole_.size()) whole_.resize(e + std::size_t{1}, Gluing::none);
     whole_[e] = whole;
-  }
-
-  // with inexact numbers, rounding may make flips go round
-  std::uint64_t flip_cap() const {
-    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + result_.splits + result_.moves);
   }
 
   bool may_go_on() {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -40,7 +41,7 @@ public:
       angle += angle_at_source(complex, h);
       h = next_around_source(complex, h);
     } while (h != first);
-    return std::abs(angle - full_angle) < angle_tolerance;
+    return std::abs(angle - 2 * std::numbers::pi) < angle_tolerance;
   }
 
   /// The halfedges from the vertex, counterclockwise.
@@ -63,8 +64,8 @@ public:
   std::optional<Surface_point> locate(const Plane_vector<double>& p) const;
 
 private:
-  static constexpr double full_angle = 6.283185307179586476925;
-  // Angles are accurate to a few units in the last place for each face, unless it is a needle.
+  // Angles are accurate to a few units in the last place for each face, unless it is a needle: this
+  // is 10^9 times as much, and less than any cone that users make.
   static constexpr double angle_tolerance = 1e-6;
   // Weights below are zero, as those of circumcenters (`on_edge`): far above rounding, and far
   // below the least step.

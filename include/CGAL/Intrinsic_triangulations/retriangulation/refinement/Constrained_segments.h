@@ -231,6 +231,7 @@ private:
     return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
   }
 
+  // Segments at smaller angles need shells (Ruppert 1995): splits of one encroach upon the other.
   static constexpr double limit = std::numbers::pi / 3;
   // Relative difference of distances taken for rounding. They are powers of two: others differ by a
   // half.

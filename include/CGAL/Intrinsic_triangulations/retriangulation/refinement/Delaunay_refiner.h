@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -65,8 +66,7 @@ public:
         test_(asked.minimum_angle, asked.maximum_circumradius, asked.maximum_edge_length,
               t.metric().scale_exponent()),
         visitor_(visitor), order_(asked.order),
-        cap_(asked.maximum_insertions.value_or(1000000 + 10 * std::uint64_t{num_faces(t.mesh())})) {
-  }
+        cap_(asked.maximum_insertions.value_or(insertion_cap(num_faces(t.mesh())))) {}
 
   /// refines; `is_kept` says which edges, by number, are constrained; empty: none.
   Result run(const std::vector<char>& is_kept) {

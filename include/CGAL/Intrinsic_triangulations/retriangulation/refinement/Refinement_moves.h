@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_state.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/dijkstra_ball.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/caps.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -167,7 +168,9 @@ private:
   };
 
   bool before_flip() {
-    return Triangulation::Metric::is_exact || state_.result.counts.flips < flip_cap() ||
+    return Triangulation::Metric::is_exact ||
+           state_.result.counts.flips <
+               flip_cap(num_edges(mesh_) + state_.result.counts.circumcenters) ||
            state_.stop(Status::cap);
   }
   bool is_constrained(Halfedge h) {
@@ -185,11 +188,6 @@ private:
   Halfedge descriptor(std::uint32_t h) const { return t_.numbers().halfedge_at(h); }
   bool is_border(Halfedge h) const { return face(h, mesh_) == Traits::null_face(); }
   bool is_segment(Halfedge h) const { return segments_.is_segment(number(h) / 2); }
-
-  // with inexact numbers, rounding may make flips go round
-  std::uint64_t flip_cap() const {
-    return 1000000 + 100 * (std::uint64_t{num_edges(mesh_)} + state_.result.counts.circumcenters);
-  }
 
   void touch(Face f) { state_.touched.push_back(f); }
   bool is_on_segment(const Surface_point& p) const {

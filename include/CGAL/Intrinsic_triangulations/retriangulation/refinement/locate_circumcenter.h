@@ -56,7 +56,8 @@ namespace internal {
 // Relative distance from an edge within which a point is moved onto it: else it would make a face
 // of height 2^-30, which takes more bits to decide, and could meet no bound on angles.
 inline constexpr double on_edge = 0x1p-30;
-// A walk is this many faces long at most; those to circumcenters cross few.
+// A walk is this many faces long at most; those to circumcenters cross few: 30 are enough on 85
+// meshes of the data set.
 inline constexpr std::size_t longest_walk = 10000;
 
 template <class Is_segment>

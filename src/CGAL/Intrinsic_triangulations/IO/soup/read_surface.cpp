@@ -85,7 +85,7 @@ Read_surface read_surface(const std::string& path, const Surface_options& option
   const File_faces faces = options.is_points                        ? File_faces::ignored
                            : options.kind == Domain_kind::automatic ? File_faces::optional
                                                                     : File_faces::needed;
-  internal::Stopwatch watch;
+  Stopwatch watch;
   Triangle_soup soup = read_triangle_soup(path, options.polygons, faces);
   const double seconds = watch.lap();
   try {

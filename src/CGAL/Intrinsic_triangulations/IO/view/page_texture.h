@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.h>
+#include <CGAL/Intrinsic_triangulations/formulas/is_torn.h>
 
 #include <algorithm>
 #include <array>
@@ -54,26 +55,19 @@ private:
   double size_;
 };
 
-/*
-The radius within which a logarithm is a map: no edge is torn, that is, stretched more than three
-times. It is torn where shortest paths from the point arrive on both sides. Places at crossings of
-edges are means of those at the ends, and tell nothing.
-*/
+// The radius within which a logarithm is a map: no edge is torn. Places at crossings of edges are
+// means of those at the ends, and tell nothing.
 inline double radius_of_logarithm(const Common_subdivision& s,
                                   std::span<const std::array<double, 3>> points,
                                   std::span<const std::array<double, 2>> places) {
-  constexpr double greatest_stretch = 3;
   double radius = 0, least_torn = std::numeric_limits<double>::infinity();
   for (const auto& [u, v] : places)
     if (std::isfinite(u) && std::isfinite(v)) radius = std::max(radius, std::hypot(u, v));
   for_each_subdivision_edge(
       s, [&](std::uint32_t a, std::uint32_t b, const Common_subdivision::Side&) {
-        const auto& [ux, uy] = places[a];
-        const auto& [vx, vy] = places[b];
         const double length = std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1],
                                          points[a][2] - points[b][2]);
-        // places that are not known, which are no numbers, tear nothing
-        if (!(std::hypot(ux - vx, uy - vy) > greatest_stretch * length)) return;
+        if (!is_torn(places[a], places[b], length)) return;
         for (const std::uint32_t v : {a, b})
           if (const double d = std::hypot(places[v][0], places[v][1]);
               v < s.vertices.size() && d < least_torn)

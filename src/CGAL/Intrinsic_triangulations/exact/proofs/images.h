@@ -55,8 +55,8 @@ Answer decide_by_images(const Square_class_basis& basis, double bits, Value& val
   const double cost = std::ldexp(fields, static_cast<int>(k)) * (value.steps() + 3);
   const bool is_proof = cost <= thresholds::few_image_steps ||
                         (cost <= thresholds::image_steps && cost <= steps_left);
-  const std::uint64_t signs = std::uint64_t(1)
-                              << std::min(k, is_proof ? k : thresholds::signs_without_proof);
+  // Without a proof one image in four fields is enough: if v is not zero, it tells (`Residues`).
+  const std::uint64_t signs = std::uint64_t(1) << (is_proof ? k : 0);
   double good = 0;
   for (std::size_t n = 0; good < (is_proof ? fields : 1.0); ++n) {
     if (static_cast<double>(n) > 2 * good + 16) return Answer::open;

@@ -96,6 +96,7 @@ bool Nearest_angles::eliminate(bool is_newton) {
     const double x = lengths_[i] * std::cos(directions_[i]),
                  y = lengths_[i] * std::sin(directions_[i]);
     const double w = is_newton ? -multiplier_[0] * x - multiplier_[1] * y : 0;
+    // no minimum, or so flat that half of the digits are lost
     const double pivot = 2 + w + upper_[i - 1];
     if (!(pivot > 1e-8)) return false;
     const double gradient = change(i) - change((i + 1) % n);
@@ -120,6 +121,7 @@ bool Nearest_angles::find_step(bool is_newton) {
       for (std::size_t j = 0; j < 2; ++j) m[k][j] += row[k] * columns_[i][j + 1];
     }
   }
+  // the squared distance of the sides from one line, relative to their squared length
   const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
   if (!(determinant > 1e-20 * (m[0][0] + m[1][1]) * (m[0][0] + m[1][1]))) return false;
   multiplier_ = {(rhs[0] * m[1][1] - rhs[1] * m[0][1]) / determinant,
@@ -137,6 +139,7 @@ double Nearest_angles::take_step() {
     slope += step_[i] * (change(i) - change((i + 1) % step_.size()));
   }
   const Pair c = gap();
+  // above the multipliers, so that the penalty is exact (Han 1977); positive also where they vanish
   penalty_ =
       std::max(penalty_, 2 * std::max(std::abs(multiplier_[0]), std::abs(multiplier_[1])) + 1e-3);
   slope -= penalty_ * (std::abs(c[0]) + std::abs(c[1]));

@@ -96,7 +96,7 @@ bool Polygon_triangulator::triangulate_least_area(
 double Polygon_triangulator::weight(std::size_t i, std::size_t j, std::size_t k,
                                     bool upright) const {
   const Point c = cross(i, j, k);
-  const double against = -inner_product(c, normal_);
+  const double against = -inner_product(c, normal_); // up to 1e-9 it is a triangle without area
   if (upright && against > 1e-9 * inner_product(normal_, normal_))
     return std::numeric_limits<double>::infinity();
   return std::sqrt(inner_product(c, c));
