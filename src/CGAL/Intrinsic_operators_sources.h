@@ -16,6 +16,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.cpp>
 #include <CGAL/Intrinsic_operators/distance/heat_distances.cpp>
+#include <CGAL/Intrinsic_operators/editing/Heat_flow.cpp>
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.cpp>
 #include <CGAL/Intrinsic_operators/elements/quadratic.cpp>
@@ -23,6 +24,8 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/operators/matrix_market.cpp>
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.cpp>
 #include <CGAL/Intrinsic_operators/operators/subdivision_matrices.cpp>
+#include <CGAL/Intrinsic_operators/operators/symmetric_assembly.cpp>
+#include <CGAL/Intrinsic_operators/operators/transfer.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.cpp>

@@ -80,10 +80,12 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.cpp>
+#include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.cpp>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.cpp>
+#include <CGAL/Intrinsic_triangulations/input/Planar_polygons.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Polygon_shaper.cpp>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.cpp>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.cpp>
@@ -102,5 +104,6 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/extrinsic/extrinsic_delaunay.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.cpp>
+#include <CGAL/Intrinsic_triangulations/support/Report.cpp>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SOURCES_H

@@ -197,7 +197,7 @@ public:
   template <std::floating_point Number>
   void copy_distances(std::span<Number> out) const {
     CGAL_precondition(out.size() == triangulation().number_of_vertices());
-    std::ranges::fill(out, std::numeric_limits<Number>::infinity());
+    std::fill(out.begin(), out.end(), std::numeric_limits<Number>::infinity());
     for (const vertex_descriptor v : vertices(triangulation().mesh())) {
       Number& least = out[triangulation().input_vertex(v)];
       least = std::min(least, static_cast<Number>(distance(v)));

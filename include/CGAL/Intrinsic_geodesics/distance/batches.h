@@ -141,7 +141,8 @@ Status polyhedral_distances(const Triangulation& t, const SourceSets& sets, std:
         own.copy_distances(out.subspan(i * rows, rows));
       });
   if (!is_complete) return Status::cancelled;
-  return std::ranges::find(statuses, Status::cap) == statuses.end() ? Status::done : Status::cap;
+  const bool has_cap = std::find(statuses.begin(), statuses.end(), Status::cap) != statuses.end();
+  return has_cap ? Status::cap : Status::done;
 }
 
 /*!
@@ -177,7 +178,8 @@ std::vector<double> pair_distances(const Triangulation& t, const std::vector<Pla
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t i) { return internal::key_of_place(t, from[i]); };
-  std::ranges::sort(order, {}, key);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   std::vector<std::size_t> begins; // of pairs with the same first place
   for (std::size_t k = 0; k < order.size(); ++k)
     if (k == 0 || key(order[k]) != key(order[k - 1])) begins.push_back(k);

@@ -98,8 +98,9 @@ inline void finish(Found_curves& found, bool is_cancelled) {
     status = Status::cancelled;
     found.curves.clear();
   }
-  const bool are_points = std::ranges::all_of(
-      found.curves, [](const Found_curve& c) { return c.way.status == Status::contracted; });
+  const bool are_points =
+      std::all_of(found.curves.begin(), found.curves.end(),
+                  [](const Found_curve& c) { return c.way.status == Status::contracted; });
   found.status = are_points && status == Status::done ? Status::contracted : status;
 }
 

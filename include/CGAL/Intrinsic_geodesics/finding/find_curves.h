@@ -60,9 +60,10 @@ public:
 
   Curves_along_edges<Triangulation> run(const Wanted& wanted,
                                         const Edge_marker<Triangulation>& mark) {
-    const bool is_alone = !mark && options_.is_alone() && std::ranges::all_of(wanted, [](auto& c) {
-      return c.kind == Curve_kind::geodesic;
-    });
+    const bool is_alone = !mark && options_.is_alone() &&
+                          std::all_of(wanted.begin(), wanted.end(), [](const Wanted_curve& c) {
+                            return c.kind == Curve_kind::geodesic;
+                          });
     if (is_alone && !options_.are_edges) find_on_faces(wanted);
     if (!is_cancelled_) add(wanted, mark, is_alone);
     if (!is_cancelled_) shorten();

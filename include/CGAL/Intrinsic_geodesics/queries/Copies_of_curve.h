@@ -67,9 +67,9 @@ private:
 
   // Whether the copies of each point are one point for distances: then all are equally far.
   bool are_linked() const {
-    return std::ranges::all_of(copies_, [this](const Vertices& copies) {
-      return std::ranges::all_of(
-          copies, [&](Vertex v) { return are_copies(t_, v, copies.front()); });
+    return std::all_of(copies_.begin(), copies_.end(), [this](const Vertices& copies) {
+      return std::all_of(copies.begin(), copies.end(),
+                         [&](Vertex v) { return are_copies(t_, v, copies.front()); });
     });
   }
 

@@ -159,7 +159,9 @@ private:
     std::vector<std::uint32_t> waiting;
     for (const Vertex v : vertices(t_.mesh()))
       if (v != source && halfedge(v, t_.mesh()) != null) waiting.push_back(t_.index(v));
-    std::ranges::stable_sort(waiting, {}, [&](auto v) { return field.vertices[v].distance; });
+    std::stable_sort(waiting.begin(), waiting.end(), [&](std::uint32_t v, std::uint32_t w) {
+      return field.vertices[v].distance < field.vertices[w].distance;
+    });
     for (unsigned idle = 0; idle < most_futile && !waiting.empty();) {
       const std::size_t before = waiting.size();
       const std::uint64_t flips = result_.flips;
@@ -235,7 +237,8 @@ private:
         result.push_back(
             {branches_[u].length + std::sqrt(t_.metric().approximate_squared_length(h / 2)), h});
     });
-    std::ranges::sort(result, {}, &Branch::length);
+    std::sort(result.begin(), result.end(),
+              [](const Branch& a, const Branch& b) { return a.length < b.length; });
     return result;
   }
 
@@ -294,7 +297,8 @@ private:
 
   // whether a vertex next to the tree is not in it, since all ways to it seem bent
   bool lacks_way() const {
-    return std::ranges::any_of(halfedges(t_.mesh()), [&](Halfedge h) {
+    const auto all = halfedges(t_.mesh());
+    return std::any_of(all.begin(), all.end(), [&](Halfedge h) {
       return has_way(t_.index(source(h, t_.mesh()))) && !has_way(t_.index(target(h, t_.mesh())));
     });
   }

@@ -212,7 +212,8 @@ private:
       found.at_targets.push_back(least);
     }
     // distances inside faces have taken windows, which are large
-    if (!std::ranges::all_of(targets, &Place::is_vertex)) forget_exact_search();
+    if (!std::all_of(targets.begin(), targets.end(), std::mem_fn(&Place::is_vertex)))
+      forget_exact_search();
     return found;
   }
 

@@ -89,7 +89,7 @@ public:
   template <class Sources>
   Source_places read(const Sources& sources) {
     add(sources);
-    std::ranges::sort(places_.rows); // copies of a vertex are one source
+    std::sort(places_.rows.begin(), places_.rows.end()); // copies of a vertex are one source
     places_.rows.erase(std::unique(places_.rows.begin(), places_.rows.end()), places_.rows.end());
     return std::move(places_);
   }
@@ -151,7 +151,8 @@ private:
   bool are_together(const Surface_point& p, const Surface_point& q) const {
     const Geodesic_face face(Intrinsic_view<Triangulation>(t_), p.halfedge);
     const Plane_vector<double> d = face.position(q.weights) - face.position(p.weights);
-    return std::hypot(d[0], d[1]) <= 0x1p-38 * *std::ranges::max_element(face.length);
+    const double longest = *std::max_element(face.length.begin(), face.length.end());
+    return std::hypot(d[0], d[1]) <= 0x1p-38 * longest;
   }
 
   void add_point(const Surface_point& p) { add_segment(p, p); }

@@ -105,8 +105,8 @@ Status heat_distances(const Heat_distance<Triangulation>& heat, const SourceSets
   const bool is_complete = internal::for_each_heat_column(
       batch, places, internal::value_or<number_of_threads>(np, std::size_t{0}),
       [&](std::size_t i, std::span<const double> column) {
-        std::ranges::transform(column, out.subspan(i * rows, rows).begin(),
-                               [](double d) { return static_cast<Number>(d); });
+        std::transform(column.begin(), column.end(), out.subspan(i * rows, rows).begin(),
+                       [](double d) { return static_cast<Number>(d); });
       },
       [&](std::size_t done) { return observed.progress(done, columns); });
   return is_complete ? Status::done : Status::cancelled;

@@ -55,11 +55,7 @@ public:
   \throws std::invalid_argument if there is not a row per vertex
   \complexity linear in the entries of the factor, for each column
   */
-  Eigen::MatrixXd step(const Eigen::MatrixXd& values) const {
-    if (values.rows() != mass_.size())
-      throw std::invalid_argument("there must be a row per vertex");
-    return solver_.solve(Eigen::MatrixXd(mass_.asDiagonal() * values));
-  }
+  Eigen::MatrixXd step(const Eigen::MatrixXd& values) const;
 
 private:
   static double checked(double time) {

@@ -76,7 +76,7 @@ public:
 
   /// returns the integrated curl of a field. \complexity linear
   /// \throws std::invalid_argument if the field does not have a vector per face number
-  Function curl(const Vectors& x) const { return divergence(Vector(0, -1) * x); }
+  Function curl(const Vectors& x) const;
 
   /// returns the gradient as a matrix with a row per number of a face and a column per vertex.
   /// \complexity linear

@@ -142,27 +142,17 @@ Equal pairs add up, in the order given. The matrix is symmetric bit by bit.
 \pre `0 <= i, j < diagonal.size()` and `i != j` for every entry
 \complexity linear in size and number of entries, except n log n for n entries of a row
 */
-inline Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
-                                                    const Eigen::VectorXd& diagonal) {
-  return internal::Symmetric_columns<>(entries, static_cast<int>(diagonal.size()))
-      .matrix([&](int c, auto, auto) { return diagonal[c]; });
-}
+Eigen::SparseMatrix<double> symmetric_matrix(const std::vector<Symmetric_entry>& entries,
+                                             const Eigen::VectorXd& diagonal);
 
 namespace internal {
 
 // The same for a Hermitian matrix.
-inline Eigen::SparseMatrix<std::complex<double>>
-hermitian_matrix(const std::vector<Hermitian_entry>& entries, const Eigen::VectorXd& diagonal) {
-  return Symmetric_columns<std::complex<double>>(entries, static_cast<int>(diagonal.size()))
-      .matrix([&](int c, auto, auto) { return diagonal[c]; });
-}
+Eigen::SparseMatrix<std::complex<double>>
+hermitian_matrix(const std::vector<Hermitian_entry>& entries, const Eigen::VectorXd& diagonal);
 
 // throws Invalid_input if a number exceeds what the index type of `Eigen::SparseMatrix` can count
-inline void expect_countable(std::uint64_t number, const std::string& has) {
-  if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-    throw Invalid_input(Element_kind::none, 0,
-                        has + ", more than Eigen's index type can count; split the mesh");
-}
+void expect_countable(std::uint64_t number, const std::string& has);
 
 } // namespace internal
 

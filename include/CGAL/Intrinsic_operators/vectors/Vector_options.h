@@ -56,7 +56,9 @@ struct Given_vectors {
   std::vector<std::array<double, 3>> in_space{}; ///< one per place, or none
 
   /// tells whether all places are named as vertices, not as corners of faces.
-  bool are_at_vertices() const { return std::ranges::none_of(places, &Place::has_face); }
+  bool are_at_vertices() const {
+    return std::none_of(places.begin(), places.end(), [](const Place& p) { return p.has_face(); });
+  }
 };
 
 /// Vectors at all vertices.

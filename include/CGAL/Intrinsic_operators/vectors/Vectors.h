@@ -109,7 +109,8 @@ public:
       std::vector<std::pair<std::size_t, double>> sources;
       for (std::size_t i = 0; i < places.size(); ++i)
         sources.push_back({point_of_cloud(places[i]), values.at(i)});
-      std::ranges::copy(cloud(options).extend_scalars(sources), result.begin());
+      const auto extended = cloud(options).extend_scalars(sources);
+      std::copy(extended.begin(), extended.end(), result.begin());
       return result;
     }
     const Heat* const method = heat(options);

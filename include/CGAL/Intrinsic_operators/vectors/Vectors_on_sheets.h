@@ -97,7 +97,7 @@ public:
       return u == 0. ? u : std::polar(1., degree * std::arg(u));
     };
     Tangent_field sums(field.size());
-    std::ranges::transform(field, sums.begin(), power);
+    std::transform(field.begin(), field.end(), sums.begin(), power);
     for (const Vertex v : vertices(t_.mesh())) {
       const std::uint32_t i = copies(v);
       if (first[i] == i || internal::unit_vector(field[i]) == 0.) continue;

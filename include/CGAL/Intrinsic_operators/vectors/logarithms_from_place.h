@@ -76,7 +76,7 @@ public:
     for (unsigned k = 0; k < 3; ++k)
       if (p.weights[(k + 2) % 3] == 0)
         axis = Complex(face.edge[k][0], face.edge[k][1]) / face.length[k];
-    const bool is_on_edge = std::ranges::find(p.weights, 0.) != p.weights.end();
+    const bool is_on_edge = std::count(p.weights.begin(), p.weights.end(), 0.) > 0;
     for (const Surface_point& q : sheets_.others(p))
       take_shorter(result, at_copy(q), [&](const Complex& z) {
         return is_on_edge ? axis * std::conj(z) : -std::conj(z);

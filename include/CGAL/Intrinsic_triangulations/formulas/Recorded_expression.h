@@ -185,12 +185,7 @@ public:
   Zero_meaning zero_meaning() const { return meaning_; }
 
 private:
-  Recorded_diamond_expression(Expression_steps&& steps, Zero_meaning meaning)
-      : steps_(std::move(steps)), meaning_(meaning) {
-    constexpr Expression_degree l = Expression_degree::length(), a = Expression_degree::area();
-    if (steps_.is_polynomial())
-      degree_ = (*this)(Diamond_values<Expression_degree>{l, l, l, l, l, a, a});
-  }
+  Recorded_diamond_expression(Expression_steps&& steps, Zero_meaning meaning);
 
   template <class Expression>
   static constexpr Zero_meaning meaning_of() {

@@ -61,12 +61,7 @@ public:
         sorted; ///< numbers of the corners, in the order of their vertices
     /// returns the number of the corner at a vertex; the number of corners if there is none.
     /// \complexity logarithmic
-    std::size_t corner(std::uint32_t vertex) const {
-      const auto found =
-          std::lower_bound(sorted.begin(), sorted.end(), vertex,
-                           [this](std::uint32_t c, std::uint32_t v) { return vertices[c] < v; });
-      return found != sorted.end() && vertices[*found] == vertex ? *found : sorted.size();
-    }
+    std::size_t corner(std::uint32_t vertex) const;
     /// tells whether two corners are the ends of a side
     bool is_side(std::size_t i, std::size_t j) const {
       const std::size_t apart = i < j ? j - i : i - j;
@@ -77,16 +72,7 @@ public:
   /// appends a polygon. \pre `face` is above those before, and no vertex is there twice \complexity
   /// n log n
   void add(std::uint32_t face, std::span<const std::uint32_t> vertices,
-           std::span<const Point> points) {
-    face_.push_back(face);
-    first_.push_back(vertices_.size());
-    vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
-    points_.insert(points_.end(), points.begin(), points.end());
-    const std::size_t first = sorted_.size();
-    for (std::uint32_t c = 0; c < vertices.size(); ++c) sorted_.push_back(c);
-    std::sort(sorted_.begin() + static_cast<std::ptrdiff_t>(first), sorted_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return vertices[a] < vertices[b]; });
-  }
+           std::span<const Point> points);
   /// tells whether there are none.
   bool empty() const { return face_.empty(); }
   /// returns the number of polygons.
@@ -95,15 +81,7 @@ public:
   std::uint32_t face(std::size_t i) const { return face_[i]; }
   /// returns the planar polygon of the user's face; without points if it has none. \complexity
   /// logarithmic
-  Polygon operator()(std::uint32_t face) const {
-    const auto found = std::lower_bound(face_.begin(), face_.end(), face);
-    if (found == face_.end() || *found != face) return {};
-    const auto i = static_cast<std::size_t>(found - face_.begin());
-    const std::size_t count = (i + 1 < size() ? first_[i + 1] : vertices_.size()) - first_[i];
-    return {{vertices_.data() + first_[i], count},
-            {points_.data() + first_[i], count},
-            {sorted_.data() + first_[i], count}};
-  }
+  Polygon operator()(std::uint32_t face) const;
 
   /// Reports the result for all polygons.
   Polygon_report report;

@@ -34,7 +34,9 @@ bool has_irremovable_degeneracy(const Gluing_map& mesh, const Metric& metric) {
     std::uint32_t f = start;
     path.clear();
     while (metric.is_degenerate(f) && !removable[f]) {
-      const Gluing_map::Halfedge longest = std::ranges::max(mesh.sides({f}), {}, length);
+      const auto sides = mesh.sides({f});
+      const Gluing_map::Halfedge longest = *std::max_element(
+          sides.begin(), sides.end(), [&](auto g, auto h) { return length(g) < length(h); });
       const Gluing_map::Face across = mesh.face(Gluing_map::opposite(longest));
       if (across.index == Gluing::none || path.size() > mesh.number_of_faces() ||
           (!path.empty() && path.back() == across.index) || across.index == f)

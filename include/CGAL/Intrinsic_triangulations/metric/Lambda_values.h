@@ -65,8 +65,8 @@ public:
     rests_.assign(rests.begin(), rests.end());
     shared_exponent_ = 0;
     if (factors_.empty()) return;
-    const auto [least, most] = std::ranges::minmax(factors_);
-    shared_exponent_ = (std::ilogb(least) + std::ilogb(most)) / 2;
+    const auto [least, most] = std::minmax_element(factors_.begin(), factors_.end());
+    shared_exponent_ = (std::ilogb(*least) + std::ilogb(*most)) / 2;
     for (std::vector<double>* values : {&factors_, &rests_})
       for (double& x : *values) x = std::ldexp(x, -shared_exponent_);
   }

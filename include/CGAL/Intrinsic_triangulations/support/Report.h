@@ -10,10 +10,8 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -45,7 +43,14 @@ public:
       std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Figures>;
 
   /// is nothing.
-  Report() = default;
+  Report();
+  // Defined in the source: every program that includes this header would compile how a
+  // variant is copied and destroyed.
+  Report(const Report& other);
+  Report(Report&& other) noexcept;
+  Report& operator=(const Report& other);
+  Report& operator=(Report&& other) noexcept;
+  ~Report();
   /// is a truth value.
   template <std::same_as<bool> Bool>
   Report(Bool x) : value_(x) {}
@@ -56,11 +61,11 @@ public:
   /// is a number.
   Report(double x) : value_(x) {}
   /// is a text.
-  Report(const char* x) : value_(std::string(x)) {}
+  Report(const char* x);
   /// is a text.
-  Report(std::string x) : value_(std::move(x)) {}
+  Report(std::string x);
   /// is a list.
-  Report(List x) : value_(std::move(x)) {}
+  Report(List x);
   /// is a list of numbers.
   template <class Number, std::size_t n>
   Report(const std::array<Number, n>& x) : value_(List(x.begin(), x.end())) {}
@@ -68,9 +73,9 @@ public:
   template <class Known>
   Report(const std::optional<Known>& x) : Report(x ? Report(*x) : Report()) {}
   /// is figures with names.
-  Report(Figures x) : value_(std::move(x)) {}
+  Report(Figures x);
   /// is figures with names.
-  Report(std::initializer_list<Figure> figures) : value_(Figures(figures)) {}
+  Report(std::initializer_list<Figure> figures);
 
   /// returns what it is.
   const Value& value() const { return value_; }
@@ -80,9 +85,9 @@ public:
     return std::get<Type>(value_);
   }
   /// returns the first report of a list. \throws std::bad_variant_access if it is none
-  List::const_iterator begin() const { return get<List>().begin(); }
+  List::const_iterator begin() const;
   /// returns the end of a list.
-  List::const_iterator end() const { return get<List>().end(); }
+  List::const_iterator end() const;
   /// returns the figure with a name; appends one that is nothing if there is none. The reference is
   /// valid until a figure is appended beside it.
   /// \pre it is figures, or nothing
@@ -90,31 +95,13 @@ public:
   /// tells whether there is a figure with a name.
   bool contains(std::string_view name) const { return find(name) != nullptr; }
   /// returns the figure with a name. \throws std::out_of_range if there is none
-  const Report& at(std::string_view name) const {
-    if (const Report* found = find(name)) return *found;
-    throw std::out_of_range("there is no figure " + std::string(name));
-  }
+  const Report& at(std::string_view name) const;
 
 private:
   const Report* find(std::string_view name) const;
 
   Value value_;
 };
-
-inline Report& Report::operator[](std::string_view name) {
-  if (std::holds_alternative<std::monostate>(value_)) value_ = Figures();
-  Figures& figures = std::get<Figures>(value_);
-  for (Figure& f : figures)
-    if (f.name == name) return f.value;
-  return figures.emplace_back(Figure{std::string(name), {}}).value;
-}
-
-inline const Report* Report::find(std::string_view name) const {
-  if (const auto* figures = std::get_if<Figures>(&value_))
-    for (const Figure& f : *figures)
-      if (f.name == name) return &f.value;
-  return nullptr;
-}
 
 } // namespace CGAL::Intrinsic_triangulations
 

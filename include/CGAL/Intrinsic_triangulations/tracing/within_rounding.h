@@ -19,7 +19,7 @@ template <NumberedComplex Complex>
 Surface_point within_rounding(const Complex& complex, const Surface_point& p) {
   const Geodesic_face face(complex, p.halfedge);
   const double area = complex.quadruple_area(complex.face(p.halfedge)),
-               tolerance = 0x1p-40 * *std::ranges::max_element(face.length);
+               tolerance = 0x1p-40 * *std::max_element(face.length.begin(), face.length.end());
   double nearest = tolerance;
   Surface_point result = p;
   for (unsigned k = 0; k < 3; ++k) {
@@ -38,7 +38,8 @@ Surface_point within_rounding(const Complex& complex, const Surface_point& p) {
     result.weights[last] = x;
     result.weights[apex] = 0;
   }
-  return std::ranges::count(p.weights, 0.) > 0 ? p : result; // it may be on a side exactly
+  const bool is_on_side = std::count(p.weights.begin(), p.weights.end(), 0.) > 0; // exactly
+  return is_on_side ? p : result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -57,6 +57,10 @@ Face_gradient::Function Face_gradient::divergence(const Vectors& x) const {
   return result;
 }
 
+Face_gradient::Function Face_gradient::curl(const Vectors& x) const {
+  return divergence(Vector(0, -1) * x);
+}
+
 Eigen::SparseMatrix<Face_gradient::Vector> Face_gradient::matrix() const {
   std::vector<Eigen::Triplet<Vector>> entries;
   entries.reserve(3 * faces_.size());

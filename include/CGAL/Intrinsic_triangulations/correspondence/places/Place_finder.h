@@ -91,7 +91,9 @@ public:
     for (const Surface_point& other : sheets_->others(result.front()))
       result.push_back(internal::with_one_name(input, other));
     if (result.front().weights[2] == 0) // on an edge, of faces that have no order
-      std::ranges::sort(result, {}, &Surface_point::halfedge);
+      std::sort(result.begin(), result.end(), [](const Surface_point& p, const Surface_point& q) {
+        return p.halfedge < q.halfedge;
+      });
     return result;
   }
 

@@ -75,7 +75,7 @@ std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
                                       const Source& source) {
   std::vector<Input_vector> faces{v}; // by the number of edges that are crossed
   const auto is_new = [&](std::uint32_t h) {
-    return std::ranges::none_of(faces, [&](const Input_vector& known) {
+    return std::none_of(faces.begin(), faces.end(), [&](const Input_vector& known) {
       return input.face(known.halfedge) == input.face(h);
     });
   };

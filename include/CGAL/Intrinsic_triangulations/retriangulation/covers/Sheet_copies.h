@@ -124,7 +124,9 @@ public:
     if (!p) return {};
     std::vector<Surface_point> result{in_or_on(p->point, place)};
     std::array<Surface_point, 3> sides{p->point, turned(p->point), turned(turned(p->point))};
-    std::ranges::sort(sides, {}, [](const Surface_point& q) { return q.weights[2]; });
+    std::sort(sides.begin(), sides.end(), [](const Surface_point& p, const Surface_point& q) {
+      return p.weights[2] < q.weights[2];
+    });
     for (const Surface_point& q : sides) {
       if (!Triangulation::Metric::is_exact && q.weights[2] >= nearness)
         break; // no later check would refuse a face far from the place

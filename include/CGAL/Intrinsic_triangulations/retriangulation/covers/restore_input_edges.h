@@ -84,9 +84,10 @@ private:
   }
 
   bool cross_kept(const Crossed& crossed) const {
-    return !is_kept_.empty() && std::ranges::any_of(crossed, [this](const auto h) {
+    const auto is_kept = [this](const auto h) {
       return is_kept_[t_.numbers().halfedge(h) / 2] != 0;
-    });
+    };
+    return !is_kept_.empty() && std::any_of(crossed.begin(), crossed.end(), is_kept);
   }
 
   // Flips one edge so that the part of x from a vertex crosses fewer edges; if it crosses a face

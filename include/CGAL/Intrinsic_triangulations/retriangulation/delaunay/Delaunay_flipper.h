@@ -183,8 +183,9 @@ private:
   }
   // \pre there is one
   Halfedge longest_that_waits(const Sides& outer) const {
-    return *std::ranges::max_element(
-        outer, {}, [this](Halfedge s) { return waits(s) ? squared_length(s) : -1; });
+    const auto length = [this](Halfedge s) { return waits(s) ? squared_length(s) : -1; };
+    return *std::max_element(outer.begin(), outer.end(),
+                             [&](Halfedge r, Halfedge s) { return length(r) < length(s); });
   }
 
   template <class Observer>

@@ -98,7 +98,7 @@ private:
   }
   Corners corners(Face f) const {
     Corners result = corners_of_sides(f);
-    std::ranges::sort(result);
+    std::sort(result.begin(), result.end());
     return result;
   }
 

@@ -94,9 +94,9 @@ public:
     const auto n = session_.insert_vertex(descriptor(p.halfedge), p.weights);
     if (n.status != Move_status::done) return Insertion::refused;
     const std::vector<Surface_point> places = copies_.missing(t_.index(n.vertex));
-    const bool is_in_face = std::ranges::count(p.weights, 0.) == 0;
+    const bool is_in_face = std::count(p.weights.begin(), p.weights.end(), 0.) == 0;
     const auto is_free = [&](auto& q) { return has_room(q, is_in_face ? wanted : least); };
-    const bool have_room = std::ranges::all_of(places, is_free);
+    const bool have_room = std::all_of(places.begin(), places.end(), is_free);
     // removed from an edge, it would leave other edges than before: it is flipped away below
     if (is_in_face && !have_room && session_.remove_vertex(n.vertex) == Move_status::done)
       return Insertion::not_here;
@@ -105,8 +105,8 @@ public:
     const auto keeps = [&](std::uint32_t v) {
       return keeps_distance(t_, t_.numbers().vertex_at(v), least, v == all.front());
     };
-    if (have_room && insert_copies(places, all) && (!flip() || std::ranges::all_of(all, keeps)))
-      return Insertion::done;
+    const auto all_keep = [&] { return std::all_of(all.begin(), all.end(), keeps); };
+    if (have_room && insert_copies(places, all) && (!flip() || all_keep())) return Insertion::done;
     copies_.take(all.front());
     for (const std::uint32_t v : all) {
       if (!flip()) return Insertion::refused; // before: edges that wait may be removed
@@ -317,8 +317,8 @@ private:
     }
     ++state_.result.counts.removals;
     removable_.erase(number_of_v);
-    std::erase_if(state_.touched,
-                  [&](Face f) { return std::ranges::find(old, t_.index(f)) != old.end(); });
+    const auto is_old = [&](Face f) { return std::count(old.begin(), old.end(), t_.index(f)) > 0; };
+    std::erase_if(state_.touched, is_old);
     for (const std::uint32_t f : old) state_.queue.remove(f);
     // the faces of a polygon that was a star: two less than the star had
     if (!rim.empty() && old.size() > 2)

@@ -29,7 +29,8 @@ inline double spanned_area(const Face_values<double>& v) {
 
 // How far that is from the area of the face. Not a number or infinite if a value is.
 inline double area_discrepancy(const Face_values<double>& v) {
-  const double area = v.quadruple_area / *std::ranges::max_element(v.squared_lengths);
+  const auto& l = v.squared_lengths;
+  const double area = v.quadruple_area / *std::max_element(l.begin(), l.end());
   return std::abs(area * area - spanned_area(v));
 }
 
