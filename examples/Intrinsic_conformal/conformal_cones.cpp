@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_conformal/angles/flat_angles.h>
 #include <CGAL/Intrinsic_conformal/angles/ideal_start.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
+#include <CGAL/Intrinsic_conformal/maps/uniformize.h>
 #include <CGAL/Intrinsic_conformal/metric/conformal_metric.h>
 #include <CGAL/Intrinsic_conformal/metric/flat_surface.h>
 #include <CGAL/Intrinsic_triangulations.h>
@@ -44,7 +45,17 @@ int main() {
   const IT::Map_certificate certificate = IT::certify_map(layout);
   //! [cones]
 
+  //! [in one call]
+  IT::Uniformize_options options;
+  options.cones = 8;
+  const IT::Uniformization map = IT::uniformize(mesh, options); // the same in one call
+  const Eigen::MatrixX2d& uv = map.layout->layout.positions;    // of the vertices of its pieces:
+  const IT::Common_subdivision& pieces = map.layout->layout.subdivision; // faces of one face each
+  //! [in one call]
+  const bool is_whole = map.layout->certificate.flipped == 0 &&
+                        uv.rows() == static_cast<Eigen::Index>(pieces.number_of_vertices());
+
   std::cout << "angles are right up to " << metric.proven_residual.value_or(1) << " radians, "
             << layout.seams.size() << " seams, " << certificate.flipped << " flipped triangles\n";
-  return metric.status == IT::Status::done && certificate.flipped == 0 ? 0 : 1;
+  return metric.status == IT::Status::done && certificate.flipped == 0 && is_whole ? 0 : 1;
 }

@@ -63,6 +63,15 @@ int main(int argc, char* argv[]) {
   //! [path]
   const std::vector<Point> line = IT::polyline(t, path, mesh); // in the faces of the mesh
   //! [path]
+
+  //! [point]
+  // face 12 of the mesh, weights from the source of its halfedge on; t has other faces
+  const IT::Face_location<Mesh> place(Mesh::Face_index(12), {0.2, 0.3, 0.5});
+  const IT::Polyhedral_distance from_point(t, *IT::locate_on_intrinsic(t, place, mesh));
+  const Mesh::Vertex_index corner = mesh.source(mesh.halfedge(place.first));
+  const double to_corner = from_point.distance(IT::vertex_on_intrinsic(t, corner, mesh));
+  //! [point]
+  std::cout << "a corner of face 12 is " << to_corner << " from the point in it\n";
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i)
     length += std::sqrt(CGAL::squared_distance(line[i - 1], line[i]));

@@ -21,7 +21,8 @@ int main() {
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh("data/part.off", mesh)) return 1;
   //! [place]
-  // the point in face 12 with these weights of its corners; a vertex is Place::at_vertex(7)
+  // the point in face 12 with these weights of its corners, from the source of its halfedge on, as
+  // in CGAL's Face_location; a vertex is Place::at_vertex(7)
   const IT::Found_distances found = IT::distances(mesh, {IT::Place::in_face(12, {0.2, 0.3, 0.5})});
   //! [place]
 

@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -73,6 +74,11 @@ void expect_path(const T& t, const Polyhedral_distance<T>& d, const Place& p, do
   EXPECT_NEAR(paths::length_of_path(t, path.points), path.length, tolerance);
 }
 
+// A triangulation without a name would end before the object that searches it.
+static_assert(std::constructible_from<Distance, const Triangulation&, Vertex>);
+static_assert(!std::constructible_from<Distance, Triangulation>);
+static_assert(!std::constructible_from<Distance, Triangulation, Vertex>);
+
 // ---- closed forms
 
 TEST(PolyhedralDistance, tetrahedron_unfolds) {
@@ -84,6 +90,10 @@ TEST(PolyhedralDistance, tetrahedron_unfolds) {
   const Surface_point centroid = point(t, 2, {1. / 3, 1. / 3, 1. / 3});
   EXPECT_NEAR(d.distance(centroid), std::sqrt(8. / 3), 1e-15);
   expect_path(t, d, centroid, 1e-15);
+  // the same point as CGAL names it, as place and as source
+  const IT::Face_location<Triangulation::Mesh> named(t.numbers().face_at(2), centroid.weights);
+  EXPECT_EQ(d.distance(named), d.distance(centroid));
+  EXPECT_EQ(Distance(t, named).distances(), Distance(t, centroid).distances());
 }
 
 // Kotani's ant: the farthest point of a box of 1 x 1 x 2 from a corner is not the opposite one.
@@ -493,8 +503,8 @@ TEST(PolyhedralDistance, of_many_sources_is_the_least) {
 
 TEST(PolyhedralDistance, has_the_units_of_the_input) {
   const meshes::Mesh m = meshes::potato(2, 3);
-  const std::vector<double> expected =
-      Distance(numbered_as<Triangulation>(m), vertex(numbered_as<Triangulation>(m), 0)).distances();
+  const Triangulation unscaled = numbered_as<Triangulation>(m);
+  const std::vector<double> expected = Distance(unscaled, vertex(unscaled, 0)).distances();
   for (const double factor : {0x1p-300, 0x1p-4, 0x1p300}) {
     const Triangulation t = numbered_as<Triangulation>(meshes::scaled(m, factor));
     const std::vector<double> distances = Distance(t, vertex(t, 0)).distances();

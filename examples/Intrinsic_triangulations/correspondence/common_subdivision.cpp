@@ -16,8 +16,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
+#include <vector>
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -39,6 +41,17 @@ int main(int argc, char** argv) {
                                std::array{IT::Subdivision_field("area", values)});
   //! [subdivision]
 
+  //! [mesh]
+  Mesh cells; // a mesh of your own type, whose faces are those of s
+  for (const std::array<double, 3>& p : IT::positions(s, mesh))
+    cells.add_vertex({p[0], p[1], p[2]});
+  for (std::size_t f = 0; f < s.number_of_faces(); ++f) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const std::uint32_t v : s.face(f)) corners.push_back(Mesh::Vertex_index(v));
+    cells.add_face(corners);
+  }
+  //! [mesh]
+
   //! [polylines]
   const IT::Edge_polylines lines = IT::input_edge_polylines(s); // vertices of s, edge by edge
   std::size_t most_crossed = 0;
@@ -54,5 +67,8 @@ int main(int argc, char** argv) {
   std::cout << "Euler characteristic " << euler << '\n';
   const bool is_written = std::filesystem::file_size(file) > s.number_of_faces();
   if (argc <= 2) std::filesystem::remove(file);
-  return inserted.status == IT::Move_status::done && is_written ? 0 : 1;
+  return inserted.status == IT::Move_status::done && is_written &&
+                 cells.number_of_faces() == s.number_of_faces()
+             ? 0
+             : 1;
 }

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <iterator>
@@ -33,6 +34,9 @@ namespace {
 
 using namespace operator_test;
 using Vector = Eigen::VectorXd;
+// A triangulation without a name would end before the object that keeps a reference to it.
+static_assert(!std::constructible_from<IT::Heat_distance<IT::Intrinsic_triangulation<>>,
+                                       IT::Intrinsic_triangulation<>>);
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -55,6 +56,14 @@ struct Square {
     return t;
   }
 };
+
+// What has no name would end before the object that keeps a reference to it.
+template <class... Arguments>
+constexpr bool makes_vectors = std::constructible_from<IT::Vectors<Exact>, Arguments...>;
+static_assert(makes_vectors<const Exact&, const std::vector<Point>&>);
+static_assert(!makes_vectors<const Exact&, std::vector<Point>>);
+static_assert(!makes_vectors<Exact, const std::vector<Point>&>);
+static_assert(!std::constructible_from<IT::Vector_heat_method<Exact>, Exact>);
 
 TEST(Vectors, AreTransportedByTheIdentityInThePlane) {
   const Square square(6);

@@ -7,9 +7,9 @@
 #include <CGAL/Intrinsic_geodesics/cuts/cut_open.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/points_of.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -94,7 +94,7 @@ positions(const Cut_surface& s, std::span<const std::array<double, 3>> points, c
 */
 template <ReadableFaceGraph FaceGraph>
 std::vector<std::array<double, 3>> positions(const Cut_surface& s, const FaceGraph& mesh) {
-  return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)));
+  return positions(s, std::span<const std::array<double, 3>>(points_of(mesh)));
 }
 
 /*!

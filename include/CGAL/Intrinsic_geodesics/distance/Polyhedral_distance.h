@@ -64,14 +64,16 @@ public:
 
   /*!
   \brief finds the distances from sources.
-  \tparam Sources a vertex, a `Surface_point`, or a range of either
+  \tparam Sources a vertex or a point of the triangulation, as `Surface_point` or
+    `Face_location<Mesh>`, or a range of either: `vertex_on_intrinsic()` and
+    `locate_on_intrinsic()` find those of the user's mesh
   \tparam NP a chain of named parameters
   \param t the triangulation; it must outlive this object unchanged
   \param sources the sources
   \param np optional named parameters:
     - `maximum_distance(d)`: how far to search, in the units of the input. Default: everywhere.
-    - `targets(p)`: a vertex, a `Surface_point`, or a range of either: the search stops once their
-      distances are final. Default: none, it goes everywhere.
+    - `targets(p)`: such places: the search stops once their distances are final. Default: none, it
+      goes everywhere.
     - `maximum_number(n)`: cap on the number of windows, which ends the search on bodies so thin
       that there are too many: k times as long as thick, they have up to about 100 k (it is reached
       from 10^5 on). Default: 500 per halfedge and 4 million.
@@ -94,6 +96,9 @@ public:
   /// \complexity linear
   explicit Polyhedral_distance(const Triangulation& t)
       : Polyhedral_distance(internal::Searched_surface<Triangulation>(t)) {}
+  /// A triangulation that would end before this object is refused: give it a name.
+  template <class... Others>
+  explicit Polyhedral_distance(const Triangulation&&, const Others&...) = delete;
 
   /*!
   \brief reads the user's faces under a cover, any number of which may meet at an edge; another
@@ -176,7 +181,7 @@ public:
   /// returns the number of bytes held, but for those of constant number.
   std::size_t bytes() const { return field_.bytes() + memory_.bytes(); }
 
-  /// returns the distance of a vertex or a `Surface_point`, in the units of the input; infinity if
+  /// returns the distance of a vertex or a point, in the units of the input; infinity if
   /// the search did not reach it. \complexity for a point, linear in the number of windows of its
   /// face, once they are kept
   template <internal::Place_on<Triangulation> Place>
@@ -206,7 +211,7 @@ public:
 
   /// returns the number of sources.
   std::uint32_t number_of_sources() const { return sources_.size(); }
-  /// returns the index of the nearest source of a vertex or a `Surface_point`, by the order of
+  /// returns the index of the nearest source of a vertex or a point, by the order of
   /// sources; one of them if several are as near, `Gluing::none` if the search did not reach it.
   /// \complexity that of `distance()`
   template <internal::Place_on<Triangulation> Place>
@@ -216,7 +221,7 @@ public:
     return result;
   }
 
-  /// returns a shortest path to a vertex or a `Surface_point` from the nearest source. \complexity
+  /// returns a shortest path to a vertex or a point from the nearest source. \complexity
   /// linear in the number of its points; for a point, also of the windows of its face
   template <internal::Place_on<Triangulation> Place>
   Shortest_path shortest_path(const Place& p) const {

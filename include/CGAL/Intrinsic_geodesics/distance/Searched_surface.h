@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -28,7 +29,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // A vertex of a triangulation, or a point on it.
 template <class Place, class Triangulation>
 concept Place_on = std::convertible_to<Place, typename Triangulation::vertex_descriptor> ||
-    std::same_as<Place, Surface_point>;
+    std::same_as<Place, Surface_point> ||
+    std::same_as<Place, Face_location<typename Triangulation::Mesh>>;
 
 /*!
 \brief is what a search reads: a triangulation, or the faces under it if that is of a cover. Takes
@@ -71,9 +73,14 @@ public:
         if (places.weights[(k + 1) % 3] == 0 && places.weights[(k + 2) % 3] == 0)
           return on_vertex(field, corner(places.halfedge, k), f);
       f(point_in_face(field, places));
+    } else if constexpr (std::same_as<Places, Face_location<typename Triangulation::Mesh>>) {
+      for_each_place(field, surface_point(*t_, places), f);
     } else {
-      static_assert(std::ranges::range<const Places>,
-                    "sources and targets are vertices, objects Surface_point, or ranges of them");
+      static_assert(
+          std::ranges::range<const Places>,
+          "sources and targets are vertices of t.mesh(), objects Surface_point or Face_location on "
+          "it, or ranges of them; a vertex of the user's mesh is vertex_on_intrinsic(t, v, mesh), "
+          "a place on it *locate_on_intrinsic(t, place, mesh)");
       for (const auto& p : places) for_each_place(field, p, f);
     }
   }

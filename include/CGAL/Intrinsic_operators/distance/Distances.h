@@ -53,6 +53,7 @@ public:
 
   /// prepares calls on a triangulation, which must outlive this object unchanged.
   explicit Distances(const Triangulation& t) : t_(t), find_(t), twins_(t) {}
+  explicit Distances(const Triangulation&&) = delete; // it would end before
   Distances(const Distances&) = delete;
   Distances& operator=(const Distances&) = delete;
 

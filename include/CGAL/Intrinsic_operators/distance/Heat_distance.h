@@ -94,6 +94,9 @@ public:
       : t_(&t), positions_(internal::positions_of_rows(t)),
         solver_(cotangent_laplacian(t), internal::face_table(t), options(np),
                 t.input().names().sheets, progress(np)) {}
+  /// A triangulation that would end before this object is refused: give it a name.
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Heat_distance(const Triangulation&&, const NP& = parameters::default_values()) = delete;
 
   /*!
   \brief computes the distances of all vertices from sources.

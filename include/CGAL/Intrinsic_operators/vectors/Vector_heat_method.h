@@ -86,6 +86,10 @@ public:
     joined_.emplace(heat_.graph().joined(first_),
                     internal::value_or<internal::tags::time_factor>(np, 1.));
   }
+  /// A triangulation that would end before this object is refused: give it a name.
+  template <NamedParameters NP = parameters::Parameters<>>
+  explicit Vector_heat_method(const Triangulation_&&,
+                              const NP& = parameters::default_values()) = delete;
 
   /*!
   \brief factors the matrices before the first query, so that the caller can observe and stop it.

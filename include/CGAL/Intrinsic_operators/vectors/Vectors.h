@@ -58,9 +58,11 @@ public:
 
   /// prepares calls.
   /// \param t the triangulation
-  /// \param points where the user's vertices are, none of an abstract metric; both must outlive
-  ///   this object unchanged
+  /// \param points where the user's vertices are, see `points_of()`, none of an abstract metric;
+  ///   both must outlive this object unchanged
   Vectors(const Triangulation& t, const std::vector<Point>& points) : t_(t), points_(points) {}
+  Vectors(const Triangulation&, std::vector<Point>&&) = delete; // they would end before
+  Vectors(const Triangulation&&, const std::vector<Point>&) = delete;
   Vectors(const Vectors&) = delete;
   Vectors& operator=(const Vectors&) = delete;
 

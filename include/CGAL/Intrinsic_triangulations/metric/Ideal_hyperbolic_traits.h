@@ -109,7 +109,7 @@ public:
     return Flipped{lambda, unscaled};
   }
   /// stores what `compute_flip()` returned for a diamond.
-  void store_flip(const Diamond& d, Flipped n) noexcept { this->store(d.ij, std::move(n)); }
+  void store_flip(const Diamond& d, Flipped&& n) noexcept { this->store(d.ij, std::move(n)); }
 
 private:
   // where products of four lambda lengths are accurate

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -117,6 +118,29 @@ TYPED_TEST(Queries, Places_on_my_mesh_go_there_and_back_at_every_scale) {
       };
       EXPECT_LT(distance(in_space(place), in_space(*back)), 1e-9 * scale);
     }
+  });
+}
+
+/// Points of the mesh are where they were; no edge is shorter than the chord of its ends, and edges
+/// inside a face are as long, so that inserted points are where they belong.
+TYPED_TEST(Queries, Points_of_rows_are_on_my_mesh) {
+  for_all_meshes<TypeParam>([](const auto& mesh, auto& t, double) {
+    const auto points = IT::points_of_rows(t, mesh);
+    ASSERT_EQ(points.size(), t.number_of_vertices());
+    ASSERT_GT(points.size(), mesh.number_of_vertices());
+    for (const auto v : vertices(mesh)) {
+      const auto& p = mesh.point(v);
+      EXPECT_EQ(points[v], (std::array<double, 3>{p.x(), p.y(), p.z()}));
+    }
+    std::size_t straight = 0;
+    for (const auto e : edges(t.mesh())) {
+      const auto h = halfedge(e, t.mesh());
+      const double chord = distance(points[t.input_vertex(source(h, t.mesh()))],
+                                    points[t.input_vertex(target(h, t.mesh()))]);
+      EXPECT_LE(chord, t.length(e) * (1 + 1e-9));
+      straight += chord > t.length(e) * (1 - 1e-9) ? 1 : 0;
+    }
+    EXPECT_GT(straight, num_edges(t.mesh()) / 4);
   });
 }
 

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_PLACES_POINTS_OF_ROWS_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/points_of.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
@@ -34,6 +36,15 @@ points_of_rows(const Triangulation& t, const std::vector<std::array<double, 3>>&
       result[t.input_vertex(v)] = point_in_space(t, *p, points);
   }
   return result;
+}
+
+/*!
+\brief returns the point in space of each row, from the mesh that the triangulation was built from.
+\tparam FaceGraph a model of `FaceListGraph` with a point map of its own
+*/
+template <QueriedTriangulation Triangulation, ReadableFaceGraph FaceGraph>
+std::vector<std::array<double, 3>> points_of_rows(const Triangulation& t, const FaceGraph& mesh) {
+  return points_of_rows(t, points_of(mesh));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

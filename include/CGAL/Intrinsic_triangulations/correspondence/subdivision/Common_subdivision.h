@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_SUBDIVISION_COMMON_SUBDIVISION_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/adaptors/Mesh_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/points_of.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/position_on_face.h>
@@ -195,16 +195,6 @@ std::complex<double> fitting_rotation(std::size_t begin, std::size_t end, const 
   return std::abs(sum) > 0 ? sum / std::abs(sum) : 1;
 }
 
-// The coordinates of the vertices of a mesh, in its order.
-template <class FaceGraph>
-std::vector<std::array<double, 3>> points_of(const FaceGraph& mesh) {
-  const auto map = Mesh_adaptor<FaceGraph>::point_map(mesh);
-  std::vector<std::array<double, 3>> points;
-  for (const typename boost::graph_traits<FaceGraph>::vertex_descriptor v : vertices(mesh))
-    points.push_back(Mesh_adaptor<FaceGraph>::coordinates(get(map, v)));
-  return points;
-}
-
 } // namespace internal
 
 /*!
@@ -269,7 +259,7 @@ std::vector<std::array<double, 3>> positions(const Common_subdivision& s,
 template <class FaceGraph>
   requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
 std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh) {
-  return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)));
+  return positions(s, std::span<const std::array<double, 3>>(points_of(mesh)));
 }
 
 /// computes the same for a triangulation with input `input`, also in polygons that became planar.
@@ -277,7 +267,7 @@ template <class FaceGraph>
   requires(!std::is_convertible_v<const FaceGraph&, std::span<const std::array<double, 3>>>)
 std::vector<std::array<double, 3>> positions(const Common_subdivision& s, const FaceGraph& mesh,
                                              const Input& input) {
-  return positions(s, std::span<const std::array<double, 3>>(internal::points_of(mesh)), input);
+  return positions(s, std::span<const std::array<double, 3>>(points_of(mesh)), input);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
