@@ -11,5 +11,7 @@ Includes simplification with a proven stretch, isometries, convex polyhedra of m
 */
 
 #include <CGAL/Intrinsic_conformal.h>
+#include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
+#include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_H
