@@ -12,6 +12,7 @@
 from ._core import __version__
 from ._curve import Curve, Curves, Cut, Network
 from ._distances import FarthestPoints, Voronoi
+from ._isometries import Isometries, Isometry
 from ._map import Failure, map
 from ._operators import Operators
 from ._points import Point
@@ -19,6 +20,6 @@ from ._sources import load, points, read
 from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
-__all__ = ["CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints", "Network",
-           "Operators", "Point", "Surface", "Voronoi", "__version__", "load", "map", "points",
+__all__ = ["CommonSubdivision", "Curve", "Curves", "Cut", "Failure", "FarthestPoints",
+           "Isometries", "Isometry", "Network", "Operators", "Point", "Surface", "Voronoi", "__version__", "load", "map", "points",
            "read"]

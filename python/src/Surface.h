@@ -205,6 +205,8 @@ void bind_curves(py::module_& m);
 void bind_fields(py::module_& m);
 /// adds those on maps.
 void bind_maps(py::module_& m);
+/// adds those on isometries.
+void bind_isometries(py::module_& m);
 /// adds what writes pages.
 void bind_pages(py::module_& m);
 /// adds what writes files of other programs.

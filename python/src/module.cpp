@@ -64,6 +64,7 @@ PYBIND11_MODULE(_core, m) {
   bind_curves(m);
   bind_fields(m);
   bind_maps(m);
+  bind_isometries(m);
   bind_pages(m);
   bind_files(m);
 }

@@ -209,8 +209,15 @@ const std::map<std::string, Lines> answers{
     {"edit",
      {{"handles", "{/edit/handles}, energy {/edit/energy}"},
       {"moved", "by at most {/edit/max_displacement}"}}},
+    {"isometry",
+     {{"isometric", "{/isometry/answer}"},
+      {"isometries", "{/isometry/count}"},
+      {"difference", "of lengths: {/isometry/largest_difference}, relatively",
+       [](const Figures& f) { return f.has("/isometry/largest_difference"); }},
+      {"note", "{/isometry/note}"}}},
     {"view", {}}, // its answer is the page that it has written
-    {"info", joined({surface_lines, delaunay_lines, refinement_lines, quality_lines})}};
+    {"info", joined({surface_lines, {{"hash", "{/hash}"}}, delaunay_lines, refinement_lines,
+                     quality_lines})}};
 
 } // namespace
 

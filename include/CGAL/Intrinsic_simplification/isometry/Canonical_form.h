@@ -68,13 +68,13 @@ public:
 
   It hashes squared lengths in the units of the user, each rounded correctly, along the tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
-  \throws Invalid_input if exact arithmetic could not decide the tessellation
+  Where the form is not unique, the number counts elements only.
   \complexity linear
   */
   std::uint64_t hash() const;
 
   /// \cond
-  const internal::Singular_surface& parts() const { return *parts_; }
+  const std::shared_ptr<const internal::Singular_surface>& shared_parts() const { return parts_; }
   /// \endcond
 
 private:
