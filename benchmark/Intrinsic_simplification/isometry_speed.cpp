@@ -48,7 +48,7 @@ IT::Intrinsic_input torus_of_revolution(std::uint32_t n) {
   const auto v = [n](std::uint32_t i, std::uint32_t j) { return j % n * n + i % n; };
   const auto width = [n](std::uint32_t j) { // has few digits, so that diagonals are exact
     const double w = (2 + std::cos(2 * std::numbers::pi * (j % n) / n)) / n;
-    return std::round(w * 0x1p20) * 0x1p-20;
+    return std::round(w * 0x1p30) * 0x1p-30;
   };
   for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -56,7 +56,7 @@ IT::Intrinsic_input torus_of_revolution(std::uint32_t n) {
       faces.push_back({v(i, j), v(i + 1, j + 1), v(i, j + 1)});
     }
   IT::Gluing_map mesh(IT::gluing_from_triangles(n * n, faces));
-  const double side = std::round(0x1p20 * 4 / n) * 0x1p-20;
+  const double side = std::round(0x1p30 * 4 / n) * 0x1p-30;
   std::vector<double> lengths;
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     const IT::Gluing_map::Halfedge h{2 * e};

@@ -26,14 +26,16 @@ Mesh cube() {
 }
 
 int main() {
-  Mesh other = cube(); // with a vertex in the middle of an edge and one in a face
+  Mesh other = cube(); // with a vertex in a face and one on an edge
+  const auto middle = [&](const auto v, const auto w) {
+    return CGAL::midpoint(other.point(v), other.point(w));
+  };
+  const auto side = halfedge(*faces(other).begin(), other);
+  const Point inside = middle(source(side, other), target(next(side, other), other));
+  other.point(target(CGAL::Euler::add_center_vertex(side, other), other)) = inside;
   const auto edge = *halfedges(other).begin();
-  const Point middle = CGAL::midpoint(other.point(source(edge, other)),
-                                      other.point(target(edge, other)));
-  const auto split = CGAL::Euler::split_edge(edge, other);
-  other.point(target(split, other)) = middle;
-  const auto centre = CGAL::Euler::add_center_vertex(*halfedges(other).rbegin(), other);
-  other.point(target(centre, other)) = Point(0.25, 0.5, 1);
+  const Point on_edge = middle(source(edge, other), target(edge, other));
+  other.point(target(CGAL::Euler::split_edge(edge, other), other)) = on_edge;
   for (const auto v : vertices(other)) { // turned
     const Point p = other.point(v);
     other.point(v) = Point(p.y(), p.z(), p.x());

@@ -108,17 +108,15 @@ void bind_isometries(py::module_& m) {
       .def_property_readonly("count", [](const Found_isometries& f) { return f.found.count(); })
       .def_property_readonly("size", [](const Found_isometries& f) { return f.found.size(); })
       .def_property_readonly("note", [](const Found_isometries& f) { return f.found.note(); })
-      .def_property_readonly(
-          "largest_difference",
-          [](const Found_isometries& f) { return f.found.largest_difference(); })
+      .def_property_readonly("largest_difference",
+                             [](const Found_isometries& f) { return f.found.largest_difference(); })
       .def("map", [](const Found_isometries& f, std::size_t i) { return f.found[i]; })
       .def("images_of_vertices", &images_of_vertices)
-      .def("images_of_points",
-           [](const Found_isometries& f, const IT::Isometry& map, Surface& s,
-              const Place_arrays& points) {
-             Watch watch;
-             return images_of_points(f, map, s, points, watch);
-           });
+      .def("images_of_points", [](const Found_isometries& f, const IT::Isometry& map, Surface& s,
+                                  const Place_arrays& points) {
+        Watch watch;
+        return images_of_points(f, map, s, points, watch);
+      });
   m.def("isometries", isometries);
   m.def("hash", hash);
 }

@@ -135,8 +135,8 @@ inline Triangles box(double x, double y, double z) {
   return t;
 }
 
-inline IT::Intrinsic_input
-equilateral(std::uint32_t vertices, const std::vector<std::array<std::uint32_t, 3>>& faces) {
+inline IT::Intrinsic_input equilateral(std::uint32_t vertices,
+                                       const std::vector<std::array<std::uint32_t, 3>>& faces) {
   IT::Gluing_map mesh(IT::gluing_from_triangles(vertices, faces));
   std::vector<double> lengths(mesh.number_of_edges(), 1);
   return IT::Intrinsic_input(std::move(mesh), std::move(lengths));
@@ -144,8 +144,8 @@ equilateral(std::uint32_t vertices, const std::vector<std::array<std::uint32_t, 
 
 inline const std::vector<std::array<std::uint32_t, 3>>& icosahedron_faces() {
   static const std::vector<std::array<std::uint32_t, 3>> faces{
-      {0, 1, 2},  {0, 2, 3},  {0, 3, 4},  {0, 4, 5},  {0, 5, 1},  {1, 6, 2},  {2, 6, 7},
-      {2, 7, 3},  {3, 7, 8},  {3, 8, 4},  {4, 8, 9},  {4, 9, 5},  {5, 9, 10}, {5, 10, 1},
+      {0, 1, 2},  {0, 2, 3},  {0, 3, 4},  {0, 4, 5},  {0, 5, 1},   {1, 6, 2},  {2, 6, 7},
+      {2, 7, 3},  {3, 7, 8},  {3, 8, 4},  {4, 8, 9},  {4, 9, 5},   {5, 9, 10}, {5, 10, 1},
       {1, 10, 6}, {11, 7, 6}, {11, 8, 7}, {11, 9, 8}, {11, 10, 9}, {11, 6, 10}};
   return faces;
 }

@@ -79,10 +79,9 @@ TEST(CanonicalForm, hashDependsOnTheSurfaceAlone) {
     EXPECT_EQ(IT::canonical_form(refined).hash(), hash);
     const IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
                                       IT::Integer_coordinates>
-        rounded(IT::Intrinsic_input(
-            IT::Gluing_map(IT::gluing_from_triangles(
-                static_cast<std::uint32_t>(t.points.size()), t.faces)),
-            t.points));
+        rounded(IT::Intrinsic_input(IT::Gluing_map(IT::gluing_from_triangles(
+                                        static_cast<std::uint32_t>(t.points.size()), t.faces)),
+                                    t.points));
     EXPECT_EQ(IT::canonical_form(rounded).hash(), hash);
     hashes.insert(hash);
   }
@@ -143,12 +142,12 @@ bool is_connected_without_flat_vertex(const IT::Gluing_map& mesh) {
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
     ++degree[mesh.target(IT::Gluing_map::Halfedge{h}).index];
   if (std::count(degree.begin(), degree.end(), 6) > 0) return false;
-  const auto set = IT::internal::joined_sets(mesh.number_of_faces(), [&](const auto& join) {
-    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
-      join(mesh.face(IT::Gluing_map::Halfedge{h}).index,
-           mesh.face(IT::Gluing_map::Halfedge{h + 1}).index);
-  });
-  return std::count(set.begin(), set.end(), 0U) == std::ptrdiff_t{mesh.number_of_faces()};
+  std::set<std::uint32_t> reached{0};
+  for (std::uint32_t k = 0; k < mesh.number_of_faces(); ++k)
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (reached.count(mesh.face(IT::Gluing_map::Halfedge{h}).index) != 0)
+        reached.insert(mesh.face(IT::Gluing_map::Halfedge{h ^ 1U}).index);
+  return reached.size() == mesh.number_of_faces();
 }
 
 // Calls a function with each way to glue all sides in pairs.

@@ -92,7 +92,8 @@ TEST(FindIsometries, ignoresFlatVerticesNumbersAndPositions) {
 
 TEST(FindIsometries, findsAMirrorImageToBeOne) {
   // a tetrahedron with six different sides
-  const Triangles t{{{0, 0, 0}, {4, 0, 0}, {1, 5, 0}, {1, 2, 7}}, triangle_lists::tetrahedron().faces};
+  const Triangles t{{{0, 0, 0}, {4, 0, 0}, {1, 5, 0}, {1, 2, 7}},
+                    triangle_lists::tetrahedron().faces};
   const IT::Isometries found =
       IT::find_isometries(t.triangulation(), t.mirrored().renumbered(1).triangulation());
   ASSERT_EQ(found.answer(), Isometry_answer::isometric);
@@ -137,9 +138,9 @@ TEST(FindIsometries, recognisesASurfaceThatWasTurnedAndRounded) {
 TEST(FindIsometries, doesNotConfuseSurfacesWithTheSameLengths) {
   // two tetrahedra with the same six squared lengths at other places
   const auto tetrahedron = [](std::array<double, 6> l) {
-    IT::Gluing_map mesh(
-        IT::gluing_from_triangles(4, triangle_lists::tetrahedron().faces));
-    return Triangulation(IT::Intrinsic_input(std::move(mesh), {l.begin(), l.end()}));
+    IT::Gluing_map mesh(IT::gluing_from_triangles(4, triangle_lists::tetrahedron().faces));
+    return Triangulation(
+        IT::Intrinsic_input(std::move(mesh), std::vector<double>(l.begin(), l.end())));
   };
   const Triangulation a = tetrahedron({16, 17, 18, 19, 20, 21}),
                       b = tetrahedron({17, 16, 18, 19, 20, 21});
@@ -159,7 +160,9 @@ Triangulation torus(std::array<int, 2> a, std::array<int, 2> b, std::uint32_t n)
   const auto face = [n](std::uint32_t i, std::uint32_t j) { return 2 * (j % n * n + i % n); };
   for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
-      const auto v = [&](std::uint32_t x, std::uint32_t y) { return (j + y) % n * n + (i + x) % n; };
+      const auto v = [&](std::uint32_t x, std::uint32_t y) {
+        return (j + y) % n * n + (i + x) % n;
+      };
       for (const std::uint32_t w : {v(0, 0), v(1, 0), v(1, 1), v(0, 0), v(1, 1), v(0, 1)})
         g.origin.push_back(w);
       for (const double x : {l[0], l[1], l[2], l[2], l[0], l[1]}) sides.push_back(x);
@@ -179,7 +182,8 @@ TEST(FindIsometries, comparesFlatToriByTheirLattices) {
   EXPECT_EQ(symmetries(torus({1, 0}, {0, 2}, 2)), 4);
   EXPECT_EQ(symmetries(torus({2, 1}, {2, -1}, 2)), 4); // rhombs
   EXPECT_EQ(symmetries(torus({5, 0}, {1, 7}, 2)), 2);
-  const IT::Isometries square = IT::find_isometries(torus({1, 0}, {0, 1}, 2), torus({1, 1}, {1, 2}, 2));
+  const IT::Isometries square =
+      IT::find_isometries(torus({1, 0}, {0, 1}, 2), torus({1, 1}, {1, 2}, 2));
   EXPECT_EQ(square.answer(), Isometry_answer::isometric);
   EXPECT_EQ(square.count(), 8);
   EXPECT_EQ(square.note(), "translations of a flat torus");
@@ -202,8 +206,7 @@ TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
     for (auto& p : t.points) p[2] *= 2;
     return t;
   }();
-  const IT::Isometries found =
-      IT::find_isometries(ring.triangulation(), long_ring.triangulation());
+  const IT::Isometries found = IT::find_isometries(ring.triangulation(), long_ring.triangulation());
   EXPECT_EQ(found.answer(), Isometry_answer::undecided);
   EXPECT_FALSE(found.note().empty());
   EXPECT_EQ(IT::canonical_form(ring.triangulation()).hash(),
@@ -278,7 +281,8 @@ TEST(FindIsometries, mapsPointsAsItMapsVertices) {
     std::uint32_t h = p.halfedge;
     for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
       const auto& q = input.metric().points()[input.source(h)];
-      for (std::size_t c = 0; c < 3; ++c) sum[c] += std::ldexp(p.weights[k] * q[c], -input.scale_exponent());
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += std::ldexp(p.weights[k] * q[c], -input.scale_exponent());
     }
     return sum;
   };

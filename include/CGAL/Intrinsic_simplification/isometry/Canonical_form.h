@@ -66,7 +66,8 @@ public:
   /*!
   \brief returns a number that is the same for isometric surfaces, mirrored ones included.
 
-  It hashes squared lengths in the units of the user, each rounded correctly, along the tessellation.
+  It hashes squared lengths in the units of the user, each rounded correctly, along the
+  tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
   Where the form is not unique, the number counts elements only.
   \complexity linear

@@ -113,7 +113,7 @@ Isometries find_isometries(const Canonical_form& a, const Canonical_form& b);
 /// finds the isometries between the surfaces of two triangulations, see above.
 /// \tparam First, Second triangulations with a correspondence
 template <class First, class Second>
-  requires(First::has_correspondence && Second::has_correspondence)
+  requires(First::has_correspondence&& Second::has_correspondence)
 Isometries find_isometries(const First& a, const Second& b) {
   return find_isometries(canonical_form(a), canonical_form(b));
 }
