@@ -210,7 +210,7 @@ const std::map<std::string, Lines> answers{
      {{"handles", "{/edit/handles}, energy {/edit/energy}"},
       {"moved", "by at most {/edit/max_displacement}"}}},
     {"isometry",
-     {{"isometric", "{/isometry/answer}"},
+     {{"answer", "{/isometry/answer}"},
       {"isometries", "{/isometry/count}"},
       {"difference", "of lengths: {/isometry/largest_difference}, relatively",
        [](const Figures& f) { return f.has("/isometry/largest_difference"); }},
