@@ -47,6 +47,7 @@ LEFT_OUT = {
     "a hyperbolic plane and a sphere have a unit of their own":
         "hyperbolic_metric hyperbolic_surface lay_out_in_disk lay_out_on_sphere",
     "a step of `uniformize()`": "place_cones_within scaled_surface",
+    "compares two surfaces, and its test scales one of them": "find_isometries",
     "about memory": "reserve_at_least",
     "builds a triangulation, whose functions are called": "delaunay_triangulation",
 }

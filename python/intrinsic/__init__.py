@@ -13,6 +13,7 @@ from ._coarse import CoarseSurface
 from ._core import __version__
 from ._curve import Curve, Curves, Cut, Network
 from ._distances import FarthestPoints, Voronoi
+from ._isometries import Isometries, Isometry
 from ._map import Failure, map
 from ._operators import Operators
 from ._points import Point
@@ -21,5 +22,5 @@ from ._subdivision import CommonSubdivision
 from ._surface import Surface
 
 __all__ = ["CoarseSurface", "CommonSubdivision", "Curve", "Curves", "Cut", "Failure",
-           "FarthestPoints", "Network", "Operators", "Point", "Surface", "Voronoi", "__version__",
-           "load", "map", "points", "read"]
+           "FarthestPoints", "Isometries", "Isometry", "Network", "Operators", "Point", "Surface",
+           "Voronoi", "__version__", "load", "map", "points", "read"]

@@ -13,6 +13,7 @@ from ._curves import _Curves
 from ._distances import _Distances
 from ._fields import _Fields
 from ._files import save_surface
+from ._isometries import _Isometries
 from ._maps import _Maps
 from ._operators import _Learning
 from ._pages import _Pages
@@ -27,8 +28,8 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
-class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning,
-              _Simplification, _Pages):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simplification,
+              _Isometries, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is

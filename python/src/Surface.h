@@ -207,6 +207,8 @@ void bind_fields(py::module_& m);
 void bind_maps(py::module_& m);
 /// adds those that make surfaces coarse.
 void bind_simplify(py::module_& m);
+/// adds those on isometries.
+void bind_isometries(py::module_& m);
 /// adds what writes pages.
 void bind_pages(py::module_& m);
 /// adds what writes files of other programs.

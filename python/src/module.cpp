@@ -66,6 +66,7 @@ PYBIND11_MODULE(_core, m) {
   bind_fields(m);
   bind_maps(m);
   bind_simplify(m);
+  bind_isometries(m);
   bind_pages(m);
   bind_files(m);
 }

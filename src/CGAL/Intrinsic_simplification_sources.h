@@ -11,6 +11,19 @@ one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_conformal_sources.h>
+#include <CGAL/Intrinsic_simplification/isometry/Canonical_form.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Dart_complex.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Dart_matching.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_search.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Length_classes.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Singular_surface.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Strip_names.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Value_recipes.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/find_isometries.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/flat_vertices.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/refine_partition.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Removal_costs.cpp>

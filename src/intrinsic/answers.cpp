@@ -221,8 +221,15 @@ const std::map<std::string, Lines> answers{
       {"stayed", "{/simplify/not_flattened vertex vertices}, as rounding or loops hinder them",
        has<unflattened>},
       {"stayed", "{/simplify/kept_by_bound vertex vertices} within the bound", has<bounded>}}},
+    {"isometry",
+     {{"answer", "{/isometry/answer}"},
+      {"isometries", "{/isometry/count}"},
+      {"difference", "of lengths: {/isometry/largest_difference}, relatively",
+       [](const Figures& f) { return f.has("/isometry/largest_difference"); }},
+      {"note", "{/isometry/note}"}}},
     {"view", {}}, // its answer is the page that it has written
-    {"info", joined({surface_lines, delaunay_lines, refinement_lines, quality_lines})}};
+    {"info", joined({surface_lines, {{"hash", "{/hash}"}}, delaunay_lines, refinement_lines,
+                     quality_lines})}};
 
 } // namespace
 

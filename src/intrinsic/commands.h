@@ -40,6 +40,8 @@ void run_eigen(const Options& options);
 void run_edit(const Options& options);
 /// makes a surface with fewer vertices, and proves by how much lengths change.
 void run_simplify(const Options& options);
+/// finds the isometries between two surfaces, or of a surface with itself.
+void run_isometry(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// starts the program `intrinsic-study` in place of this one.

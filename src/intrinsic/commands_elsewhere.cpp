@@ -26,6 +26,7 @@ void run_field(const Options& options) { become(applications, options.arguments)
 void run_eigen(const Options& options) { become(applications, options.arguments); }
 void run_edit(const Options& options) { become(applications, options.arguments); }
 void run_simplify(const Options& options) { become(applications, options.arguments); }
+void run_isometry(const Options& options) { become(applications, options.arguments); }
 
 void run_study(const Options& options) { become("intrinsic-study", options.study); }
 

@@ -11,7 +11,7 @@
 
 namespace program {
 
-// with correspondences that the program `intrinsic-applications` has
+// with correspondences, and hashes, that the program `intrinsic-applications` has
 void run_delaunay_elsewhere(const Options& options);
 
 void run_delaunay(const Options& options) {
@@ -29,6 +29,7 @@ void run_delaunay(const Options& options) {
 }
 
 void run_info(const Options& options) {
+  if (options.hashes) return run_delaunay_elsewhere(options);
   Progress progress(options.logs_progress, options.is_quiet);
   with_loaded(options, progress, [&](auto& loaded) {
     Options as_it_is = options;

@@ -121,6 +121,18 @@ void add_common_options(CLI::App& command, Options& options) {
   add_report_options(command, options);
 }
 
+void add_isometry_options(CLI::App& command, Options& options) {
+  command.get_option("IN")->allow_extra_args(false); // what follows is the other surface
+  Option_adder{command}("OTHER", options.other, {file_name},
+                        "mesh or triangulation that is compared with IN; by default IN itself, "
+                        "whose symmetries are found");
+}
+
+void add_info_options(CLI::App& command, Options& options) {
+  Option_adder{command}("--hash", options.hashes,
+                        "compute a number that is the same for all isometric surfaces");
+}
+
 void add_constraint_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   add("--sharp-angle", options.sharp_angle, {in_range(ranges::sharp_angle)},

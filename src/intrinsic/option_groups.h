@@ -52,6 +52,10 @@ void add_view_option(CLI::App& command, Options& options, const std::string& wha
 
 /// adds the input, and the options of all commands.
 void add_common_options(CLI::App& command, Options& options);
+/// adds a second surface, which is compared with the input.
+void add_isometry_options(CLI::App& command, Options& options);
+/// adds what `info` computes of the surface.
+void add_info_options(CLI::App& command, Options& options);
 /// adds edges that are kept.
 void add_constraint_options(CLI::App& command, Options& options);
 /// adds other lengths than those in space.

@@ -44,6 +44,7 @@ std::string overwritten_input(const Options& o) {
   const Application_options& a = o.application;
   std::vector<std::string> read{
       o.input,           o.constraints, o.metric, o.sizes,       o.field, o.geodesic.network,
+      o.other,
       a.vectors,         a.handles,     a.pairs,  a.source_sets, a.cut,   o.uniformize.angles,
       o.uniformize.cones};
   read.insert(read.end(), o.shown.begin(), o.shown.end());

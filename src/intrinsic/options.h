@@ -138,6 +138,8 @@ struct Options {
   std::string metric;             ///< file of factors or tensors; empty: lengths are those in space
   std::string field;              ///< file of values at vertices that are transferred
   std::vector<std::string> shown; ///< files of values and curves that a page shows
+  std::string other;              ///< file of a surface that is compared with the input
+  bool hashes = false;            ///< whether `info` computes the hash of the surface
   std::string from = "input";     ///< triangulation that has the field: `input` or `intrinsic`
   std::string method = defaults::transfer_method; ///< `l2` or `pointwise`
   std::vector<std::string> study;                 ///< what follows the command `study`

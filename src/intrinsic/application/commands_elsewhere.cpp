@@ -4,6 +4,7 @@
 #include "../become.h"
 #include "../commands.h"
 #include "../delaunay.h"
+#include "isometry.h"
 
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
@@ -23,7 +24,12 @@ void run_delaunay(const Options& options) {
 }
 void run_transfer(const Options& options) { become("intrinsic", options.arguments); }
 void run_view(const Options& options) { become("intrinsic", options.arguments); }
-void run_info(const Options& options) { become("intrinsic", options.arguments); }
+void run_info(const Options& options) {
+  if (options.hashes)
+    run_info_with_hash(options);
+  else
+    become("intrinsic", options.arguments);
+}
 void run_study(const Options& options) { become("intrinsic", options.arguments); }
 
 } // namespace program

@@ -1,0 +1,190 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Corresponding_triangulation.h>
+#include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
+#include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
+
+#include "gallery.h"
+#include "triangle_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using triangle_lists::Triangles;
+using Triangulation = IT::Corresponding_triangulation;
+
+std::uint64_t hash_of(const Triangles& t) { return IT::canonical_form(t.triangulation()).hash(); }
+
+// a sphere with random radii
+Triangles bumpy(std::uint32_t seed) {
+  Triangles t = triangle_lists::octahedron();
+  for (int n = 0; n < 3; ++n)
+    for (std::size_t f = 0, faces = t.faces.size(); f < faces; ++f) t.split_face(f);
+  std::mt19937 random(seed);
+  for (auto& p : t.points) {
+    const double size = std::hypot(p[0], p[1], p[2]);
+    const double radius = 1 + static_cast<double>(random() % 1000) / 4096;
+    for (double& x : p) x *= radius / size;
+  }
+  return t;
+}
+
+TEST(CanonicalForm, ofACubeHasSixSquares) {
+  const IT::Canonical_form form =
+      IT::canonical_form(triangle_lists::box(1, 1, 1).divided(20, 7).triangulation());
+  EXPECT_TRUE(form.is_unique());
+  EXPECT_EQ(form.number_of_darts(), 24U);
+  EXPECT_EQ(form.number_of_flat_vertices(), 20U);
+  std::set<std::uint32_t> corners;
+  for (std::uint32_t d = 0; d < form.number_of_darts(); ++d) {
+    EXPECT_EQ(form.squared_length(d), 1);
+    EXPECT_EQ(form.next(form.next(form.next(form.next(d)))), d);
+    EXPECT_EQ(form.opposite(form.opposite(d)), d);
+    EXPECT_EQ(form.source(form.next(d)), form.source(form.opposite(d)));
+    corners.insert(form.source(d));
+  }
+  EXPECT_EQ(corners.size(), 8U);
+}
+
+TEST(CanonicalForm, hashDependsOnTheSurfaceAlone) {
+  std::set<std::uint64_t> hashes;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Triangles t = seed == 0 ? triangle_lists::box(1, 2, 3) : bumpy(seed);
+    const std::uint64_t hash = hash_of(t);
+    EXPECT_EQ(hash_of(t.renumbered(seed)), hash);
+    EXPECT_EQ(hash_of(t.mirrored()), hash);
+    EXPECT_EQ(hash_of(t.turned().turned()), hash);
+    EXPECT_EQ(hash_of(t.scaled(4).scaled(0.25)), hash);
+    EXPECT_NE(hash_of(t.scaled(2)), hash);
+    Triangulation refined = t.triangulation();
+    IT::delaunay_refine(refined);
+    EXPECT_EQ(IT::canonical_form(refined).hash(), hash);
+    const IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>,
+                                      IT::Integer_coordinates>
+        rounded(IT::Intrinsic_input(IT::Gluing_map(IT::gluing_from_triangles(
+                                        static_cast<std::uint32_t>(t.points.size()), t.faces)),
+                                    t.points));
+    EXPECT_EQ(IT::canonical_form(rounded).hash(), hash);
+    hashes.insert(hash);
+  }
+  EXPECT_EQ(hashes.size(), 20U);
+}
+
+TEST(CanonicalForm, ofSubdividedSurfacesIsThatOfTheSurface) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    const Triangles t = triangle_lists::box(1, 1 + seed % 3, 3);
+    EXPECT_EQ(hash_of(t.divided(2 * seed, seed)), hash_of(t)) << "seed " << seed;
+  }
+}
+
+// Random vertices of a bumpy sphere have irrational neighbours: lengths lie in a field of square
+// roots.
+TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
+  const Triangles t = bumpy(3);
+  const Triangles u = t.renumbered(1).turned();
+  const IT::Isometries found = IT::find_isometries(t.triangulation(), u.triangulation());
+  EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
+  EXPECT_EQ(found.count(), 1);
+}
+
+// ---- all gluings of few triangles ---------------------------------------------------------------
+
+// The symmetries of equilateral triangles that are glued, by trying all maps of halfedges.
+int symmetries_of(const IT::Gluing_map& mesh) {
+  using Halfedge = IT::Gluing_map::Halfedge;
+  const std::uint32_t n = mesh.number_of_halfedges();
+  int count = 0;
+  for (const bool is_mirrored : {false, true})
+    for (std::uint32_t to = 0; to < n; ++to) {
+      std::vector<std::uint32_t> image(n, n), stack{0};
+      image[0] = to;
+      bool fits = true;
+      while (fits && !stack.empty()) {
+        const std::uint32_t h = stack.back(), e = image[h];
+        stack.pop_back();
+        const std::uint32_t after = mesh.next(Halfedge{e}).index,
+                            before = mesh.previous(Halfedge{e}).index;
+        const std::pair<std::uint32_t, std::uint32_t> steps[] = {
+            {h ^ 1U, e ^ 1U}, {mesh.next(Halfedge{h}).index, is_mirrored ? before : after}};
+        for (const auto& [x, y] : steps) {
+          if (image[x] == n) {
+            image[x] = y;
+            stack.push_back(x);
+          }
+          fits = fits && image[x] == y;
+        }
+      }
+      count += fits ? 1 : 0;
+    }
+  return count;
+}
+
+bool is_connected_without_flat_vertex(const IT::Gluing_map& mesh) {
+  std::vector<int> degree(mesh.number_of_vertices(), 0);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
+    ++degree[mesh.target(IT::Gluing_map::Halfedge{h}).index];
+  if (std::count(degree.begin(), degree.end(), 6) > 0) return false;
+  std::set<std::uint32_t> reached{0};
+  for (std::uint32_t k = 0; k < mesh.number_of_faces(); ++k)
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (reached.count(mesh.face(IT::Gluing_map::Halfedge{h}).index) != 0)
+        reached.insert(mesh.face(IT::Gluing_map::Halfedge{h ^ 1U}).index);
+  return reached.size() == mesh.number_of_faces();
+}
+
+// Calls a function with each way to glue all sides in pairs.
+template <class Visit>
+void for_each_gluing(std::vector<std::uint32_t> sides, std::vector<gallery::Glued>& pairs,
+                     const Visit& visit) {
+  if (sides.empty()) return visit(pairs);
+  const std::uint32_t first = sides.back();
+  sides.pop_back();
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    std::vector<std::uint32_t> rest = sides;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+    pairs.push_back({first, sides[k]});
+    for_each_gluing(rest, pairs, visit);
+    pairs.pop_back();
+  }
+}
+
+TEST(CanonicalForm, findsTheSymmetriesOfAllSmallGluings) {
+  std::size_t compared = 0, number = 0;
+  for (const std::uint32_t faces : {2U, 4U}) {
+    std::vector<std::uint32_t> sides(3 * faces);
+    std::iota(sides.begin(), sides.end(), 0U);
+    std::vector<gallery::Glued> pairs;
+    for_each_gluing(sides, pairs, [&](const std::vector<gallery::Glued>& all) {
+      if (faces == 4 && number++ % 5 != 0) return;
+      const gallery::Surface s = gallery::abstract("gluing", gallery::glue(faces, all), {});
+      const IT::Gluing_map mesh(s.gluing);
+      if (!is_connected_without_flat_vertex(mesh)) return;
+      const IT::Canonical_form form = IT::canonical_form(Triangulation(gallery::input(s)));
+      const IT::Isometries found = IT::find_isometries(form, form);
+      ASSERT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
+      ASSERT_EQ(found.count(), symmetries_of(mesh));
+      ++compared;
+    });
+  }
+  EXPECT_GT(compared, 500U);
+}
+
+} // namespace

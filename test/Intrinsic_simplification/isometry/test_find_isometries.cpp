@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Corresponding_triangulation.h>
+#include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
+#include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+
+#include "gallery.h"
+#include "triangle_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using IT::Isometry_answer;
+using triangle_lists::Triangles;
+using Triangulation = IT::Corresponding_triangulation;
+
+double symmetries(const Triangulation& t) {
+  const IT::Isometries found = IT::find_isometries(t, t);
+  EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
+  return found.count();
+}
+
+double isometries(const Triangles& a, const Triangles& b) {
+  const IT::Isometries found = IT::find_isometries(a.triangulation(), b.triangulation());
+  return found.answer() == Isometry_answer::isometric ? found.count() : 0;
+}
+
+// the solid with a point above the middle of each face
+Triangulation dodecahedron_with_pyramids() {
+  // faces of the dodecahedron are vertices of the icosahedron, and vice versa
+  const auto& faces = triangle_lists::icosahedron_faces();
+  std::vector<std::array<std::uint32_t, 3>> all;
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::uint32_t g = 0; g < faces.size(); ++g)
+        for (std::size_t l = 0; l < 3; ++l)
+          if (faces[g][l] == faces[f][(k + 1) % 3] && faces[g][(l + 1) % 3] == faces[f][k])
+            all.push_back({20 + faces[f][k], g, f});
+  IT::Gluing_map mesh(IT::gluing_from_triangles(32, all));
+  std::vector<double> lengths;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e};
+    lengths.push_back(mesh.source(h).index < 20 && mesh.target(h).index < 20 ? 1 : 0.75);
+  }
+  return Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths)));
+}
+
+TEST(FindIsometries, countsTheSymmetriesOfPlatonicSolids) {
+  EXPECT_EQ(symmetries(triangle_lists::tetrahedron().triangulation()), 24);
+  EXPECT_EQ(symmetries(triangle_lists::box(1, 1, 1).triangulation()), 48);
+  EXPECT_EQ(symmetries(triangle_lists::octahedron().triangulation()), 48);
+  EXPECT_EQ(symmetries(Triangulation(
+                triangle_lists::equilateral(12, triangle_lists::icosahedron_faces()))),
+            120);
+  EXPECT_EQ(symmetries(dodecahedron_with_pyramids()), 120);
+}
+
+TEST(FindIsometries, countsTheSymmetriesOfBoxes) {
+  EXPECT_EQ(symmetries(triangle_lists::box(1, 1, 2).triangulation()), 16);
+  EXPECT_EQ(symmetries(triangle_lists::box(1, 2, 3).triangulation()), 8);
+}
+
+TEST(FindIsometries, ignoresFlatVerticesNumbersAndPositions) {
+  const Triangles solids[] = {triangle_lists::box(1, 1, 1), triangle_lists::box(1, 2, 3),
+                              triangle_lists::octahedron(), triangle_lists::tetrahedron()};
+  const double expected[] = {48, 8, 48, 24};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::uint32_t seed = 0; seed < 5; ++seed) {
+      const Triangles other = solids[k].divided(3 + 4 * seed, seed).renumbered(seed).turned();
+      EXPECT_EQ(isometries(solids[k], other), expected[k]) << k << " with seed " << seed;
+      EXPECT_EQ(isometries(solids[k], other.mirrored()), expected[k]) << k << ", seed " << seed;
+    }
+}
+
+TEST(FindIsometries, findsAMirrorImageToBeOne) {
+  // a tetrahedron with six different sides
+  const Triangles t{{{0, 0, 0}, {4, 0, 0}, {1, 5, 0}, {1, 2, 7}},
+                    triangle_lists::tetrahedron().faces};
+  const IT::Isometries found =
+      IT::find_isometries(t.triangulation(), t.mirrored().renumbered(1).triangulation());
+  ASSERT_EQ(found.answer(), Isometry_answer::isometric);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].reverses_orientation());
+  EXPECT_EQ(symmetries(t.triangulation()), 1);
+}
+
+TEST(FindIsometries, tellsScaledSurfacesApart) {
+  const Triangles t = triangle_lists::box(1, 2, 3);
+  const auto answer = [&](const Triangles& u) {
+    return IT::find_isometries(t.triangulation(), u.triangulation()).answer();
+  };
+  EXPECT_EQ(answer(t.scaled(2)), Isometry_answer::not_isometric);
+  EXPECT_EQ(answer(t.scaled(0x1p400)), Isometry_answer::not_isometric);
+  EXPECT_EQ(isometries(t.scaled(0x1p400), t.scaled(0x1p400).divided(9, 1)), 8);
+}
+
+TEST(FindIsometries, findsTheLastDigitToDiffer) {
+  const Triangles t = triangle_lists::octahedron();
+  Triangles u = t;
+  u.points[4][2] = std::nextafter(1, 2);
+  const IT::Isometries found = IT::find_isometries(t.triangulation(), u.triangulation());
+  EXPECT_EQ(found.answer(), Isometry_answer::isometric_within);
+  EXPECT_GT(found.largest_difference(), 0x1p-54);
+  EXPECT_LT(found.largest_difference(), 0x1p-48);
+  u.points[4][2] = 1.01;
+  EXPECT_EQ(IT::find_isometries(t.triangulation(), u.triangulation()).answer(),
+            Isometry_answer::not_isometric);
+}
+
+TEST(FindIsometries, recognisesASurfaceThatWasTurnedAndRounded) {
+  const Triangles t = triangle_lists::box(1, 1, 1).divided(12, 3);
+  Triangles u = t;
+  for (auto& p : u.points)
+    p = {0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1], p[2] / 3 + 2 * p[2] / 3};
+  const IT::Isometries found = IT::find_isometries(t.triangulation(), u.triangulation());
+  EXPECT_EQ(found.answer(), Isometry_answer::isometric_within) << found.note();
+  EXPECT_LT(found.largest_difference(), 1e-14);
+}
+
+TEST(FindIsometries, doesNotConfuseSurfacesWithTheSameLengths) {
+  // two tetrahedra with the same six squared lengths at other places
+  const auto tetrahedron = [](std::array<double, 6> l) {
+    IT::Gluing_map mesh(IT::gluing_from_triangles(4, triangle_lists::tetrahedron().faces));
+    return Triangulation(
+        IT::Intrinsic_input(std::move(mesh), std::vector<double>(l.begin(), l.end())));
+  };
+  const Triangulation a = tetrahedron({16, 17, 18, 19, 20, 21}),
+                      b = tetrahedron({17, 16, 18, 19, 20, 21});
+  EXPECT_EQ(IT::find_isometries(a, a).count(), 1);
+  EXPECT_EQ(IT::find_isometries(a, b).answer(), Isometry_answer::not_isometric);
+}
+
+// ---- flat surfaces ------------------------------------------------------------------------------
+
+// n times m parallelograms of the lattice of a and b, glued to a torus
+Triangulation torus(std::array<int, 2> a, std::array<int, 2> b, std::uint32_t n) {
+  IT::Gluing g;
+  g.number_of_vertices = n * n;
+  std::vector<double> sides;
+  const auto squared = [](int x, int y) { return static_cast<double>(x * x + y * y); };
+  const double l[3] = {squared(a[0], a[1]), squared(b[0], b[1]), squared(a[0] + b[0], a[1] + b[1])};
+  const auto face = [n](std::uint32_t i, std::uint32_t j) { return 2 * (j % n * n + i % n); };
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const auto v = [&](std::uint32_t x, std::uint32_t y) {
+        return (j + y) % n * n + (i + x) % n;
+      };
+      for (const std::uint32_t w : {v(0, 0), v(1, 0), v(1, 1), v(0, 0), v(1, 1), v(0, 1)})
+        g.origin.push_back(w);
+      for (const double x : {l[0], l[1], l[2], l[2], l[0], l[1]}) sides.push_back(x);
+      for (const std::uint32_t x :
+           {3 * (face(i, j + n - 1) + 1) + 1, 3 * (face(i + 1, j) + 1) + 2, 3 * (face(i, j) + 1),
+            3 * face(i, j) + 2, 3 * face(i, j + 1), 3 * face(i + n - 1, j) + 1})
+        g.glue.push_back(x);
+    }
+  gallery::Surface s{"torus", g, {}, sides};
+  return Triangulation(gallery::input(s));
+}
+
+TEST(FindIsometries, comparesFlatToriByTheirLattices) {
+  // isometries that keep a point: those of the lattice
+  EXPECT_EQ(symmetries(torus({1, 0}, {0, 1}, 1)), 8);
+  EXPECT_EQ(symmetries(torus({1, 0}, {0, 1}, 3)), 8);
+  EXPECT_EQ(symmetries(torus({1, 0}, {0, 2}, 2)), 4);
+  EXPECT_EQ(symmetries(torus({2, 1}, {2, -1}, 2)), 4); // rhombs
+  EXPECT_EQ(symmetries(torus({5, 0}, {1, 7}, 2)), 2);
+  const IT::Isometries square =
+      IT::find_isometries(torus({1, 0}, {0, 1}, 2), torus({1, 1}, {1, 2}, 2));
+  EXPECT_EQ(square.answer(), Isometry_answer::isometric);
+  EXPECT_EQ(square.count(), 8);
+  EXPECT_EQ(square.note(), "translations of a flat torus");
+  EXPECT_EQ(IT::find_isometries(torus({1, 0}, {0, 4}, 1), torus({2, 0}, {0, 2}, 1)).answer(),
+            Isometry_answer::not_isometric);
+}
+
+TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
+  Triangles ring; // a prism without its ends: a flat cylinder
+  for (const double z : {0., 1.})
+    for (const auto& [x, y] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
+      ring.points.push_back({x, y, z});
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t n = (k + 1) % 4;
+    ring.faces.push_back({k, n, n + 4});
+    ring.faces.push_back({k, n + 4, k + 4});
+  }
+  const Triangles long_ring = [&] {
+    Triangles t = ring;
+    for (auto& p : t.points) p[2] *= 2;
+    return t;
+  }();
+  const IT::Isometries found = IT::find_isometries(ring.triangulation(), long_ring.triangulation());
+  EXPECT_EQ(found.answer(), Isometry_answer::undecided);
+  EXPECT_FALSE(found.note().empty());
+  EXPECT_EQ(IT::canonical_form(ring.triangulation()).hash(),
+            IT::canonical_form(ring.renumbered(4).triangulation()).hash());
+}
+
+TEST(FindIsometries, decidesPolygonsWithABorder) {
+  const Triangles square{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_EQ(isometries(square, square.divided(15, 1).renumbered(2)), 8);
+  const Triangles bent{{{0, 0, 0}, {2, 0, 0}, {2, 0, 2}, {0, 0, 2}}, {{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_EQ(isometries(square, bent), 8);
+}
+
+// ---- several components, many candidates --------------------------------------------------------
+
+Triangles together(const std::vector<Triangles>& parts) {
+  Triangles all;
+  for (const Triangles& t : parts) {
+    const auto shift = static_cast<std::uint32_t>(all.points.size());
+    all.points.insert(all.points.end(), t.points.begin(), t.points.end());
+    for (const auto& [i, j, k] : t.faces) all.faces.push_back({i + shift, j + shift, k + shift});
+  }
+  return all;
+}
+
+TEST(FindIsometries, permutesComponents) {
+  const Triangles box = triangle_lists::box(1, 2, 3), other = triangle_lists::tetrahedron();
+  const Triangles a = together({box, other, box.turned()}),
+                  b = together({box.divided(5, 1), box.mirrored(), other}).renumbered(5);
+  const IT::Isometries found = IT::find_isometries(a.triangulation(), b.triangulation());
+  ASSERT_EQ(found.answer(), Isometry_answer::isometric);
+  ASSERT_EQ(found.size(), 2U * 8 * 8 * 24);
+  std::set<std::vector<std::uint32_t>> maps;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const IT::Isometry map = found[i];
+    std::vector<std::uint32_t> images;
+    for (std::uint32_t v = 0; v < a.points.size(); ++v) images.push_back(map.image_of_vertex(v));
+    maps.insert(images);
+  }
+  EXPECT_EQ(maps.size(), found.size());
+  EXPECT_EQ(isometries(a, together({box, other, other})), 0);
+}
+
+TEST(FindIsometries, walksRarelyWhereAllDartsLookAlike) {
+  // equilateral triangles, glued at random
+  std::mt19937 random(5);
+  const std::uint32_t faces = 2000;
+  std::vector<std::uint32_t> sides(3 * faces);
+  for (std::uint32_t h = 0; h < sides.size(); ++h) sides[h] = h;
+  std::shuffle(sides.begin(), sides.end(), random);
+  std::vector<gallery::Glued> pairs;
+  for (std::size_t k = 0; k < sides.size(); k += 2) pairs.push_back({sides[k], sides[k + 1]});
+  const gallery::Surface s = gallery::abstract("random", gallery::glue(faces, pairs), {});
+  const Triangulation t(gallery::input(s));
+  const IT::Isometries found = IT::find_isometries(t, t);
+  EXPECT_EQ(found.answer(), Isometry_answer::isometric);
+  EXPECT_EQ(found.count(), 1);
+  EXPECT_LT(found.number_of_walks(), 12U * faces);
+}
+
+// ---- maps of points -----------------------------------------------------------------------------
+
+TEST(FindIsometries, mapsPointsAsItMapsVertices) {
+  const Triangles a = triangle_lists::box(1, 2, 3).divided(9, 1),
+                  b = triangle_lists::box(1, 2, 3).divided(14, 2).renumbered(3);
+  const Triangulation s = a.triangulation(), t = b.triangulation();
+  const IT::Isometries found = IT::find_isometries(s, t);
+  ASSERT_EQ(found.size(), 8U);
+  // in space, each map of a box is a composition of reflections: coordinate k or size - k
+  const auto position = [](const IT::Input& input, const IT::Surface_point& p) {
+    std::array<double, 3> sum{};
+    std::uint32_t h = p.halfedge;
+    for (std::size_t k = 0; k < 3; ++k, h = input.next(h)) {
+      const auto& q = input.metric().points()[input.source(h)];
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += std::ldexp(p.weights[k] * q[c], -input.scale_exponent());
+    }
+    return sum;
+  };
+  std::vector<IT::Surface_point> points;
+  for (std::uint32_t f = 0; f < s.input().number_of_faces(); ++f)
+    points.push_back({s.input().halfedge_of_face(f), {0.25, 0.5, 0.25}});
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto images = found[i].images_of(points);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double size = static_cast<double>(c + 1);
+      double kept = 0, reflected = 0; // largest differences
+      for (std::size_t n = 0; n < points.size(); ++n) {
+        const double p = position(s.input(), points[n])[c], q = position(t.input(), images[n])[c];
+        kept = std::max(kept, std::abs(q - p));
+        reflected = std::max(reflected, std::abs(q - (size - p)));
+      }
+      EXPECT_LT(std::min(kept, reflected), 1e-9) << i << " " << c;
+    }
+  }
+}
+
+} // namespace
