@@ -61,19 +61,18 @@ py::dict dict_of_simplification(const IT::Simplification& s) {
   Places places = places_of(s);
   std::vector<std::array<double, 2>> face_stretch;
   for (const IT::Face_stretch& f : s.face_stretch) face_stretch.push_back({f.lower, f.upper});
-  return py::dict(
-      "status"_a = IT::name_of(s.status), "kept"_a = whole(s.kept),
-      "faces"_a = array_of(std::move(places.faces)), "weights"_a = array_of(std::move(places.weights)),
-      "stretch"_a = py::make_tuple(s.stretch.lower, s.stretch.upper, s.stretch.mean_lower,
-                                   s.stretch.mean_upper),
-      "face_stretch"_a = array_of(std::move(face_stretch)),
-      "prolongation"_a = array_of(IT::prolongation(s)),
-      "counts"_a = py::dict("removed"_a = s.removed, "newton"_a = s.newton_steps,
-                            "most_newton"_a = s.most_newton_steps,
-                            "ptolemy_flips"_a = s.ptolemy_flips, "flips"_a = s.flips,
-                            "blocked_by_border"_a = s.blocked_by_border,
-                            "not_flattened"_a = s.not_flattened,
-                            "kept_by_bound"_a = s.kept_by_bound));
+  return py::dict("status"_a = IT::name_of(s.status), "kept"_a = whole(s.kept),
+                  "faces"_a = array_of(std::move(places.faces)),
+                  "weights"_a = array_of(std::move(places.weights)),
+                  "stretch"_a = py::make_tuple(s.stretch.lower, s.stretch.upper,
+                                               s.stretch.mean_lower, s.stretch.mean_upper),
+                  "face_stretch"_a = array_of(std::move(face_stretch)),
+                  "prolongation"_a = array_of(IT::prolongation(s)),
+                  "counts"_a = py::dict(
+                      "removed"_a = s.removed, "newton"_a = s.newton_steps,
+                      "most_newton"_a = s.most_newton_steps, "ptolemy_flips"_a = s.ptolemy_flips,
+                      "flips"_a = s.flips, "blocked_by_border"_a = s.blocked_by_border,
+                      "not_flattened"_a = s.not_flattened, "kept_by_bound"_a = s.kept_by_bound));
 }
 
 // What Python gives a function for the cost.

@@ -228,8 +228,9 @@ const std::map<std::string, Lines> answers{
        [](const Figures& f) { return f.has("/isometry/largest_difference"); }},
       {"note", "{/isometry/note}"}}},
     {"view", {}}, // its answer is the page that it has written
-    {"info", joined({surface_lines, {{"hash", "{/hash}"}}, delaunay_lines, refinement_lines,
-                     quality_lines})}};
+    {"info",
+     joined(
+         {surface_lines, {{"hash", "{/hash}"}}, delaunay_lines, refinement_lines, quality_lines})}};
 
 } // namespace
 

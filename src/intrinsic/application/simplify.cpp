@@ -98,8 +98,8 @@ public:
     const IT::Gluing_map& mesh = s.surface.mesh;
     for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
       for (const auto h : mesh.sides(IT::Gluing_map::Face{f}))
-        at_coarse_[mesh.source(h).index] = worse(at_coarse_[mesh.source(h).index],
-                                                 s.face_stretch[f]);
+        at_coarse_[mesh.source(h).index] =
+            worse(at_coarse_[mesh.source(h).index], s.face_stretch[f]);
   }
 
   const IT::Face_stretch& at_coarse(std::size_t vertex) const { return at_coarse_[vertex]; }

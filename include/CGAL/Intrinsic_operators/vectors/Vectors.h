@@ -27,7 +27,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <complex>
 #include <concepts>
@@ -112,7 +111,7 @@ public:
       for (std::size_t i = 0; i < places.size(); ++i)
         sources.push_back({point_of_cloud(places[i]), values.at(i)});
       const auto extended = cloud(options).extend_scalars(sources);
-      std::copy(extended.begin(), extended.end(), result.begin());
+      for (std::size_t i = 0; i < extended.size(); ++i) result[i] = extended[i];
       return result;
     }
     const Heat* const method = heat(options);
