@@ -15,7 +15,6 @@
 #include <three_js.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <cstddef>
@@ -88,31 +87,6 @@ IT::Three_js scripts() {
   return all;
 }
 
-// Takes values of rows to the vertices of a common subdivision.
-class Taking {
-public:
-  template <class T>
-  Taking(const T& t, const IT::Common_subdivision& s)
-      : rows_(static_cast<Eigen::Index>(t.number_of_vertices())),
-        input_rows_(static_cast<Eigen::Index>(t.input().number_of_rows())),
-        from_intrinsic_(IT::interpolation_from_intrinsic(s)),
-        from_input_(IT::interpolation_from_input(s)) {}
-
-  Eigen::VectorXd operator()(const Eigen::VectorXd& values, bool has_classes = false) const {
-    if (values.size() != rows_ && values.size() != input_rows_)
-      refuse("values need one number for each of " + std::to_string(rows_) +
-             " vertices of the triangulation, or " + std::to_string(input_rows_) +
-             " of the mesh; there are " + std::to_string(values.size()));
-    const IT::Interpolation_matrix& from = values.size() == rows_ ? from_intrinsic_ : from_input_;
-    const Eigen::VectorXd known = values.head(from.cols());
-    return has_classes ? IT::nearest_values(from, known) : Eigen::VectorXd(from * known);
-  }
-
-private:
-  Eigen::Index rows_, input_rows_;
-  IT::Interpolation_matrix from_intrinsic_, from_input_;
-};
-
 // Writes what there is, on a triangulation.
 template <class T>
 std::string written(const Contents& c, const T& t, const std::vector<Point>& user_points,
@@ -120,17 +94,15 @@ std::string written(const Contents& c, const T& t, const std::vector<Point>& use
   const IT::Three_js three = scripts();
   IT::Common_subdivision s = IT::common_subdivision(t);
   const std::vector<Point> points = IT::positions(s, user_points, t.input());
-  const Taking take(t, s);
   IT::label_with_polygons(s, t.input().names().polygon_of_triangle);
   std::vector<IT::Subdivision_field> fields;
-  for (const Values& f : c.fields) {
-    fields.emplace_back(f.name, take(f.values, f.has_classes));
-    fields.back().has_classes = f.has_classes;
-  }
+  for (const Values& f : c.fields)
+    fields.push_back(IT::interpolated_field(f.name, s, f.values, f.has_classes));
   std::vector<std::array<double, 2>> texture;
   if (c.texture) {
-    const Eigen::VectorXd u = take(c.texture->col(0)), v = take(c.texture->col(1));
-    for (Eigen::Index i = 0; i < u.size(); ++i) texture.push_back({u[i], v[i]});
+    const IT::Subdivision_field u = IT::interpolated_field("u", s, c.texture->col(0)),
+                                v = IT::interpolated_field("v", s, c.texture->col(1));
+    for (std::size_t i = 0; i < u.values.size(); ++i) texture.push_back({u.values[i], v.values[i]});
   }
   IT::Html_view view;
   view.title = c.title;
