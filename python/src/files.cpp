@@ -29,7 +29,7 @@ namespace {
 
 using Named_values = std::vector<std::pair<std::string, Doubles>>;
 
-// Writes the common subdivision with numbers at the vertices of the triangulation.
+// Writes the common subdivision with numbers at the vertices of the triangulation, or of the mesh.
 void save_surface(Surface& s, const std::string& path, const Named_values& given, bool is_plain) {
   if (s.points.empty())
     refuse("the surface has lengths and no points, so that no mesh can be written");
@@ -38,15 +38,9 @@ void save_surface(Surface& s, const std::string& path, const Named_values& given
   with_triangulation(s, [&](auto& t) {
     IT::Common_subdivision d = IT::common_subdivision(t);
     const std::vector<Point> points = IT::positions(d, s.points, t.input());
-    const IT::Interpolation_matrix take = IT::interpolation_from_intrinsic(d);
     IT::label_with_polygons(d, t.input().names().polygon_of_triangle);
     std::vector<IT::Subdivision_field> fields;
-    for (const auto& [name, x] : values) {
-      if (x.size() != take.cols())
-        refuse(name + " has " + std::to_string(x.size()) + " numbers; give one for each of " +
-               std::to_string(t.number_of_vertices()) + " vertices");
-      fields.emplace_back(name, Eigen::VectorXd(take * x));
-    }
+    for (const auto& [name, x] : values) fields.push_back(IT::interpolated_field(name, d, x));
     if (!is_plain) return IT::write_common_subdivision(path, d, points, fields);
     IT::write_file(path, [&](std::ostream& out) {
       const std::string extension = std::filesystem::path(path).extension().string();

@@ -16,7 +16,6 @@
 #include <three_js.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <array>
 #include <cstddef>
@@ -91,43 +90,13 @@ IT::Three_js scripts() {
   return all;
 }
 
-// Takes values of rows to the vertices of a common subdivision.
-class Taking {
-public:
-  template <class T>
-  Taking(const T& t, const IT::Common_subdivision& s)
-      : rows_(static_cast<Eigen::Index>(t.number_of_vertices())),
-        input_rows_(static_cast<Eigen::Index>(t.input().number_of_rows())),
-        from_intrinsic_(IT::interpolation_from_intrinsic(s)),
-        from_input_(IT::interpolation_from_input(s)) {}
-
-  Eigen::VectorXd operator()(const Eigen::VectorXd& values, bool has_classes = false) const {
-    if (values.size() != rows_ && values.size() != input_rows_)
-      refuse("values need one number for each of " + std::to_string(rows_) +
-             " vertices of the triangulation, or " + std::to_string(input_rows_) +
-             " of the mesh; there are " + std::to_string(values.size()));
-    const IT::Interpolation_matrix& from = values.size() == rows_ ? from_intrinsic_ : from_input_;
-    const Eigen::VectorXd known = values.head(from.cols());
-    return has_classes ? IT::nearest_values(from, known) : Eigen::VectorXd(from * known);
-  }
-
-private:
-  Eigen::Index rows_, input_rows_;
-  IT::Interpolation_matrix from_intrinsic_, from_input_;
-};
-
 // A field on the common subdivision.
 // \param face for each face of the subdivision the one with values, if faces have them
-IT::Subdivision_field field_of(const Values& f, const Taking& take,
+IT::Subdivision_field field_of(const Values& f, const IT::Common_subdivision& s,
                                const std::vector<std::int64_t>& face) {
-  IT::Subdivision_field field{f.name, std::vector<double>()};
-  if (f.place == "vertices") {
-    const Eigen::VectorXd there = take(f.values, f.has_classes);
-    field.values.assign(there.begin(), there.end());
-  } else {
-    field.place = IT::Subdivision_field::Place::faces;
-    for (const std::int64_t i : face) field.values.push_back(f.values[i]);
-  }
+  if (f.place == "vertices") return IT::interpolated_field(f.name, s, f.values, f.has_classes);
+  IT::Subdivision_field field{f.name, std::vector<double>(), IT::Subdivision_field::Place::faces};
+  for (const std::int64_t i : face) field.values.push_back(f.values[i]);
   field.has_classes = f.has_classes;
   return field;
 }
@@ -139,7 +108,6 @@ std::string written(const Contents& c, const T& t, const std::vector<Point>& use
   const IT::Three_js three = scripts();
   IT::Common_subdivision s = IT::common_subdivision(t);
   const std::vector<Point> points = IT::positions(s, user_points, t.input());
-  const Taking take(t, s);
   IT::label_with_polygons(s, t.input().names().polygon_of_triangle);
   const Faces_in_order order(t);
   std::vector<std::int64_t> mine, users;
@@ -147,11 +115,12 @@ std::string written(const Contents& c, const T& t, const std::vector<Point>& use
   for (const std::uint32_t f : s.input_face) users.push_back(f);
   std::vector<IT::Subdivision_field> fields;
   for (const Values& f : c.fields)
-    fields.push_back(field_of(f, take, f.place == "faces" ? mine : users));
+    fields.push_back(field_of(f, s, f.place == "faces" ? mine : users));
   std::vector<std::array<double, 2>> texture;
   if (c.texture) {
-    const Eigen::VectorXd u = take(c.texture->col(0)), v = take(c.texture->col(1));
-    for (Eigen::Index i = 0; i < u.size(); ++i) texture.push_back({u[i], v[i]});
+    const IT::Subdivision_field u = IT::interpolated_field("u", s, c.texture->col(0)),
+                                v = IT::interpolated_field("v", s, c.texture->col(1));
+    for (std::size_t i = 0; i < u.values.size(); ++i) texture.push_back({u.values[i], v.values[i]});
   }
   IT::Html_view view;
   view.title = c.title;

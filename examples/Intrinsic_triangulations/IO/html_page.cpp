@@ -41,8 +41,7 @@ int main(int argc, char* argv[]) {
 
   //! [page]
   const IT::Common_subdivision s = IT::common_subdivision(t);
-  const Eigen::VectorXd values = IT::interpolation_from_intrinsic(s) * distance;
-  const std::array fields{IT::Subdivision_field("distance", values)};
+  const std::array fields{IT::interpolated_field("distance", s, distance)};
   std::vector<IT::Polyline> curves(1);
   for (const Point& p : IT::polyline(t, path, mesh))
     curves[0].points.push_back({p.x(), p.y(), p.z()});

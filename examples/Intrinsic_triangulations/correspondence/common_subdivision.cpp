@@ -36,9 +36,8 @@ int main(int argc, char** argv) {
 
   //! [subdivision]
   const IT::Common_subdivision s = IT::common_subdivision(t);
-  const Eigen::VectorXd values = IT::interpolation_from_intrinsic(s) * area;
   IT::write_common_subdivision(file, s, IT::positions(s, mesh),
-                               std::array{IT::Subdivision_field("area", values)});
+                               std::array{IT::interpolated_field("area", s, area)});
   //! [subdivision]
 
   //! [mesh]

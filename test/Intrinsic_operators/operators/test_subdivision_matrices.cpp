@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 namespace {
 
@@ -60,6 +62,26 @@ TEST(Interpolation_matrices, take_classes_to_the_vertex_with_the_largest_weight)
     p.insert(row, column) = weight;
   const Eigen::Vector3d expected{7, 4, 9};
   EXPECT_EQ(IT::nearest_values(p, Eigen::Vector3d{9, 4, 7}), expected);
+}
+
+TEST(Interpolated_field, fits_the_number_of_values) {
+  for (const Case& c : all_cases()) {
+    const IT::Common_subdivision& s = c.subdivision;
+    const std::vector<IT::Interpolation_matrix> matrices{IT::interpolation_from_input(s),
+                                                         IT::interpolation_from_intrinsic(s)};
+    for (const IT::Interpolation_matrix& p : matrices) {
+      const Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(p.cols(), 0, 1);
+      const bool is_unique = matrices[0].cols() != matrices[1].cols();
+      const Eigen::VectorXd linear = (is_unique ? p : matrices[1]) * values;
+      const IT::Subdivision_field field = IT::interpolated_field("x", s, values);
+      EXPECT_EQ(field.name, "x");
+      EXPECT_TRUE(std::ranges::equal(field.values, linear)) << c.name;
+      EXPECT_TRUE(IT::interpolated_field("x", p, values, true).has_classes);
+      EXPECT_TRUE(std::ranges::equal(IT::interpolated_field("x", p, values, true).values,
+                                     IT::nearest_values(p, values)))
+          << c.name;
+    }
+  }
 }
 
 TEST(Interpolation_matrices, agree_on_functions_that_are_linear_in_the_plane) {
