@@ -56,8 +56,8 @@ Members make single predicate calls and moves. Many calls in a row run faster in
 \tparam Correspondence_ a model of `IntrinsicCorrespondence`
 \cgalModels{RefinableTriangulation}
 */
-template <MutableDeltaComplex Mesh_ = Gluing_map,
-          IntrinsicTriangulationTraits Traits_ = Exact_euclidean_traits,
+template <internal::Owned_mesh Mesh_ = Gluing_map,
+          internal::Deciding_traits Traits_ = Exact_euclidean_traits,
           std::default_initializable Correspondence_ = No_correspondence>
 class Intrinsic_triangulation
     : public Metric_values<Intrinsic_triangulation<Mesh_, Traits_, Correspondence_>, Mesh_,
@@ -328,7 +328,7 @@ private:
   internal::Vertex_rows<Integer_coordinates> rows_;
 };
 
-template <MutableDeltaComplex M, IntrinsicTriangulationTraits T, std::default_initializable C>
+template <internal::Owned_mesh M, internal::Deciding_traits T, std::default_initializable C>
 Intrinsic_triangulation<M, T, C>::Intrinsic_triangulation(Gluing_map map, Metric metric,
                                                           std::shared_ptr<const Kept_input> input)
     : input_(std::move(input)), numbered_(mesh_from_gluing_map<Mesh>(std::move(map))),

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Correspondences that cannot do what is required: messages say which one can.
+// Correspondences and traits that cannot do what is required: messages say which ones can.
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/read_intrinsic_triangulation.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <istream>
 
@@ -42,7 +44,7 @@ void misuse(std::istream& file) {
 
 namespace case_correspondence_without_moves {
 // An observer is told of all moves.
-// error: the third argument of Intrinsic_triangulation is a model of IntrinsicCorrespondence
+// error: the third argument of Intrinsic_triangulation is a correspondence, such as Integer_coordinates
 struct Hears_of_flips {
   template <class Triangulation>
   void start(const Triangulation&) {}
@@ -57,6 +59,23 @@ void misuse(const IT::Intrinsic_input& input) {
   IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Hears_of_flips> t(input);
 }
 } // namespace case_correspondence_without_moves
+
+namespace case_number_is_no_correspondence {
+// error: the third argument of Intrinsic_triangulation is a correspondence, such as Integer_coordinates
+void misuse(const IT::Intrinsic_input& input) {
+  IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, double> t(input);
+}
+} // namespace case_number_is_no_correspondence
+
+namespace case_kernel_is_no_traits {
+// error at once: for a kernel or a number type FT write Euclidean_traits<FT>
+void misuse(IT::Intrinsic_triangulation<IT::Gluing_map, CGAL::Simple_cartesian<double>>*);
+} // namespace case_kernel_is_no_traits
+
+namespace case_correspondence_is_no_traits {
+// error at once: a correspondence is the third argument
+void misuse(IT::Intrinsic_triangulation<IT::Gluing_map, IT::Integer_coordinates>*);
+} // namespace case_correspondence_is_no_traits
 
 namespace case_vector_in_scaled_units {
 // Faces are laid out in scaled units, tangent vectors are in those of the input.

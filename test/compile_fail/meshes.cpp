@@ -78,6 +78,19 @@ struct OpenMesh_mesh {};
 void misuse(const OpenMesh_mesh& mesh) { IT::Corresponding_triangulation t(mesh); }
 } // namespace case_forgotten_OpenMesh_adaptor
 
+namespace case_number_is_no_mesh {
+// A triangulation owns a mesh; most own a Gluing_map.
+// error at once: first argument of Intrinsic_triangulation is a mesh .* mostly Gluing_map
+void misuse(IT::Intrinsic_triangulation<int>*);
+} // namespace case_number_is_no_mesh
+
+namespace case_owned_OpenMesh_without_adaptor {
+// A class that BGL does not know stands for a mesh of OpenMesh without the header.
+// error at once: for OpenMesh or a Polyhedron_3 with ids include OpenMesh_adaptor.h
+struct OpenMesh_mesh {};
+void misuse(IT::Intrinsic_triangulation<OpenMesh_mesh>*);
+} // namespace case_owned_OpenMesh_without_adaptor
+
 namespace case_forgotten_Polyhedron_3_adaptor {
 // BGL knows a polyhedron, but its elements have no numbers without ids.
 // error at once: for a Polyhedron_3 Polyhedron_3_adaptor.h

@@ -98,6 +98,30 @@ template <class Surface>
 concept Surface_in_space = std::is_same_v<Surface, Triangle_soup> ||
     (Mesh_without_metric<Surface> && !Lacks_adaptor<Surface>);
 
+// Say in words what the first two arguments of `Intrinsic_triangulation` are. A constraint of a
+// class has no text; an assertion that is met on the way to the constraint has one.
+template <class Mesh>
+struct Checked_mesh {
+  static_assert(MutableDeltaComplex<Mesh>,
+                "the first argument of Intrinsic_triangulation is a mesh that it owns and flips, "
+                "mostly Gluing_map, which is built from any mesh of yours; for OpenMesh or a "
+                "Polyhedron_3 with ids include OpenMesh_adaptor.h or Polyhedron_3_adaptor.h in "
+                "CGAL/Intrinsic_triangulations/connectivity/adaptors/");
+  static constexpr bool is_one = true;
+};
+template <class Traits>
+struct Checked_traits {
+  static_assert(IntrinsicTriangulationTraits<Traits>,
+                "the second argument of Intrinsic_triangulation is a traits class, mostly "
+                "Exact_euclidean_traits; for a kernel or a number type FT write "
+                "Euclidean_traits<FT>; a correspondence is the third argument");
+  static constexpr bool is_one = true;
+};
+template <class Mesh>
+concept Owned_mesh = Checked_mesh<Mesh>::is_one && MutableDeltaComplex<Mesh>;
+template <class Traits>
+concept Deciding_traits = Checked_traits<Traits>::is_one && IntrinsicTriangulationTraits<Traits>;
+
 template <class Other, class Triangulation>
 concept Not_a_surface = !Surface_in_space<Other> && !std::is_base_of_v<Triangulation, Other> &&
                         !std::is_base_of_v<Intrinsic_input, Other>;

@@ -83,10 +83,10 @@ namespace internal {
 template <class Correspondence, class Triangulation>
 constexpr void expect_correspondence() {
   static_assert(IntrinsicCorrespondence<Correspondence, Triangulation>,
-                "the third argument of Intrinsic_triangulation is a model of "
-                "IntrinsicCorrespondence: it has start(), and before() const, make_room() and "
-                "after() noexcept for each of the five moves; derive it from No_correspondence, "
-                "which does nothing");
+                "the third argument of Intrinsic_triangulation is a correspondence, such as "
+                "Integer_coordinates; one of your own is a model of IntrinsicCorrespondence: it "
+                "has start(), and before() const, make_room() and after() noexcept for each of "
+                "the five moves; derive it from No_correspondence, which does nothing");
 }
 
 // Has a mesh, and numbers for its edges.
