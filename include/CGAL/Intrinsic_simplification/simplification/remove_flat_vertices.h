@@ -26,7 +26,7 @@ Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>
 
 With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly: the
 ladder decides, no tolerance. Then the surface stays the same, and the proven stretch differs from 1
-only by the rounding of new lengths. CAD parts that were rounded have few such vertices; `within` 1e-6
+only by the rounding of new lengths. Few vertices of rounded CAD parts are flat; `within` 1e-6
 or so removes the others as `simplify()` does.
 \tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric and a session that
   compares angles with pi
