@@ -9,13 +9,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-Dart_complex::Dart_complex(const Gluing_map &mesh,
-                           const std::vector<char> &is_left_out)
+Dart_complex::Dart_complex(const Gluing_map& mesh, const std::vector<char>& is_left_out)
     : dart(mesh.number_of_halfedges(), none) {
   using Halfedge = Gluing_map::Halfedge;
   for (std::uint32_t h = 0; h < dart.size(); ++h) {
-    if (mesh.is_removed(Halfedge{h}) ||
-        mesh.face(Halfedge{h}).index == Gluing::none || is_left_out[h / 2] != 0)
+    if (mesh.is_removed(Halfedge{h}) || mesh.face(Halfedge{h}).index == Gluing::none ||
+        is_left_out[h / 2] != 0)
       continue;
     dart[h] = static_cast<std::uint32_t>(halfedge.size());
     halfedge.push_back(h);
@@ -25,8 +24,7 @@ Dart_complex::Dart_complex(const Gluing_map &mesh,
   opposite.resize(halfedge.size());
   for (std::uint32_t d = 0; d < size(); ++d) {
     Halfedge n = mesh.next(Halfedge{halfedge[d]});
-    while (dart[n.index] == none)
-      n = mesh.next(Gluing_map::opposite(n));
+    while (dart[n.index] == none) n = mesh.next(Gluing_map::opposite(n));
     next[d] = dart[n.index];
     previous[next[d]] = d;
     opposite[d] = dart[halfedge[d] ^ 1U];
@@ -39,8 +37,7 @@ Dart_complex::Dart_complex(const Gluing_map &mesh,
 void Dart_complex::count_sides() {
   sides.assign(size(), 0);
   for (std::uint32_t d = 0; d < size(); ++d) {
-    if (sides[d] != 0)
-      continue;
+    if (sides[d] != 0) continue;
     std::uint32_t count = 0, e = d;
     do {
       ++count;
@@ -58,19 +55,16 @@ void Dart_complex::count_degrees() {
   degree.assign(size(), 0);
   std::vector<std::uint32_t> fan;
   for (std::uint32_t d = 0; d < size(); ++d) {
-    if (degree[d] != 0)
-      continue;
+    if (degree[d] != 0) continue;
     std::uint32_t first = d;
-    while (opposite[first] != none && next[opposite[first]] != d)
-      first = next[opposite[first]];
+    while (opposite[first] != none && next[opposite[first]] != d) first = next[opposite[first]];
     fan.clear();
     std::uint32_t e = first;
     do {
       fan.push_back(e);
       e = opposite[previous[e]];
     } while (e != none && e != first);
-    for (const std::uint32_t x : fan)
-      degree[x] = static_cast<std::uint32_t>(fan.size());
+    for (const std::uint32_t x : fan) degree[x] = static_cast<std::uint32_t>(fan.size());
   }
 }
 
@@ -78,16 +72,14 @@ void Dart_complex::find_components() {
   component.assign(size(), none);
   std::vector<std::uint32_t> stack;
   for (std::uint32_t first = 0; first < size(); ++first) {
-    if (component[first] != none)
-      continue;
+    if (component[first] != none) continue;
     component[first] = number_of_components++;
     stack.assign(1, first);
     while (!stack.empty()) {
       const std::uint32_t d = stack.back();
       stack.pop_back();
       for (const std::uint32_t e : {next[d], opposite[d]}) {
-        if (e == none || component[e] != none)
-          continue;
+        if (e == none || component[e] != none) continue;
         component[e] = component[d];
         stack.push_back(e);
       }

@@ -19,17 +19,16 @@ struct Dart_complex {
 
   // \param is_left_out for each edge, whether the faces beside it belong to one
   // polygon
-  Dart_complex(const Gluing_map &mesh, const std::vector<char> &is_left_out);
+  Dart_complex(const Gluing_map& mesh, const std::vector<char>& is_left_out);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(next.size()); }
 
   std::vector<std::uint32_t> next, previous,
-      opposite;                        // opposite: none on the border
-  std::vector<std::uint32_t> halfedge; // of the triangulation
-  std::vector<std::uint32_t> dart;     // of each halfedge, or none
-  std::vector<std::uint32_t> sides;    // number of sides of its polygon
-  std::vector<std::uint32_t>
-      degree; // number of darts of the fan that start where it does
+      opposite;                         // opposite: none on the border
+  std::vector<std::uint32_t> halfedge;  // of the triangulation
+  std::vector<std::uint32_t> dart;      // of each halfedge, or none
+  std::vector<std::uint32_t> sides;     // number of sides of its polygon
+  std::vector<std::uint32_t> degree;    // number of darts of the fan that start where it does
   std::vector<std::uint32_t> component; // of each dart, from 0
   std::uint32_t number_of_components = 0;
 

@@ -37,15 +37,15 @@ public:
   struct Group {
     std::uint32_t first_dart; // of the component that represents the group
     std::vector<Directed_dart> firsts,
-        seconds; // its image in each component of either complex
+        seconds;                           // its image in each component of either complex
     std::vector<Directed_dart> symmetries; // its images in its own component
   };
 
   // \param second null to match the first complex with itself
-  Dart_matching(const Dart_complex &first, const Labels &first_labels,
-                const Dart_complex *second, const Labels *second_labels);
+  Dart_matching(const Dart_complex& first, const Labels& first_labels, const Dart_complex* second,
+                const Labels* second_labels);
 
-  const std::vector<Group> &groups() const { return groups_; }
+  const std::vector<Group>& groups() const { return groups_; }
   // whether there is an isomorphism
   bool are_isomorphic() const;
   // whether the search was given up, since too many walks fail late
@@ -57,18 +57,16 @@ public:
   // Maps the component of a dart so that the dart goes to another one; where
   // `image` is set, to other values than `none`, it must be this map. \return
   // whether that is an isomorphism
-  bool walk(std::uint32_t from, Directed_dart to,
-            std::vector<std::uint32_t> &image,
-            std::vector<std::uint32_t> &visited) const;
+  bool walk(std::uint32_t from, Directed_dart to, std::vector<std::uint32_t>& image,
+            std::vector<std::uint32_t>& visited) const;
 
 private:
-  void append(const Dart_complex &c, const Labels &labels);
+  void append(const Dart_complex& c, const Labels& labels);
   void refine();
   void sort_states();
   void group_component(std::uint32_t component);
-  bool joins(Group &group, std::uint32_t component);
-  void find_symmetries(Group &group, Joined_numbers &orbits,
-                       std::vector<char> &fails);
+  bool joins(Group& group, std::uint32_t component);
+  void find_symmetries(Group& group, Joined_numbers& orbits, std::vector<char>& fails);
   std::uint32_t rarest_dart(std::uint32_t component) const;
   // states of a class in a component: twice the dart, and one if mirrored
   std::pair<std::size_t, std::size_t> candidates(std::uint32_t component,
@@ -79,8 +77,7 @@ private:
   static constexpr std::size_t most_steps = std::size_t(1) << 31;
 
   std::uint32_t number_of_first_components_ = 0, number_of_components_ = 0;
-  std::vector<std::uint32_t> next_, previous_, opposite_, component_, sides_,
-      degree_, label_;
+  std::vector<std::uint32_t> next_, previous_, opposite_, component_, sides_, degree_, label_;
   std::vector<std::uint32_t> class_;     // of each state
   std::vector<std::uint32_t> states_;    // by component and class
   std::vector<std::size_t> first_state_; // of each component, and the end

@@ -30,72 +30,57 @@ constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
 using Halfedge = Gluing_map::Halfedge;
 
-std::string both(const std::string &x, const std::string &y) {
+std::string both(const std::string& x, const std::string& y) {
   return x.empty() || x == y ? y : y.empty() ? x : x + "; " + y;
 }
 
 } // namespace
 
-Isometry_search::Isometry_search(Surface a, Surface b)
-    : a_(std::move(a)), b_(std::move(b)) {
+Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(std::move(b)) {
   decide_exactly();
-  if (answer_ != Isometry_answer::not_isometric)
-    return;
+  if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
-    if (decide_within(error))
-      return;
-  const auto has_flat = [](const Surface &s) {
-    return s->number_of_flat_vertices() > 0;
-  };
-  if (has_flat(a_) ||
-      has_flat(b_)) { // vertices that rounding has bent are flat in one of them
-    const auto with_all = [](const Surface &s) {
-      return std::make_shared<const Singular_surface>(
-          s->delaunay(), Tessellation_vertices::all);
+    if (decide_within(error)) return;
+  const auto has_flat = [](const Surface& s) { return s->number_of_flat_vertices() > 0; };
+  if (has_flat(a_) || has_flat(b_)) { // vertices that rounding has bent are flat in one of them
+    const auto with_all = [](const Surface& s) {
+      return std::make_shared<const Singular_surface>(s->delaunay(), Tessellation_vertices::all);
     };
     a_ = with_all(a_);
     b_ = with_all(b_);
     for (const double error : rounding_errors)
-      if (decide_within(error))
-        return;
+      if (decide_within(error)) return;
   }
   matching_.reset();
 }
 
-void Isometry_search::match(const Length_classes &classes) {
+void Isometry_search::match(const Length_classes& classes) {
   const bool is_one = a_ == b_;
-  matching_.emplace(first_->darts, classes.of_dart.front(),
-                    is_one ? nullptr : &second_->darts,
+  matching_.emplace(first_->darts, classes.of_dart.front(), is_one ? nullptr : &second_->darts,
                     is_one ? nullptr : &classes.of_dart.back());
   number_of_walks_ += matching_->number_of_walks();
 }
 
 void Isometry_search::decide_exactly() {
-  const auto exact = [](const Singular_surface &s) {
-    return Tessellation{s.ties(), s.darts()};
-  };
+  const auto exact = [](const Singular_surface& s) { return Tessellation{s.ties(), s.darts()}; };
   first_ = exact(*a_);
-  std::vector<const Singular_surface *> surfaces{a_.get()};
+  std::vector<const Singular_surface*> surfaces{a_.get()};
   if (a_ != b_) {
     second_ = exact(*b_);
     surfaces.push_back(b_.get());
   }
+  note_ = both(a_->choice(), b_->choice());
+  if (!a_->is_proven() || !b_->is_proven()) return;
   const Length_classes classes = exact_length_classes(surfaces);
   match(classes);
-  note_ = both(a_->choice(), b_->choice());
-  const bool are_proven = a_->is_proven() && b_->is_proven();
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
-    if (!classes.are_proven)
-      note_ = both(note_, "lengths could not be proven to be equal");
+    if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
     const bool is_map = respects_vertices(own(0));
-    if (!is_map)
-      note_ =
-          both(note_, "fans of faces that meet at a vertex are matched apart");
-    if (are_proven && classes.are_proven && is_map)
-      answer_ = Isometry_answer::isometric;
-  } else if (are_proven && classes.are_separated && note_.empty()) {
+    if (!is_map) note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
+    if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
+  } else if (classes.are_separated && note_.empty()) {
     answer_ = Isometry_answer::not_isometric;
   }
   note_ = both(both(a_->continuous_part(), b_->continuous_part()), note_);
@@ -106,97 +91,80 @@ void Isometry_search::decide_exactly() {
 }
 
 bool Isometry_search::decide_within(double error) {
-  const auto rounded = [error](const Singular_surface &s) {
+  const auto rounded = [error](const Singular_surface& s) {
     std::vector<char> ties = s.ties_within(error);
     Dart_complex darts(s.triangulation().mesh(), ties);
     return Tessellation{std::move(ties), std::move(darts)};
   };
   first_ = rounded(*a_);
   second_ = rounded(*b_);
-  const Singular_surface *const surfaces[] = {a_.get(), b_.get()};
-  const Dart_complex *const complexes[] = {&first_->darts, &second_->darts};
+  const Singular_surface* const surfaces[] = {a_.get(), b_.get()};
+  const Dart_complex* const complexes[] = {&first_->darts, &second_->darts};
   match(rounded_length_classes(surfaces, error, complexes));
-  if (matching_->is_given_up() || !matching_->are_isomorphic())
-    return false;
+  if (matching_->is_given_up() || !matching_->are_isomorphic()) return false;
   const Isometry map = own(0);
-  if (!respects_vertices(map))
-    return false;
+  if (!respects_vertices(map)) return false;
   largest_difference_ = difference_of(map);
   answer_ = Isometry_answer::isometric_within;
   return true;
 }
 
 Isometry Isometry_search::own(std::size_t n) const {
-  return isometry(
-      std::shared_ptr<const Isometry_search>(std::shared_ptr<void>(), this), n);
+  return isometry(std::shared_ptr<const Isometry_search>(std::shared_ptr<void>(), this), n);
 }
 
-bool Isometry_search::respects_vertices(const Isometry &map) const {
-  const Dart_complex &to = a_ == b_ ? first_->darts : second_->darts;
-  const auto source = [](const Singular_surface &s, std::uint32_t halfedge) {
+bool Isometry_search::respects_vertices(const Isometry& map) const {
+  const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
+  const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
     return s.triangulation().mesh().source(Halfedge{halfedge}).index;
   };
-  std::vector<std::uint32_t> from(b_->delaunay().input().number_of_vertices(),
-                                  Dart_complex::none);
+  std::vector<std::uint32_t> from(b_->delaunay().input().number_of_vertices(), Dart_complex::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
-    const std::uint32_t e = map.image_of_dart(d),
-                        v = source(*a_, first_->darts.halfedge[d]),
-                        w = source(
-                            *b_,
-                            to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
-    if (map.image_of_vertex(v) != w ||
-        (from[w] != Dart_complex::none && from[w] != v))
+    const std::uint32_t e = map.image_of_dart(d), v = source(*a_, first_->darts.halfedge[d]),
+                        w = source(*b_, to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
+    if (map.image_of_vertex(v) != w || (from[w] != Dart_complex::none && from[w] != v))
       return false;
     from[w] = v;
   }
   return true;
 }
 
-double Isometry_search::difference_of(const Isometry &map) const {
+double Isometry_search::difference_of(const Isometry& map) const {
   double largest = 0;
   const double factor = std::ldexp(1.0, exponent_to_units_of(*b_, *a_));
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
-    const auto squared = [](const Singular_surface &s, std::uint32_t halfedge) {
-      return s.triangulation().approximate(
-          s.triangulation().length(halfedge / 2));
+    const auto squared = [](const Singular_surface& s, std::uint32_t halfedge) {
+      return s.triangulation().approximate(s.triangulation().length(halfedge / 2));
     };
     const double x = squared(*a_, first_->darts.halfedge[d]),
-                 y = squared(*b_,
-                             second_->darts.halfedge[map.image_of_dart(d)]) *
-                     factor;
+                 y = squared(*b_, second_->darts.halfedge[map.image_of_dart(d)]) * factor;
     largest = std::max(largest, std::abs(std::sqrt(y / x) - 1));
   }
   return largest + 0x1p-50; // more than rounding here
 }
 
 double Isometry_search::count() const {
-  if (!matching_)
-    return 0;
+  if (!matching_) return 0;
   double count = 1;
-  for (const Dart_matching::Group &g : matching_->groups())
+  for (const Dart_matching::Group& g : matching_->groups())
     for (std::size_t k = 1; k <= g.firsts.size(); ++k)
-      count *=
-          static_cast<double>(k) * static_cast<double>(g.symmetries.size());
+      count *= static_cast<double>(k) * static_cast<double>(g.symmetries.size());
   return count;
 }
 
-Directed_dart Isometry_search::composed(
-    const Dart_matching::Group &g, const Directed_dart &first,
-    const Directed_dart &second, const Directed_dart &symmetry,
-    std::vector<std::uint32_t> &image) const {
+Directed_dart Isometry_search::composed(const Dart_matching::Group& g, const Directed_dart& first,
+                                        const Directed_dart& second, const Directed_dart& symmetry,
+                                        std::vector<std::uint32_t>& image) const {
   std::vector<std::uint32_t> visited;
   matching_->walk(g.first_dart, second, image, visited);
   const std::uint32_t to = image[symmetry.dart];
-  for (const std::uint32_t d : visited)
-    image[d] = Dart_complex::none;
-  return {to,
-          (first.is_mirrored != symmetry.is_mirrored) != second.is_mirrored};
+  for (const std::uint32_t d : visited) image[d] = Dart_complex::none;
+  return {to, (first.is_mirrored != symmetry.is_mirrored) != second.is_mirrored};
 }
 
-void Isometry_search::compute(std::size_t n, Isometry &result) const {
+void Isometry_search::compute(std::size_t n, Isometry& result) const {
   const std::uint32_t shift = a_ == b_ ? 0 : first_->darts.size();
-  std::vector<std::uint32_t> image(matching_->number_of_darts(),
-                                   Dart_complex::none),
+  std::vector<std::uint32_t> image(matching_->number_of_darts(), Dart_complex::none),
       scratch = image, visited;
   result.is_mirrored_.assign(first_->darts.size(), 0);
   const auto digit = [&n](std::size_t base) {
@@ -204,27 +172,23 @@ void Isometry_search::compute(std::size_t n, Isometry &result) const {
     n /= base;
     return d;
   };
-  for (const Dart_matching::Group &g : matching_->groups()) {
+  for (const Dart_matching::Group& g : matching_->groups()) {
     std::vector<Directed_dart> targets = g.seconds;
-    for (const Directed_dart &first : g.firsts) {
-      const std::size_t symmetry = digit(g.symmetries.size()),
-                        target = digit(targets.size());
-      const Directed_dart to =
-          composed(g, first, targets[target], g.symmetries[symmetry], scratch);
+    for (const Directed_dart& first : g.firsts) {
+      const std::size_t symmetry = digit(g.symmetries.size()), target = digit(targets.size());
+      const Directed_dart to = composed(g, first, targets[target], g.symmetries[symmetry], scratch);
       targets.erase(targets.begin() + static_cast<std::ptrdiff_t>(target));
       visited.clear();
       matching_->walk(first.dart, to, image, visited);
-      for (const std::uint32_t d : visited)
-        result.is_mirrored_[d] = to.is_mirrored ? 1 : 0;
+      for (const std::uint32_t d : visited) result.is_mirrored_[d] = to.is_mirrored ? 1 : 0;
     }
   }
-  const Dart_complex &to = a_ == b_ ? first_->darts : second_->darts;
-  result.vertices_.assign(a_->delaunay().input().number_of_vertices(),
-                          Canonical_form::none);
+  const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
+  result.vertices_.assign(a_->delaunay().input().number_of_vertices(), Canonical_form::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     const std::uint32_t e = image[d] - shift;
     result.image_.push_back(e);
-    const auto source = [](const Singular_surface &s, std::uint32_t halfedge) {
+    const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
       return s.triangulation().mesh().source(Halfedge{halfedge}).index;
     };
     result.vertices_[source(*a_, first_->darts.halfedge[d])] =
@@ -234,44 +198,35 @@ void Isometry_search::compute(std::size_t n, Isometry &result) const {
 
 // The faces of a polygon in the plane, where the first side of the first one is
 // on an axis.
-std::vector<Laid_out_face>
-Isometry_search::polygon(const Singular_surface &s, const Tessellation &t,
-                         std::uint32_t halfedge) const {
+std::vector<Laid_out_face> Isometry_search::polygon(const Singular_surface& s,
+                                                    const Tessellation& t,
+                                                    std::uint32_t halfedge) const {
   std::vector<Laid_out_face> all{s.triangulation().lay_out(Halfedge{halfedge})};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Laid_out_face f = all[i];
     for (std::size_t k = i == 0 ? 0 : 1; k < 3; ++k) {
-      if (t.ties[f.sides[k] / 2] == 0)
-        continue;
-      Laid_out_face g =
-          s.triangulation().lay_out(Gluing_map::opposite(Halfedge{f.sides[k]}));
-      const Plane_vector<double> from = f.corners[(k + 1) % 3],
-                                 to = f.corners[k];
+      if (t.ties[f.sides[k] / 2] == 0) continue;
+      Laid_out_face g = s.triangulation().lay_out(Gluing_map::opposite(Halfedge{f.sides[k]}));
+      const Plane_vector<double> from = f.corners[(k + 1) % 3], to = f.corners[k];
       const double length = g.corners[1].x;
-      for (Plane_vector<double> &p : g.corners)
-        p = from + (to - from) * p / length;
+      for (Plane_vector<double>& p : g.corners) p = from + (to - from) * p / length;
       all.push_back(g);
     }
   }
   return all;
 }
 
-Surface_point Isometry_search::image(const Isometry &map,
-                                     const Surface_point &p) const {
-  const Tessellation &second = a_ == b_ ? *first_ : *second_;
-  for (const Laid_out_face &f : polygon(*a_, *first_, p.halfedge)) {
+Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p) const {
+  const Tessellation& second = a_ == b_ ? *first_ : *second_;
+  for (const Laid_out_face& f : polygon(*a_, *first_, p.halfedge)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t dart = first_->darts.dart[f.sides[k]];
-      if (dart == Dart_complex::none)
-        continue;
+      if (dart == Dart_complex::none) continue;
       // where the point is relative to the dart
       const Plane_vector<double> side = f.corners[(k + 1) % 3] - f.corners[k];
-      const Laid_out_face own =
-          a_->triangulation().lay_out(Halfedge{p.halfedge});
-      Plane_vector<double> z =
-          in_frame(side, own.place(p) - f.corners[k]) / dot(side, side);
-      if (map.is_mirrored(dart))
-        z.x = 1 - z.x;
+      const Laid_out_face own = a_->triangulation().lay_out(Halfedge{p.halfedge});
+      Plane_vector<double> z = in_frame(side, own.place(p) - f.corners[k]) / dot(side, side);
+      if (map.is_mirrored(dart)) z.x = 1 - z.x;
       const std::vector<Laid_out_face> faces =
           polygon(*b_, second, second.darts.halfedge[map.image_of_dart(dart)]);
       return point_at(faces, faces.front().corners[1].x * z);
@@ -280,12 +235,10 @@ Surface_point Isometry_search::image(const Isometry &map,
   return p; // every polygon has a side
 }
 
-std::vector<Surface_point>
-Isometry_search::images(const Isometry &map,
-                        std::span<const Surface_point> points) const {
+std::vector<Surface_point> Isometry_search::images(const Isometry& map,
+                                                   std::span<const Surface_point> points) const {
   std::vector<Surface_point> result = a_->from_input(points);
-  for (Surface_point &p : result)
-    p = image(map, p);
+  for (Surface_point& p : result) p = image(map, p);
   return b_->to_input(result);
 }
 

@@ -31,17 +31,16 @@ public:
   Isometry_search(Surface a, Surface b);
 
   Isometry_answer answer() const { return answer_; }
-  const std::string &note() const { return note_; }
+  const std::string& note() const { return note_; }
   double largest_difference() const { return largest_difference_; }
   double count() const;
   std::size_t number_of_walks() const { return number_of_walks_; }
 
   // Fills the maps of isometry number `n`.
-  void compute(std::size_t n, Isometry &result) const;
-  std::vector<Surface_point>
-  images(const Isometry &map, std::span<const Surface_point> points) const;
-  static Isometry isometry(const std::shared_ptr<const Isometry_search> &search,
-                           std::size_t n) {
+  void compute(std::size_t n, Isometry& result) const;
+  std::vector<Surface_point> images(const Isometry& map,
+                                    std::span<const Surface_point> points) const;
+  static Isometry isometry(const std::shared_ptr<const Isometry_search>& search, std::size_t n) {
     return Isometry(search, n);
   }
 
@@ -54,23 +53,20 @@ private:
 
   void decide_exactly();
   bool decide_within(double error);
-  void match(const Length_classes &classes);
+  void match(const Length_classes& classes);
   Isometry own(std::size_t n) const; // does not keep this object
   // whether fans of faces that meet at a vertex go to fans that meet at one
-  bool respects_vertices(const Isometry &map) const;
-  double difference_of(const Isometry &map) const;
+  bool respects_vertices(const Isometry& map) const;
+  double difference_of(const Isometry& map) const;
   // The image of the dart `first.dart` of a component of a group: back to the
   // first dart of the group, by the symmetry, and on to the component of
   // `second`. `image` is memory.
-  Directed_dart composed(const Dart_matching::Group &g,
-                         const Directed_dart &first,
-                         const Directed_dart &second,
-                         const Directed_dart &symmetry,
-                         std::vector<std::uint32_t> &image) const;
-  std::vector<Laid_out_face> polygon(const Singular_surface &s,
-                                     const Tessellation &t,
+  Directed_dart composed(const Dart_matching::Group& g, const Directed_dart& first,
+                         const Directed_dart& second, const Directed_dart& symmetry,
+                         std::vector<std::uint32_t>& image) const;
+  std::vector<Laid_out_face> polygon(const Singular_surface& s, const Tessellation& t,
                                      std::uint32_t halfedge) const;
-  Surface_point image(const Isometry &map, const Surface_point &p) const;
+  Surface_point image(const Isometry& map, const Surface_point& p) const;
 
   Surface a_, b_;
   std::optional<Tessellation> first_,

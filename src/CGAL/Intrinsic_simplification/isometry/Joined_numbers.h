@@ -21,18 +21,15 @@ public:
 
   // a number of the set, the same for all of its numbers until it is joined
   std::uint32_t set_of(std::uint32_t i) {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
   // returns whether they were in different sets
   bool join(std::uint32_t i, std::uint32_t j) {
     i = set_of(i);
     j = set_of(j);
-    if (i == j)
-      return false;
-    if (size_[i] < size_[j])
-      std::swap(i, j);
+    if (i == j) return false;
+    if (size_[i] < size_[j]) std::swap(i, j);
     parent_[j] = i;
     size_[i] += size_[j];
     return true;

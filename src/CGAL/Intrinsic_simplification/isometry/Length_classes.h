@@ -27,20 +27,16 @@ Compares squared lengths exactly. Enclosures prove most to be different. Two are
 equal if the same strips of input triangles lie under both edges, or if they are
 the same number in the field of the square roots of all surfaces.
 */
-Length_classes
-exact_length_classes(std::span<const Singular_surface *const> surfaces);
+Length_classes exact_length_classes(std::span<const Singular_surface* const> surfaces);
 
 // Lengths in different classes differ by more than a relative error.
 // \param darts the tessellations of the surfaces
-Length_classes
-rounded_length_classes(std::span<const Singular_surface *const> surfaces,
-                       double error,
-                       std::span<const Dart_complex *const> darts);
+Length_classes rounded_length_classes(std::span<const Singular_surface* const> surfaces,
+                                      double error, std::span<const Dart_complex* const> darts);
 
 // the power of four by which squared lengths of a surface are multiplied for
 // the units of another
-int exponent_to_units_of(const Singular_surface &from,
-                         const Singular_surface &to);
+int exponent_to_units_of(const Singular_surface& from, const Singular_surface& to);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

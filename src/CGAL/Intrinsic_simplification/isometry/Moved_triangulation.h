@@ -44,29 +44,25 @@ public:
   using Short_ball = Ball<Double_double>;
 
   // \param t must outlive this object, and stay as it is
-  explicit Moved_triangulation(const Corresponding_triangulation &t);
+  explicit Moved_triangulation(const Corresponding_triangulation& t);
 
-  const Gluing_map &mesh() const { return numbered_.mesh; }
-  const Value_recipes &recipes() const { return recipes_; }
+  const Gluing_map& mesh() const { return numbered_.mesh; }
+  const Value_recipes& recipes() const { return recipes_; }
   // all moves so far
-  const std::vector<Repartition> &moves() const { return moves_; }
+  const std::vector<Repartition>& moves() const { return moves_; }
   Id length(std::uint32_t edge) const { return length_[edge]; }
   Id area(std::uint32_t face) const { return area_[face]; }
   // whether no move has changed the face
-  bool is_original(std::uint32_t face) const {
-    return area_[face] == recipes_.area_of_face(face);
-  }
-  const Short_ball &enclosure(Id id) const { return short_(id); }
+  bool is_original(std::uint32_t face) const { return area_[face] == recipes_.area_of_face(face); }
+  const Short_ball& enclosure(Id id) const { return short_(id); }
   // an enclosure that is narrow, unless moves are very many: below 2^-90 of the
   // value
   Short_ball narrow_enclosure(Id id) const;
   // a double near a value, with an error far below the mean edge
   double approximate(Id id) const {
-    const Short_ball &quick = short_(id);
+    const Short_ball& quick = short_(id);
     const double x = quick.to_double();
-    return quick.radius() <= 0x1p-60 * (1 + std::abs(x))
-               ? x
-               : narrow_enclosure(id).to_double();
+    return quick.radius() <= 0x1p-60 * (1 + std::abs(x)) ? x : narrow_enclosure(id).to_double();
   }
 
   // the double nearest to a value, by exact arithmetic where enclosures leave
@@ -77,17 +73,16 @@ public:
   Laid_out_face lay_out(Halfedge h) const;
   // whether both sides of the edge have faces, not the same one
   bool has_diamond(Halfedge h) const {
-    const Gluing_map &m = mesh();
+    const Gluing_map& m = mesh();
     const auto f = m.face(h), g = m.face(Gluing_map::opposite(h));
-    return f.index != Gluing::none && g.index != Gluing::none &&
-           f.index != g.index;
+    return f.index != Gluing::none && g.index != Gluing::none && f.index != g.index;
   }
   Diamond_ids diamond(Halfedge h) const;
   Diamond_values<double> approximate(Halfedge h) const;
 
   // \throws Undecidable
   template <class Expression>
-  Sign sign(const Diamond_ids &d, const Expression &expression) const {
+  Sign sign(const Diamond_ids& d, const Expression& expression) const {
     const Uncertain<Sign> quick = expression(short_(d)).sign();
     return is_certain(quick) ? get_certain(quick) : exact_sign(d, expression);
   }
@@ -106,8 +101,8 @@ private:
   using Long_ball = Ball<Mpfr_number>;
 
   template <class Expression>
-  Sign exact_sign(const Diamond_ids &d, const Expression &expression) const {
-    const auto certain = [](const Long_ball &x) -> std::optional<Sign> {
+  Sign exact_sign(const Diamond_ids& d, const Expression& expression) const {
+    const auto certain = [](const Long_ball& x) -> std::optional<Sign> {
       const Uncertain<Sign> s = x.sign();
       return is_certain(s) ? std::optional(get_certain(s)) : std::nullopt;
     };
@@ -115,62 +110,57 @@ private:
       const Mpfr_precision precision(bits);
       return certain(expression(long_values(bits)(d)));
     };
+    const auto value = [&] { return expression((*exact_)(d)); };
+    // most open signs are zero, in planes: then numbers of the field are short
+    std::optional<Square_root_field::Number> x = in_field(few_words, value);
     // after many moves, enclosures of 106 bits are wide
     for (const unsigned bits : {256U, 1024U})
-      if (const auto s = in_bits(bits))
-        return *s;
-    if (const auto x = in_field([&] { return expression((*exact_)(d)); })) {
-      if (x->is_zero())
-        return ZERO;
-      if (const auto s =
-              in_growing_precision([&] { return certain(enclosure_of(*x)); }))
-        return *s;
+      if (const auto s = x ? std::nullopt : in_bits(bits)) return *s;
+    if (!x) x = in_field(most_words, value);
+    if (!x) { // once more, without the roots that others needed
+      start_field();
+      x = in_field(most_words, value);
     }
-    if (const auto s = in_bits(Mpfr_number::most_bits))
-      return *s;
-    throw Undecidable(
-        "a sign that removing flat vertices depends on could not be proven");
+    if (x && x->is_zero()) return ZERO;
+    if (x)
+      if (const auto s = in_growing_precision([&] { return certain(enclosure_of(*x)); })) return *s;
+    if (const auto s = in_bits(Mpfr_number::most_bits)) return *s;
+    throw Undecidable("a sign that removing flat vertices depends on could not be proven");
   }
-  // What a function returns that computes in the field; nothing if that takes
-  // too long.
+  // What a function returns that computes in the field; nothing if that takes too long.
   template <class Function>
-  auto in_field(const Function &f) const -> std::optional<decltype(f())> {
-    for (int attempt = 0; attempt < 2 && words_left_ > 0; ++attempt) {
-      const std::size_t most = std::min(most_words, words_left_);
-      field_->limit_products(most);
-      try {
-        const auto result = f();
-        words_left_ -= most - field_->words_left();
-        return result;
-      } catch (const std::length_error
-                   &) { // once more in a field without the roots of others
-        words_left_ -= most - field_->words_left();
-        start_field();
-      }
+  auto in_field(std::size_t most, const Function& f) const -> std::optional<decltype(f())> {
+    most = std::min(most, words_left_);
+    if (most == 0) return std::nullopt;
+    field_->limit_products(most);
+    std::optional<decltype(f())> result;
+    try {
+      result = f();
+    } catch (const std::length_error&) {
     }
-    return std::nullopt;
+    words_left_ -= most - field_->words_left();
+    return result;
   }
   // values in so many bits, each computed once
-  Value_recipes::Evaluation<Long_ball> &long_values(unsigned bits) const {
+  Value_recipes::Evaluation<Long_ball>& long_values(unsigned bits) const {
     return long_.try_emplace(bits, recipes_).first->second;
   }
   void start_field() const;
 
+  static constexpr std::size_t few_words = std::size_t(1) << 12;
   // words of coefficients that one sign may cost: some tenths of a second; and
   // all of them
   static constexpr std::size_t most_words = std::size_t(1) << 24;
-  mutable std::size_t words_left_ = std::size_t(1) << 28;
+  mutable std::size_t words_left_ = std::size_t(1) << 27;
 
   Mesh_with_numbers<Gluing_map> numbered_;
   Value_recipes recipes_;
   std::vector<Id> length_, area_;
   std::vector<Repartition> moves_;
   mutable Value_recipes::Evaluation<Short_ball> short_;
-  mutable std::map<unsigned, Value_recipes::Evaluation<Long_ball>>
-      long_; // by precision
+  mutable std::map<unsigned, Value_recipes::Evaluation<Long_ball>> long_; // by precision
   mutable std::unique_ptr<Square_root_field> field_;
-  mutable std::unique_ptr<Value_recipes::Evaluation<Square_root_field::Number>>
-      exact_;
+  mutable std::unique_ptr<Value_recipes::Evaluation<Square_root_field::Number>> exact_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

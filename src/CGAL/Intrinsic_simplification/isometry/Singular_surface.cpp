@@ -32,8 +32,8 @@ Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t) {
 }
 
 // Numbers sets of vertices that are joined by edges.
-std::vector<std::uint32_t> components_of_vertices(const Gluing_map &mesh) {
-  return joined_sets(mesh.number_of_vertices(), [&](const auto &join) {
+std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
+  return joined_sets(mesh.number_of_vertices(), [&](const auto& join) {
     for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
       join(mesh.source(Halfedge{h}).index, mesh.target(Halfedge{h}).index);
   });
@@ -41,17 +41,15 @@ std::vector<std::uint32_t> components_of_vertices(const Gluing_map &mesh) {
 
 // Takes points through moves.
 template <class Moves, class Before, class After>
-void carry(std::vector<Surface_point> &points, const Gluing_map &mesh,
-           std::size_t faces, const Moves &moves, const Before &before,
-           const After &after) {
-  if (moves.empty())
-    return;
+void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size_t faces,
+           const Moves& moves, const Before& before, const After& after) {
+  if (moves.empty()) return;
   std::vector<std::vector<std::size_t>> in_face(faces);
   for (std::size_t i = 0; i < points.size(); ++i)
     in_face[mesh.face(Halfedge{points[i].halfedge}).index].push_back(i);
-  for (const Repartition &move : moves) {
+  for (const Repartition& move : moves) {
     std::vector<std::pair<std::uint32_t, std::size_t>> moved;
-    for (const Laid_out_face &f : before(move)) {
+    for (const Laid_out_face& f : before(move)) {
       for (const std::size_t i : in_face[f.face]) {
         std::uint32_t face = 0;
         points[i] = point_at(after(move), f.place(points[i]), &face);
@@ -59,15 +57,13 @@ void carry(std::vector<Surface_point> &points, const Gluing_map &mesh,
       }
       in_face[f.face].clear();
     }
-    for (const auto &[face, i] : moved)
-      in_face[face].push_back(i);
+    for (const auto& [face, i] : moved) in_face[face].push_back(i);
   }
 }
 
 } // namespace
 
-Singular_surface::Singular_surface(Corresponding_triangulation t,
-                                   Tessellation_vertices vertices)
+Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices)
     : delaunay_(flipped_to_delaunay(std::move(t))), moved_(delaunay_) {
   try {
     if (vertices == Tessellation_vertices::not_flat) {
@@ -76,25 +72,23 @@ Singular_surface::Singular_surface(Corresponding_triangulation t,
       remove_vertices(moved_, are_removed);
     }
     find_ties();
-  } catch (const Undecidable &e) {
+  } catch (const Undecidable& e) {
     is_proven_ = false;
     choice_ = e.what();
     ties_.assign(moved_.mesh().number_of_edges(), 0);
   }
   darts_.emplace(moved_.mesh(), ties_);
-  if (delaunay_.metric().statistics().probable_zero == 0)
-    return;
+  if (delaunay_.metric().statistics().probable_zero == 0) return;
   is_proven_ = false;
   choice_ = "exact arithmetic took some values for zero without a proof";
 }
 
 // A component needs a vertex, and so does a loop of its border.
-void Singular_surface::choose_vertices(std::vector<char> &are_removed) {
-  const Gluing_map &mesh = delaunay_.mesh();
+void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
+  const Gluing_map& mesh = delaunay_.mesh();
   std::vector<char> is_done(mesh.number_of_halfedges(), 0);
   for (std::uint32_t first = 0; first < is_done.size(); ++first) {
-    if (is_done[first] != 0 || mesh.face(Halfedge{first}).index != Gluing::none)
-      continue;
+    if (is_done[first] != 0 || mesh.face(Halfedge{first}).index != Gluing::none) continue;
     bool has_corner = false;
     Halfedge h{first};
     do {
@@ -102,19 +96,16 @@ void Singular_surface::choose_vertices(std::vector<char> &are_removed) {
       has_corner = has_corner || are_removed[mesh.target(h).index] == 0;
       h = mesh.next(h);
     } while (h.index != first);
-    if (has_corner)
-      continue;
+    if (has_corner) continue;
     are_removed[mesh.target(h).index] = 0;
     choice_ = "a loop of the border has no corner";
   }
   const std::vector<std::uint32_t> component = components_of_vertices(mesh);
   std::vector<char> has_vertex(are_removed.size(), 0);
   for (std::uint32_t v = 0; v < are_removed.size(); ++v)
-    if (are_removed[v] == 0)
-      has_vertex[component[v]] = 1;
+    if (are_removed[v] == 0) has_vertex[component[v]] = 1;
   for (std::uint32_t v = 0; v < are_removed.size(); ++v) {
-    if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none)
-      continue;
+    if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none) continue;
     if (std::exchange(has_vertex[component[v]], 1) == 0) {
       are_removed[v] = 0;
       continuous_part_ = "translations of a flat torus";
@@ -124,15 +115,14 @@ void Singular_surface::choose_vertices(std::vector<char> &are_removed) {
 }
 
 void Singular_surface::find_ties() {
-  const Gluing_map &mesh = moved_.mesh();
+  const Gluing_map& mesh = moved_.mesh();
   ties_.assign(mesh.number_of_edges(), 0);
   std::vector<std::uint32_t> moved;
   {
     const Corresponding_triangulation::Const_session session(delaunay_);
     for (std::uint32_t e = 0; e < ties_.size(); ++e) {
       const Halfedge h{2 * e};
-      if (mesh.is_removed(h) || !moved_.has_diamond(h))
-        continue;
+      if (mesh.is_removed(h) || !moved_.has_diamond(h)) continue;
       if (moved_.is_original(mesh.face(h).index) &&
           moved_.is_original(mesh.face(Gluing_map::opposite(h)).index))
         ties_[e] = session.delaunay_sign(h) == ZERO ? 1 : 0;
@@ -141,34 +131,26 @@ void Singular_surface::find_ties() {
     }
   }
   for (const std::uint32_t e : moved)
-    ties_[e] = moved_.sign(moved_.diamond(Halfedge{2 * e}),
-                           Delaunay_expression()) == ZERO
-                   ? 1
-                   : 0;
+    ties_[e] = moved_.sign(moved_.diamond(Halfedge{2 * e}), Delaunay_expression()) == ZERO ? 1 : 0;
 }
 
 std::vector<char> Singular_surface::ties_within(double error) const {
-  const Gluing_map &mesh = moved_.mesh();
+  const Gluing_map& mesh = moved_.mesh();
   std::vector<char> result = ties_;
   // polygons stay disks: an edge is left out only between two of them
   Joined_numbers polygon(mesh.number_of_faces());
   const auto join = [&](Halfedge h) {
-    return polygon.join(mesh.face(h).index,
-                        mesh.face(Gluing_map::opposite(h)).index);
+    return polygon.join(mesh.face(h).index, mesh.face(Gluing_map::opposite(h)).index);
   };
   for (std::uint32_t e = 0; e < result.size(); ++e)
-    if (result[e] != 0)
-      join(Halfedge{2 * e});
+    if (result[e] != 0) join(Halfedge{2 * e});
   for (std::uint32_t e = 0; e < result.size(); ++e) {
     const Halfedge h{2 * e};
-    if (result[e] != 0 || mesh.is_removed(h) || !moved_.has_diamond(h))
-      continue;
+    if (result[e] != 0 || mesh.is_removed(h) || !moved_.has_diamond(h)) continue;
     const Diamond_values<double> d = moved_.approximate(h);
     const double size = std::abs(left_cotangent_numerator(d)) * d.area_g +
-                        std::abs(right_cotangent_numerator(d)) * d.area_f +
-                        d.area_f * d.area_g;
-    if (std::abs(Delaunay_expression()(d)) <= error * size && join(h))
-      result[e] = 1;
+                        std::abs(right_cotangent_numerator(d)) * d.area_f + d.area_f * d.area_g;
+    if (std::abs(Delaunay_expression()(d)) <= error * size && join(h)) result[e] = 1;
   }
   return result;
 }
@@ -176,26 +158,22 @@ std::vector<char> Singular_surface::ties_within(double error) const {
 std::vector<Surface_point>
 Singular_surface::from_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;
-  for (const Surface_point &p : points)
-    result.push_back(locate_on_intrinsic(delaunay_, p).value());
+  for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(delaunay_, p).value());
   carry(
-      result, delaunay_.mesh(), delaunay_.mesh().number_of_faces(),
-      moved_.moves(),
-      [](const Repartition &m) -> const auto & { return m.before; },
-      [](const Repartition &m) -> const auto & { return m.after; });
+      result, delaunay_.mesh(), delaunay_.mesh().number_of_faces(), moved_.moves(),
+      [](const Repartition& m) -> const auto& { return m.before; },
+      [](const Repartition& m) -> const auto& { return m.after; });
   return result;
 }
 
-std::vector<Surface_point>
-Singular_surface::to_input(std::span<const Surface_point> points) const {
+std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result(points.begin(), points.end());
   const auto back = std::span(moved_.moves()) | std::views::reverse;
   carry(
       result, moved_.mesh(), delaunay_.mesh().number_of_faces(), back,
-      [](const Repartition &m) -> const auto & { return m.after; },
-      [](const Repartition &m) -> const auto & { return m.before; });
-  for (Surface_point &p : result)
-    p = locate_on_input(delaunay_, p).value();
+      [](const Repartition& m) -> const auto& { return m.after; },
+      [](const Repartition& m) -> const auto& { return m.before; });
+  for (Surface_point& p : result) p = locate_on_input(delaunay_, p).value();
   return result;
 }
 

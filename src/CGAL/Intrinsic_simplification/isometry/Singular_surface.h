@@ -28,30 +28,25 @@ cocircular faces are left out, and flat vertices if wanted.
 class Singular_surface {
 public:
   // flips the triangulation until it is Delaunay
-  Singular_surface(Corresponding_triangulation t,
-                   Tessellation_vertices vertices);
-  Singular_surface(const Singular_surface &) = delete;
-  Singular_surface &operator=(const Singular_surface &) = delete;
+  Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices);
+  Singular_surface(const Singular_surface&) = delete;
+  Singular_surface& operator=(const Singular_surface&) = delete;
 
-  const Corresponding_triangulation &delaunay() const { return delaunay_; }
-  const Moved_triangulation &triangulation() const { return moved_; }
-  const Dart_complex &darts() const { return *darts_; }
-  const std::vector<char> &ties() const { return ties_; }
-  std::uint32_t number_of_flat_vertices() const {
-    return number_of_flat_vertices_;
-  }
+  const Corresponding_triangulation& delaunay() const { return delaunay_; }
+  const Moved_triangulation& triangulation() const { return moved_; }
+  const Dart_complex& darts() const { return *darts_; }
+  const std::vector<char>& ties() const { return ties_; }
+  std::uint32_t number_of_flat_vertices() const { return number_of_flat_vertices_; }
   // what is arbitrary in the tessellation, or undecided; empty if there is
   // nothing
-  const std::string &choice() const { return choice_; }
+  const std::string& choice() const { return choice_; }
   // the continuous part of the group of isometries; empty if there is none
-  const std::string &continuous_part() const { return continuous_part_; }
+  const std::string& continuous_part() const { return continuous_part_; }
   // whether everything was proven, though a choice may be arbitrary
   bool is_proven() const { return is_proven_; }
 
   std::uint32_t source(std::uint32_t dart) const {
-    return moved_.mesh()
-        .source(Gluing_map::Halfedge{darts_->halfedge[dart]})
-        .index;
+    return moved_.mesh().source(Gluing_map::Halfedge{darts_->halfedge[dart]}).index;
   }
   Value_recipes::Id length(std::uint32_t dart) const {
     return moved_.length(darts_->halfedge[dart] / 2);
@@ -61,13 +56,11 @@ public:
   std::vector<char> ties_within(double error) const;
 
   // takes points of the input to the triangulation, and back
-  std::vector<Surface_point>
-  from_input(std::span<const Surface_point> points) const;
-  std::vector<Surface_point>
-  to_input(std::span<const Surface_point> points) const;
+  std::vector<Surface_point> from_input(std::span<const Surface_point> points) const;
+  std::vector<Surface_point> to_input(std::span<const Surface_point> points) const;
 
 private:
-  void choose_vertices(std::vector<char> &are_removed);
+  void choose_vertices(std::vector<char>& are_removed);
   void find_ties();
 
   Corresponding_triangulation delaunay_;

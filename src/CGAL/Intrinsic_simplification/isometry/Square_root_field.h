@@ -40,23 +40,17 @@ public:
   using Face = std::pair<std::array<Number, 3>, Number>;
 
   Square_root_field() = default;
-  Square_root_field(const Square_root_field &) = delete;
-  Square_root_field &operator=(const Square_root_field &) = delete;
+  Square_root_field(const Square_root_field&) = delete;
+  Square_root_field& operator=(const Square_root_field&) = delete;
 
   // \throws std::length_error if there are too many roots
-  const Face &face(const Input_metric &m, std::uint32_t f) {
-    auto &faces = faces_[&m];
-    if (const auto known = faces.find(f); known != faces.end())
-      return known->second;
+  const Face& face(const Input_metric& m, std::uint32_t f) {
+    auto& faces = faces_[&m];
+    if (const auto known = faces.find(f); known != faces.end()) return known->second;
     const auto area = basis_.sqrt_of(m.squared_quadruple_area<Gmpq>(f));
-    if (!area)
-      throw std::length_error("too many square roots");
-    const auto length = [&](unsigned k) {
-      return Number(m.squared_length<Gmpq>(f, k));
-    };
-    return faces
-        .emplace(f,
-                 Face{{length(0), length(1), length(2)}, Number(basis_, *area)})
+    if (!area) throw std::length_error("too many square roots");
+    const auto length = [&](unsigned k) { return Number(m.squared_length<Gmpq>(f, k)); };
+    return faces.emplace(f, Face{{length(0), length(1), length(2)}, Number(basis_, *area)})
         .first->second;
   }
   // Bounds what products may cost from now on, see
@@ -67,12 +61,11 @@ public:
 
 private:
   Square_class_basis basis_;
-  std::map<const Input_metric *, std::unordered_map<std::uint32_t, Face>>
-      faces_;
+  std::map<const Input_metric*, std::unordered_map<std::uint32_t, Face>> faces_;
 };
 
 // the number times 2^exponent
-inline Gmpq times_power_of_two(const Gmpq &x, int exponent) {
+inline Gmpq times_power_of_two(const Gmpq& x, int exponent) {
   Gmpq result;
   if (exponent >= 0)
     mpq_mul_2exp(result.mpq(), x.mpq(), static_cast<mp_bitcnt_t>(exponent));
@@ -82,19 +75,18 @@ inline Gmpq times_power_of_two(const Gmpq &x, int exponent) {
 }
 
 // Encloses a number of the field, with the current precision.
-inline Ball<Mpfr_number> enclosure_of(const Square_root_field::Number &x) {
-  return x.value([](const Gmpq &q) {
+inline Ball<Mpfr_number> enclosure_of(const Square_root_field::Number& x) {
+  return x.value([](const Gmpq& q) {
     using Long_ball = Ball<Mpfr_number>;
     const Mpfr_number center = Mpfr_number::nearest(q);
-    return Long_ball::around(center, std::abs(center.magnitude()) *
-                                         Mpfr_number::rounding());
+    return Long_ball::around(center, std::abs(center.magnitude()) * Mpfr_number::rounding());
   });
 }
 
 // Calls a function in more and more bits, until it returns something; nothing
 // if it never does.
 template <class Function>
-auto in_growing_precision(const Function &f) -> decltype(f()) {
+auto in_growing_precision(const Function& f) -> decltype(f()) {
   decltype(f()) result = std::nullopt;
   raise_precision(256, 4096, [&](unsigned bits) {
     const Mpfr_precision precision(bits);

@@ -19,56 +19,46 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-std::uint32_t Strip_names::name_of_length(const Input_metric &m, Face_side s,
-                                          int exponent) {
-  const Gmpq x =
-      times_power_of_two(m.squared_length<Gmpq>(s.face, s.slot), exponent);
-  return lengths_.emplace(x, static_cast<std::uint32_t>(lengths_.size()))
-      .first->second;
+std::uint32_t Strip_names::name_of_length(const Input_metric& m, Face_side s, int exponent) {
+  const Gmpq x = times_power_of_two(m.squared_length<Gmpq>(s.face, s.slot), exponent);
+  return lengths_.emplace(x, static_cast<std::uint32_t>(lengths_.size())).first->second;
 }
 
-std::optional<Strip_names::Name> Strip_names::name(const Value_recipes &recipes,
-                                                   std::uint32_t edge,
+std::optional<Strip_names::Name> Strip_names::name(const Value_recipes& recipes, std::uint32_t edge,
                                                    int exponent) {
   std::vector<std::uint32_t> letters;
-  if (const Unfolded_diamond *strip = recipes.strip(edge)) {
+  if (const Unfolded_diamond* strip = recipes.strip(edge)) {
     const std::optional<Row> r = row(recipes.metric(), *strip, exponent);
-    if (!r)
-      return std::nullopt;
-    letters = std::min({r->letters(false, false), r->letters(false, true),
-                        r->letters(true, false), r->letters(true, true)});
+    if (!r) return std::nullopt;
+    letters = std::min({r->letters(false, false), r->letters(false, true), r->letters(true, false),
+                        r->letters(true, true)});
   } else {
-    letters = {name_of_length(recipes.metric(), recipes.input_side_of(edge),
-                              exponent)};
+    letters = {name_of_length(recipes.metric(), recipes.input_side_of(edge), exponent)};
   }
-  return names_.emplace(std::move(letters), static_cast<Name>(names_.size()))
-      .first->second;
+  return names_.emplace(std::move(letters), static_cast<Name>(names_.size())).first->second;
 }
 
 // A triangle is entered over its first side, from left to right: its second
 // side is on the right.
-std::optional<Strip_names::Row> Strip_names::row(const Input_metric &m,
-                                                 const Unfolded_diamond &strip,
-                                                 int exponent) {
-  const auto &triangles = strip.triangles;
+std::optional<Strip_names::Row> Strip_names::row(const Input_metric& m,
+                                                 const Unfolded_diamond& strip, int exponent) {
+  const auto& triangles = strip.triangles;
   const std::size_t n = triangles.size();
   const auto side = [&](std::size_t triangle, std::uint32_t k) {
-    const Face_side &s = triangles[triangle].side;
+    const Face_side& s = triangles[triangle].side;
     return name_of_length(m, {s.face, (s.slot + k) % 3}, exponent);
   };
-  if (n < 2 || strip.corners[0].triangle != 0 ||
-      strip.corners[1].triangle != n - 1 || strip.corners[1].corner != 2)
+  if (n < 2 || strip.corners[0].triangle != 0 || strip.corners[1].triangle != n - 1 ||
+      strip.corners[1].corner != 2)
     return std::nullopt;
   Row r;
   std::uint32_t exit = triangles.exit_to(1);
-  if (strip.corners[0].corner != (exit + 2) % 3)
-    return std::nullopt;
+  if (strip.corners[0].corner != (exit + 2) % 3) return std::nullopt;
   r.first_left = side(0, (exit + 1) % 3);
   r.first_right = side(0, (exit + 2) % 3);
   r.crossed.push_back(side(1, 0));
   for (std::uint32_t k = 1; k + 1 < n; ++k) {
-    if (triangles[k + 1].parent() != k)
-      return std::nullopt;
+    if (triangles[k + 1].parent() != k) return std::nullopt;
     exit = triangles.exit_to(k + 1);
     r.turn.push_back(exit - 1); // 0: about the right end of the first side
     r.side.push_back(side(k, 3 - exit));
@@ -79,8 +69,7 @@ std::optional<Strip_names::Row> Strip_names::row(const Input_metric &m,
   return r;
 }
 
-std::vector<std::uint32_t> Strip_names::Row::letters(bool is_backward,
-                                                     bool is_mirrored) const {
+std::vector<std::uint32_t> Strip_names::Row::letters(bool is_backward, bool is_mirrored) const {
   std::vector<std::uint32_t> all;
   // seen from the other end, left is right
   const bool swaps = is_backward != is_mirrored;

@@ -34,14 +34,11 @@ public:
   // \param edge an edge of the triangulation of the recipes
   // \param exponent squared lengths are multiplied by 2^exponent
   // \return nothing if the strip is not a row of triangles
-  std::optional<Name> name(const Value_recipes &recipes, std::uint32_t edge,
-                           int exponent);
+  std::optional<Name> name(const Value_recipes& recipes, std::uint32_t edge, int exponent);
 
 private:
   struct Hash {
-    std::size_t operator()(const Gmpq &x) const {
-      return std::hash<double>()(CGAL::to_double(x));
-    }
+    std::size_t operator()(const Gmpq& x) const { return std::hash<double>()(CGAL::to_double(x)); }
   };
   // A strip: for the first and the last triangle the sides on the left and on
   // the right; for those between, on which side the path turns, and the side
@@ -49,14 +46,11 @@ private:
   struct Row {
     std::uint32_t first_left, first_right, last_left, last_right;
     std::vector<std::uint32_t> crossed, turn, side;
-    std::vector<std::uint32_t> letters(bool is_backward,
-                                       bool is_mirrored) const;
+    std::vector<std::uint32_t> letters(bool is_backward, bool is_mirrored) const;
   };
 
-  std::uint32_t name_of_length(const Input_metric &m, Face_side s,
-                               int exponent);
-  std::optional<Row> row(const Input_metric &m, const Unfolded_diamond &strip,
-                         int exponent);
+  std::uint32_t name_of_length(const Input_metric& m, Face_side s, int exponent);
+  std::optional<Row> row(const Input_metric& m, const Unfolded_diamond& strip, int exponent);
 
   std::unordered_map<Gmpq, std::uint32_t, Hash> lengths_;
   std::map<std::vector<std::uint32_t>, Name> names_;

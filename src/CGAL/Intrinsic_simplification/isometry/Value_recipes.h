@@ -42,41 +42,40 @@ public:
   // Values of a diamond, in the order of `Diamond_values`.
   using Diamond_ids = std::array<Id, 7>;
 
-  explicit Value_recipes(const Corresponding_triangulation &t)
+  explicit Value_recipes(const Corresponding_triangulation& t)
       : t_(t), view_(t), number_of_edges_(t.mesh().number_of_edges()),
         number_of_leaves_(number_of_edges_ + t.mesh().number_of_faces()) {}
-  Value_recipes(const Value_recipes &) = delete;
-  Value_recipes &operator=(const Value_recipes &) = delete;
+  Value_recipes(const Value_recipes&) = delete;
+  Value_recipes& operator=(const Value_recipes&) = delete;
 
-  const Corresponding_triangulation &triangulation() const { return t_; }
-  const Input_metric &metric() const { return t_.input().metric(); }
+  const Corresponding_triangulation& triangulation() const { return t_; }
+  const Input_metric& metric() const { return t_.input().metric(); }
 
   Id length_of_edge(std::uint32_t e) const { return e; }
   Id area_of_face(std::uint32_t f) const { return number_of_edges_ + f; }
   bool is_length_of_edge(Id id) const { return id < number_of_edges_; }
 
   // The values of a flip: of the new edge, the left face, the right face.
-  std::array<Id, 3> flip(const Diamond_ids &d) { return add({Kind::flip, d}); }
+  std::array<Id, 3> flip(const Diamond_ids& d) { return add({Kind::flip, d}); }
   // The area of three faces that become one.
-  Id sum_of_areas(Id f, Id g, Id k) {
-    return add({Kind::sum, {f, g, k, 0, 0, 0, 0}})[1];
-  }
+  Id sum_of_areas(Id f, Id g, Id k) { return add({Kind::sum, {f, g, k, 0, 0, 0, 0}})[1]; }
   // The squared length and the area that the removal of a border vertex makes,
   // by the diamond of its inner edge.
-  std::pair<Id, Id> straighten(const Diamond_ids &d) {
+  std::pair<Id, Id> straighten(const Diamond_ids& d) {
     const auto [length, area, none] = add({Kind::straighten, d});
     return {length, area};
   }
 
   // The strip of input triangles under an edge of the triangulation; nothing if
   // the edge runs along an input edge.
-  const Unfolded_diamond *strip(std::uint32_t edge) const;
+  const Unfolded_diamond* strip(std::uint32_t edge) const;
   // The side of an input face along which an edge of the triangulation runs.
   // \pre it does
   Face_side input_side_of(std::uint32_t edge) const;
 
   // Values, each computed once.
-  template <class FT> class Evaluation;
+  template <class FT>
+  class Evaluation;
 
 private:
   enum class Kind : std::uint8_t { flip, sum, straighten };
@@ -86,7 +85,7 @@ private:
     std::size_t number_of_operands() const { return kind == Kind::sum ? 3 : 7; }
   };
 
-  std::array<Id, 3> add(const Move &move) {
+  std::array<Id, 3> add(const Move& move) {
     const Id first = number_of_leaves_ + 3 * static_cast<Id>(moves_.size());
     moves_.push_back(move);
     return {first, first + 1, first + 2};
@@ -95,9 +94,9 @@ private:
     return view_.is_border(2 * edge) ? 2 * edge + 1 : 2 * edge;
   }
   void expect_few_crossings(std::uint32_t edge) const;
-  const Unfolded_diamond &face(std::uint32_t f) const;
+  const Unfolded_diamond& face(std::uint32_t f) const;
 
-  const Corresponding_triangulation &t_;
+  const Corresponding_triangulation& t_;
   Intrinsic_view<Corresponding_triangulation> view_;
   std::uint32_t number_of_edges_, number_of_leaves_;
   std::vector<Move> moves_;
@@ -108,30 +107,26 @@ private:
 Computes values in one number type: `Ball`s, with rounding to the nearest, or
 numbers of a `Square_root_field`.
 */
-template <class FT> class Value_recipes::Evaluation {
+template <class FT>
+class Value_recipes::Evaluation {
 public:
   // \param field that of square roots, for its numbers
-  explicit Evaluation(const Value_recipes &recipes,
-                      Square_root_field *field = nullptr)
+  explicit Evaluation(const Value_recipes& recipes, Square_root_field* field = nullptr)
       : recipes_(&recipes), field_(field) {}
 
   // \throws Undecidable if edges cross too many triangles
   // \throws std::length_error if numbers of the field are too long
-  const FT &operator()(Id id) {
-    if (const auto known = values_.find(id); known != values_.end())
-      return known->second;
+  const FT& operator()(Id id) {
+    if (const auto known = values_.find(id); known != values_.end()) return known->second;
     stack_.assign(1, id);
-    while (!stack_.empty())
-      compute_next();
+    while (!stack_.empty()) compute_next();
     return values_.at(id);
   }
 
-  Diamond_values<FT> operator()(const Diamond_ids &d) {
-    for (const Id id : d)
-      (*this)(id);
-    const auto at = [this](Id id) -> const FT & { return values_.at(id); };
-    return {at(d[0]), at(d[1]), at(d[2]), at(d[3]),
-            at(d[4]), at(d[5]), at(d[6])};
+  Diamond_values<FT> operator()(const Diamond_ids& d) {
+    for (const Id id : d) (*this)(id);
+    const auto at = [this](Id id) -> const FT& { return values_.at(id); };
+    return {at(d[0]), at(d[1]), at(d[2]), at(d[3]), at(d[4]), at(d[5]), at(d[6])};
   }
 
   void clear() { values_.clear(); }
@@ -141,28 +136,23 @@ private:
   // else puts these there
   void compute_next() {
     const Id id = stack_.back();
-    if (values_.count(id) != 0)
-      return stack_.pop_back();
+    if (values_.count(id) != 0) return stack_.pop_back();
     if (id < recipes_->number_of_leaves_) {
       values_.emplace(id, leaf(id));
       return stack_.pop_back();
     }
     const std::uint32_t number = (id - recipes_->number_of_leaves_) / 3;
-    const Move &move = recipes_->moves_[number];
+    const Move& move = recipes_->moves_[number];
     const std::size_t before = stack_.size();
     for (std::size_t k = 0; k < move.number_of_operands(); ++k)
-      if (values_.count(move.from[k]) == 0)
-        stack_.push_back(move.from[k]);
-    if (stack_.size() != before)
-      return;
+      if (values_.count(move.from[k]) == 0) stack_.push_back(move.from[k]);
+    if (stack_.size() != before) return;
     store(move, recipes_->number_of_leaves_ + 3 * number);
     stack_.pop_back();
   }
 
-  void store(const Move &move, Id first) {
-    const auto at = [&](std::size_t k) -> const FT & {
-      return values_.at(move.from[k]);
-    };
+  void store(const Move& move, Id first) {
+    const auto at = [&](std::size_t k) -> const FT& { return values_.at(move.from[k]); };
     if (move.kind == Kind::sum) {
       values_.emplace(first + 1, at(0) + at(1) + at(2));
       return;
@@ -182,15 +172,12 @@ private:
 
   FT leaf(Id id) {
     if (!recipes_->is_length_of_edge(id))
-      return with_faces([&](const auto &faces) {
-        return recipes_->face(id - recipes_->number_of_edges_)
-            .template values<FT>(faces)
-            .area_f;
+      return with_faces([&](const auto& faces) {
+        return recipes_->face(id - recipes_->number_of_edges_).template values<FT>(faces).area_f;
       });
-    if (const Unfolded_diamond *strip = recipes_->strip(id))
-      return with_faces([&](const auto &faces) -> FT {
-        return strip->template squared_length<FT>(faces);
-      });
+    if (const Unfolded_diamond* strip = recipes_->strip(id))
+      return with_faces(
+          [&](const auto& faces) -> FT { return strip->template squared_length<FT>(faces); });
     const Face_side side = recipes_->input_side_of(id);
     if constexpr (std::is_same_v<FT, Square_root_field::Number>)
       return FT(recipes_->metric().squared_length<Gmpq>(side.face, side.slot));
@@ -199,9 +186,10 @@ private:
   }
 
   // calls a function with a functor from an input face to its values
-  template <class Function> FT with_faces(const Function &f) {
+  template <class Function>
+  FT with_faces(const Function& f) {
     if constexpr (std::is_same_v<FT, Square_root_field::Number>)
-      return f([&](std::uint32_t face) -> const Square_root_field::Face & {
+      return f([&](std::uint32_t face) -> const Square_root_field::Face& {
         return field_->face(recipes_->metric(), face);
       });
     else
@@ -209,12 +197,11 @@ private:
   }
 
   struct Nothing {};
-  using Faces =
-      std::conditional_t<std::is_same_v<FT, Square_root_field::Number>, Nothing,
-                         Input_face_intervals<FT>>;
+  using Faces = std::conditional_t<std::is_same_v<FT, Square_root_field::Number>, Nothing,
+                                   Input_face_intervals<FT>>;
 
-  const Value_recipes *recipes_;
-  Square_root_field *field_;
+  const Value_recipes* recipes_;
+  Square_root_field* field_;
   std::unordered_map<Id, FT> values_;
   std::vector<Id> stack_;
   [[no_unique_address]] Faces faces_;

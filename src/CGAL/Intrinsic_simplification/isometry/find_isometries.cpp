@@ -15,7 +15,7 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-const char *name_of(Isometry_answer answer) {
+const char* name_of(Isometry_answer answer) {
   switch (answer) {
   case Isometry_answer::isometric:
     return "isometric";
@@ -29,19 +29,16 @@ const char *name_of(Isometry_answer answer) {
   return "undecided";
 }
 
-Isometry::Isometry(std::shared_ptr<const internal::Isometry_search> search,
-                   std::size_t number)
+Isometry::Isometry(std::shared_ptr<const internal::Isometry_search> search, std::size_t number)
     : search_(std::move(search)) {
   search_->compute(number, *this);
 }
 
 bool Isometry::reverses_orientation() const {
-  return std::any_of(is_mirrored_.begin(), is_mirrored_.end(),
-                     [](char m) { return m != 0; });
+  return std::any_of(is_mirrored_.begin(), is_mirrored_.end(), [](char m) { return m != 0; });
 }
 
-std::vector<Surface_point>
-Isometry::images_of(std::span<const Surface_point> points) const {
+std::vector<Surface_point> Isometry::images_of(std::span<const Surface_point> points) const {
   return search_->images(*this, points);
 }
 
@@ -53,17 +50,13 @@ std::size_t Isometries::size() const {
 Isometry Isometries::operator[](std::size_t i) const {
   return internal::Isometry_search::isometry(search_, i);
 }
-double Isometries::largest_difference() const {
-  return search_->largest_difference();
-}
+double Isometries::largest_difference() const { return search_->largest_difference(); }
 std::string Isometries::note() const { return search_->note(); }
-std::size_t Isometries::number_of_walks() const {
-  return search_->number_of_walks();
-}
+std::size_t Isometries::number_of_walks() const { return search_->number_of_walks(); }
 
-Isometries find_isometries(const Canonical_form &a, const Canonical_form &b) {
-  return Isometries(std::make_shared<const internal::Isometry_search>(
-      a.shared_parts(), b.shared_parts()));
+Isometries find_isometries(const Canonical_form& a, const Canonical_form& b) {
+  return Isometries(
+      std::make_shared<const internal::Isometry_search>(a.shared_parts(), b.shared_parts()));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

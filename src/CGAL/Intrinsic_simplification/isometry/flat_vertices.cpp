@@ -30,7 +30,7 @@ namespace {
 using Halfedge = Gluing_map::Halfedge;
 using Vertex = Gluing_map::Vertex;
 
-bool is_on_border(const Gluing_map &mesh, Vertex v) {
+bool is_on_border(const Gluing_map& mesh, Vertex v) {
   return mesh.face(mesh.halfedge(v)).index == Gluing::none;
 }
 
@@ -41,46 +41,38 @@ constexpr std::size_t many_faces = 16;
 // The sine of the angle sum is zero iff that is a multiple of pi. Which one
 // follows from the signs of the sines of the sums before: each corner adds less
 // than pi.
-bool is_flat(const Corresponding_triangulation &t,
-             const Corresponding_triangulation::Const_session &, Vertex v) {
-  const Gluing_map &mesh = t.mesh();
+bool is_flat(const Corresponding_triangulation& t,
+             const Corresponding_triangulation::Const_session&, Vertex v) {
+  const Gluing_map& mesh = t.mesh();
   Wedge wedge;
   for_each_outgoing(v, mesh, [&](Halfedge h) {
-    if (mesh.face(h).index == Gluing::none)
-      return;
+    if (mesh.face(h).index == Gluing::none) return;
     const Halfedge n = mesh.next(h), l = mesh.next(n);
-    const Indexed_face f{mesh.face(h).index,
-                         {h.index / 2, n.index / 2, l.index / 2}};
+    const Indexed_face f{mesh.face(h).index, {h.index / 2, n.index / 2, l.index / 2}};
     wedge.add(f, approximate_values(t.metric(), f));
   });
-  const std::size_t n = wedge.faces.size(),
-                    needed = is_on_border(mesh, v) ? 1 : 2;
+  const std::size_t n = wedge.faces.size(), needed = is_on_border(mesh, v) ? 1 : 2;
   const auto sine = [&](std::size_t m) {
-    return t.sign(wedge.all_faces().first(m),
-                  Wedge_sine_expression{wedge.all_scales().first(m)});
+    return t.sign(wedge.all_faces().first(m), Wedge_sine_expression{wedge.all_scales().first(m)});
   };
   // the number of half turns, or one more than needed
   const auto half_turns = [&] {
     std::size_t count = 0;
     for (std::size_t m = 2; m <= n && count <= needed; ++m) {
       const Sign s = sine(m);
-      if (s == ZERO || (s == NEGATIVE) != (count % 2 == 1))
-        ++count;
+      if (s == ZERO || (s == NEGATIVE) != (count % 2 == 1)) ++count;
     }
     return count;
   };
-  if (n < 2)
-    return n == 0;
-  if (n > many_faces && half_turns() > needed)
-    return false;
+  if (n < 2) return n == 0;
+  if (n > many_faces && half_turns() > needed) return false;
   return sine(n) == ZERO && half_turns() == needed;
 }
 
 // Flips edges away from one vertex, and removes it.
 class One_vertex_remover {
 public:
-  One_vertex_remover(Moved_triangulation &t, Vertex v)
-      : t_(t), mesh_(t.mesh()), v_(v) {}
+  One_vertex_remover(Moved_triangulation& t, Vertex v) : t_(t), mesh_(t.mesh()), v_(v) {}
 
   // \return whether the vertex is gone; otherwise other vertices have to be
   // removed first
@@ -96,8 +88,7 @@ public:
           t_.remove_inner_vertex(mesh_.next(edges_.front()));
         return true;
       }
-      if (!flip_an_edge(edges_.size() == 4 && !is_border && !has_loop()))
-        return false;
+      if (!flip_an_edge(edges_.size() == 4 && !is_border && !has_loop())) return false;
     }
     return false;
   }
@@ -115,119 +106,107 @@ private:
     for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
   }
   bool has_loop() const {
-    return std::any_of(edges_.begin(), edges_.end(), [this](Halfedge h) {
-      return mesh_.target(h).index == v_.index;
-    });
+    return std::any_of(edges_.begin(), edges_.end(),
+                       [this](Halfedge h) { return mesh_.target(h).index == v_.index; });
   }
   // the halfedge of a face that ends at the vertex and runs along the border
   Halfedge border_halfedge() const {
     for (const Halfedge h : edges_)
-      if (mesh_.face(h).index == Gluing::none)
-        return Gluing_map::opposite(h);
+      if (mesh_.face(h).index == Gluing::none) return Gluing_map::opposite(h);
     return edges_.front();
   }
 
   int gain(Halfedge h) const {
-    const auto is_v = [this](Halfedge x) {
-      return mesh_.target(x).index == v_.index ? 1 : 0;
-    };
-    return 1 + is_v(h) - is_v(mesh_.next(h)) -
-           is_v(mesh_.next(Gluing_map::opposite(h)));
+    const auto is_v = [this](Halfedge x) { return mesh_.target(x).index == v_.index ? 1 : 0; };
+    return 1 + is_v(h) - is_v(mesh_.next(h)) - is_v(mesh_.next(Gluing_map::opposite(h)));
   }
 
-  // Flips the edge whose ear has the circle that contains the vertex the least:
-  // where the faces about it are Delaunay, so are ears cut off in this order
-  // (Devillers 1999).
+  // Flips the edge whose ear has the circle that contains the vertex the least: where the faces
+  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Where edges from the
+  // vertex to itself block all ears, a flip that takes no end away changes the faces.
   bool flip_an_edge(bool may_be_straight) {
     std::vector<Candidate> candidates;
     for (const Halfedge h : edges_) {
-      if (!t_.has_diamond(h) || gain(h) < 1)
+      if (!t_.has_diamond(h) || gain(h) < 0) continue;
+      if (gain(h) == 0) { // only if there is nothing better, and never in a circle
+        candidates.push_back({0, static_cast<double>(random_()), h});
         continue;
+      }
       const Diamond_values<double> d = t_.approximate(h);
       const double area = flipped(d).area_f;
-      candidates.push_back({gain(h),
-                            area > 0 ? -Delaunay_expression()(d) / area
-                                     : -std::numeric_limits<double>::infinity(),
-                            h});
+      candidates.push_back(
+          {gain(h),
+           area > 0 ? -Delaunay_expression()(d) / area : -std::numeric_limits<double>::infinity(),
+           h});
     }
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate &a, const Candidate &b) {
-                return std::pair(a.gain, a.power) > std::pair(b.gain, b.power);
-              });
-    for (const Candidate &c : candidates) {
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::pair(a.gain, a.power) > std::pair(b.gain, b.power);
+    });
+    for (const Candidate& c : candidates) {
       const auto d = t_.diamond(c.edge);
-      if (t_.sign(d, Convexity_at_target_expression()) != POSITIVE)
-        continue;
+      if (t_.sign(d, Convexity_at_target_expression()) != POSITIVE) continue;
       const Sign s = t_.sign(d, Convexity_at_source_expression());
-      if (s == NEGATIVE || (s == ZERO && !may_be_straight))
-        continue;
+      if (s == NEGATIVE || (s == ZERO && !may_be_straight)) continue;
       t_.flip(c.edge);
       return true;
     }
     return false;
   }
 
-  Moved_triangulation &t_;
-  const Gluing_map &mesh_;
+  Moved_triangulation& t_;
+  const Gluing_map& mesh_;
   Vertex v_;
+  std::minstd_rand random_;
   std::vector<Halfedge> edges_;
 };
 
 // Flips the edges of faces that moves have made, from a move on.
-void flip_to_delaunay(Moved_triangulation &t, std::size_t first_move) {
-  const Gluing_map &mesh = t.mesh();
+void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
+  const Gluing_map& mesh = t.mesh();
   std::vector<std::uint32_t> stack;
   for (std::size_t n = first_move; n < t.moves().size(); ++n)
-    for (const Laid_out_face &f : t.moves()[n].after)
+    for (const Laid_out_face& f : t.moves()[n].after)
       for (const std::uint32_t h : f.sides)
-        if (!mesh.is_removed(Halfedge{h}))
-          stack.push_back(h / 2);
+        if (!mesh.is_removed(Halfedge{h})) stack.push_back(h / 2);
   while (!stack.empty()) {
     const Halfedge h{2 * stack.back()};
     stack.pop_back();
-    if (!t.has_diamond(h) ||
-        t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE)
-      continue;
+    if (!t.has_diamond(h) || t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
     t.flip(h);
     for (const Halfedge s : {h, Gluing_map::opposite(h)})
-      for (Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
-        stack.push_back(n.index / 2);
+      for (Halfedge n = mesh.next(s); n != s; n = mesh.next(n)) stack.push_back(n.index / 2);
   }
 }
 
 // The vertices that edges join to one, among those to be removed; none of them
 // is found again.
-std::vector<Vertex> cluster_of(Vertex v, const Gluing_map &mesh,
-                               std::vector<char> &are_left) {
+std::vector<Vertex> cluster_of(Vertex v, const Gluing_map& mesh, std::vector<char>& are_left) {
   std::vector<Vertex> cluster{v};
   are_left[v.index] = 0;
   for (std::size_t i = 0; i < cluster.size(); ++i)
     for_each_outgoing(cluster[i], mesh, [&](Halfedge h) {
       const Vertex w = mesh.target(h);
-      if (std::exchange(are_left[w.index], 0) != 0)
-        cluster.push_back(w);
+      if (std::exchange(are_left[w.index], 0) != 0) cluster.push_back(w);
     });
   return cluster;
 }
 
 // \return whether a vertex was removed
-bool remove_some(Moved_triangulation &t, std::vector<Vertex> &vertices) {
+bool remove_some(Moved_triangulation& t, std::vector<Vertex>& vertices) {
   const std::size_t before = vertices.size();
-  std::erase_if(vertices,
-                [&](Vertex v) { return One_vertex_remover(t, v).remove(); });
+  std::erase_if(vertices, [&](Vertex v) { return One_vertex_remover(t, v).remove(); });
   return vertices.size() != before;
 }
 
 } // namespace
 
-std::vector<char> pinched_vertices(const Gluing_map &mesh) {
+std::vector<char> pinched_vertices(const Gluing_map& mesh) {
   std::vector<std::uint32_t> corners(mesh.number_of_vertices(), 0);
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
     ++corners[mesh.source(Halfedge{h}).index];
   std::vector<char> result(corners.size(), 0);
   for (std::uint32_t v = 0; v < result.size(); ++v) {
-    if (corners[v] == 0)
-      continue;
+    if (corners[v] == 0) continue;
     std::uint32_t reached = 0;
     for_each_outgoing(Vertex{v}, mesh, [&](Halfedge) { ++reached; });
     result[v] = reached != corners[v] ? 1 : 0;
@@ -235,7 +214,7 @@ std::vector<char> pinched_vertices(const Gluing_map &mesh) {
   return result;
 }
 
-std::vector<char> flat_vertices(const Corresponding_triangulation &t) {
+std::vector<char> flat_vertices(const Corresponding_triangulation& t) {
   const std::vector<char> is_pinched = pinched_vertices(t.mesh());
   const Corresponding_triangulation::Const_session session(t);
   std::vector<char> result(t.mesh().number_of_vertices(), 1);
@@ -247,14 +226,12 @@ std::vector<char> flat_vertices(const Corresponding_triangulation &t) {
 
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.
-void remove_vertices(Moved_triangulation &t,
-                     const std::vector<char> &are_removed) {
+void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
   std::vector<char> are_left = are_removed;
   std::vector<Vertex> others;
   std::mt19937 random;
   for (std::uint32_t v = 0; v < are_left.size(); ++v) {
-    if (are_left[v] == 0 || t.mesh().halfedge(Vertex{v}).index == Gluing::none)
-      continue;
+    if (are_left[v] == 0 || t.mesh().halfedge(Vertex{v}).index == Gluing::none) continue;
     std::vector<Vertex> cluster = cluster_of(Vertex{v}, t.mesh(), are_left);
     std::shuffle(cluster.begin(), cluster.end(), random);
     const std::size_t first_move = t.moves().size();
@@ -265,8 +242,7 @@ void remove_vertices(Moved_triangulation &t,
   }
   const std::size_t first_move = t.moves().size();
   while (!others.empty())
-    if (!remove_some(t, others))
-      throw Undecidable("flips could not remove a flat vertex");
+    if (!remove_some(t, others)) throw Undecidable("flips could not remove a flat vertex");
   flip_to_delaunay(t, first_move);
 }
 

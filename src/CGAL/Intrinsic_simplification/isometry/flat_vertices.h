@@ -14,11 +14,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Moved_triangulation;
 
 // For each vertex, whether several fans of faces meet there.
-std::vector<char> pinched_vertices(const Gluing_map &mesh);
+std::vector<char> pinched_vertices(const Gluing_map& mesh);
 
 // For each vertex, whether its angles sum to exactly two pi, or pi on the
 // border. Isolated vertices count as flat, pinched ones never.
-std::vector<char> flat_vertices(const Corresponding_triangulation &t);
+std::vector<char> flat_vertices(const Corresponding_triangulation& t);
 
 /*
 Removes vertices by flips until they have three edges, or one inner edge on the
@@ -31,8 +31,7 @@ from the vertex to itself go first: they lower the degree by two. Where other
 vertices have to go first, the vertex is tried again after them. \throws
 Undecidable
 */
-void remove_vertices(Moved_triangulation &t,
-                     const std::vector<char> &are_removed);
+void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

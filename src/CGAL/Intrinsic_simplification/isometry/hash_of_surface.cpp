@@ -26,22 +26,17 @@ std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
   return x ^ (x >> 31U);
 }
-std::uint64_t mixed(std::uint64_t x, std::uint64_t y) {
-  return mixed(mixed(x) + 3 * y);
-}
+std::uint64_t mixed(std::uint64_t x, std::uint64_t y) { return mixed(mixed(x) + 3 * y); }
 
 // Colours of darts, from lengths; each round adds the colours of the next and
 // the opposite dart.
 class Dart_colours {
 public:
-  Dart_colours(const Dart_complex &darts,
-               const std::vector<std::uint64_t> &lengths, bool is_mirrored)
-      : darts_(darts), next_(is_mirrored ? darts.previous : darts.next),
-        colour_(lengths) {
-    for (std::uint32_t d = 0; d < darts.size(); ++d)
-      colour_[d] = mixed(lengths[d], darts.sides[d]);
-    for (unsigned round = 0; round < number_of_rounds; ++round)
-      add_round();
+  Dart_colours(const Dart_complex& darts, const std::vector<std::uint64_t>& lengths,
+               bool is_mirrored)
+      : darts_(darts), next_(is_mirrored ? darts.previous : darts.next), colour_(lengths) {
+    for (std::uint32_t d = 0; d < darts.size(); ++d) colour_[d] = mixed(lengths[d], darts.sides[d]);
+    for (unsigned round = 0; round < number_of_rounds; ++round) add_round();
   }
   // the sum over each component
   std::vector<std::uint64_t> sums() const {
@@ -56,43 +51,38 @@ private:
     const std::vector<std::uint64_t> before = colour_;
     for (std::uint32_t d = 0; d < darts_.size(); ++d) {
       const std::uint32_t o = darts_.opposite[d];
-      colour_[d] = mixed(mixed(before[d], before[next_[d]]),
-                         o == Dart_complex::none ? 1 : before[o]);
+      colour_[d] =
+          mixed(mixed(before[d], before[next_[d]]), o == Dart_complex::none ? 1 : before[o]);
     }
   }
 
   static constexpr unsigned number_of_rounds = 12;
 
-  const Dart_complex &darts_;
-  const std::vector<std::uint32_t> &next_;
+  const Dart_complex& darts_;
+  const std::vector<std::uint32_t>& next_;
   std::vector<std::uint64_t> colour_;
 };
 
 } // namespace
 
-double rounded_squared_length(const Singular_surface &s, std::uint32_t dart) {
+double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
   return std::ldexp(s.triangulation().nearest(s.length(dart)),
                     -2 * s.delaunay().input().scale_exponent());
 }
 
-std::uint64_t hash_of_surface(const Singular_surface &s) {
-  const Dart_complex &darts = s.darts();
-  if (!s.is_proven() || !s.choice().empty())
-    return mixed(darts.number_of_components);
+std::uint64_t hash_of_surface(const Singular_surface& s) {
+  const Dart_complex& darts = s.darts();
+  if (!s.is_proven() || !s.choice().empty()) return mixed(darts.number_of_components);
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {
     const std::uint32_t o = darts.opposite[d];
-    lengths[d] =
-        o < d ? lengths[o]
-              : std::bit_cast<std::uint64_t>(rounded_squared_length(s, d));
+    lengths[d] = o < d ? lengths[o] : std::bit_cast<std::uint64_t>(rounded_squared_length(s, d));
   }
-  const std::vector<std::uint64_t>
-      sums = Dart_colours(darts, lengths, false).sums(),
-      mirrored = Dart_colours(darts, lengths, true).sums();
+  const std::vector<std::uint64_t> sums = Dart_colours(darts, lengths, false).sums(),
+                                   mirrored = Dart_colours(darts, lengths, true).sums();
   std::uint64_t all = 0;
   for (std::size_t c = 0; c < sums.size(); ++c)
-    all +=
-        mixed(std::min(sums[c], mirrored[c]), std::max(sums[c], mirrored[c]));
+    all += mixed(std::min(sums[c], mirrored[c]), std::max(sums[c], mirrored[c]));
   return mixed(all, darts.size());
 }
 

@@ -12,10 +12,10 @@ class Singular_surface;
 
 // The double nearest to a squared length, in the units of the user. It does not
 // depend on the way of computation.
-double rounded_squared_length(const Singular_surface &s, std::uint32_t dart);
+double rounded_squared_length(const Singular_surface& s, std::uint32_t dart);
 
 // See `Canonical_form::hash()`.
-std::uint64_t hash_of_surface(const Singular_surface &s);
+std::uint64_t hash_of_surface(const Singular_surface& s);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

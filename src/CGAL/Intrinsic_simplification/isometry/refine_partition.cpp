@@ -20,34 +20,28 @@ namespace {
 // front.
 class Partition {
 public:
-  explicit Partition(const std::vector<std::uint32_t> &label)
+  explicit Partition(const std::vector<std::uint32_t>& label)
       : states_(label.size()), place_(label.size()), class_(label.size()) {
     std::iota(states_.begin(), states_.end(), 0U);
-    std::stable_sort(
-        states_.begin(), states_.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return label[a] < label[b]; });
+    std::stable_sort(states_.begin(), states_.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return label[a] < label[b]; });
     for (std::uint32_t i = 0; i < states_.size(); ++i) {
-      if (i == 0 || label[states_[i]] != label[states_[i - 1]])
-        ranges_.push_back({i, i, i});
+      if (i == 0 || label[states_[i]] != label[states_[i - 1]]) ranges_.push_back({i, i, i});
       place_[states_[i]] = i;
       class_[states_[i]] = size() - 1;
       ranges_.back().end = i + 1;
     }
   }
 
-  std::uint32_t size() const {
-    return static_cast<std::uint32_t>(ranges_.size());
-  }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(ranges_.size()); }
   std::span<const std::uint32_t> states(std::uint32_t c) const {
-    return std::span(states_).subspan(ranges_[c].begin,
-                                      ranges_[c].end - ranges_[c].begin);
+    return std::span(states_).subspan(ranges_[c].begin, ranges_[c].end - ranges_[c].begin);
   }
-  const std::vector<std::uint32_t> &class_of() const { return class_; }
+  const std::vector<std::uint32_t>& class_of() const { return class_; }
 
   void mark(std::uint32_t state) {
-    Range &r = ranges_[class_[state]];
-    if (r.marked_end == r.begin)
-      touched_.push_back(class_[state]);
+    Range& r = ranges_[class_[state]];
+    if (r.marked_end == r.begin) touched_.push_back(class_[state]);
     const std::uint32_t i = place_[state], j = r.marked_end++;
     std::swap(states_[i], states_[j]);
     place_[states_[i]] = i;
@@ -56,19 +50,17 @@ public:
 
   // Splits classes with marked states and others. Calls a function with the
   // smaller part of each, which becomes a new class.
-  template <class Visit> void split(const Visit &visit) {
+  template <class Visit>
+  void split(const Visit& visit) {
     for (const std::uint32_t c : touched_) {
-      Range &r = ranges_[c];
+      Range& r = ranges_[c];
       const std::uint32_t middle = std::exchange(r.marked_end, r.begin);
-      if (middle == r.end)
-        continue;
+      if (middle == r.end) continue;
       const bool is_front = middle - r.begin <= r.end - middle;
-      const Range part = is_front ? Range{r.begin, r.begin, middle}
-                                  : Range{middle, middle, r.end};
+      const Range part = is_front ? Range{r.begin, r.begin, middle} : Range{middle, middle, r.end};
       (is_front ? r.begin : r.end) = middle;
       r.marked_end = r.begin;
-      for (std::uint32_t i = part.begin; i < part.end; ++i)
-        class_[states_[i]] = size();
+      for (std::uint32_t i = part.begin; i < part.end; ++i) class_[states_[i]] = size();
       ranges_.push_back(part);
       visit(size() - 1);
     }
@@ -85,9 +77,8 @@ private:
 
 } // namespace
 
-std::vector<std::uint32_t>
-refine_partition(const std::vector<std::uint32_t> &label,
-                 std::span<const std::vector<std::uint32_t>> inverses) {
+std::vector<std::uint32_t> refine_partition(const std::vector<std::uint32_t>& label,
+                                            std::span<const std::vector<std::uint32_t>> inverses) {
   Partition partition(label);
   std::vector<std::uint32_t> open(partition.size()), splitter;
   std::iota(open.begin(), open.end(), 0U);
@@ -95,10 +86,9 @@ refine_partition(const std::vector<std::uint32_t> &label,
     const std::span<const std::uint32_t> states = partition.states(open.back());
     open.pop_back();
     splitter.assign(states.begin(), states.end());
-    for (const std::vector<std::uint32_t> &inverse : inverses) {
+    for (const std::vector<std::uint32_t>& inverse : inverses) {
       for (const std::uint32_t s : splitter)
-        if (inverse[s] != Gluing::none)
-          partition.mark(inverse[s]);
+        if (inverse[s] != Gluing::none) partition.mark(inverse[s]);
       // If a class waits and is split, both of its parts have to be used, and
       // are: the larger part keeps the number that waits. If it was used, the
       // smaller part is enough.

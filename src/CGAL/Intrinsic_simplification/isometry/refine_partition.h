@@ -18,9 +18,8 @@ state from which it leads to a state, or `none`: each letter is a partial
 bijection \return the class of each state, from 0 \complexity O(n log n) for
 each letter
 */
-std::vector<std::uint32_t>
-refine_partition(const std::vector<std::uint32_t> &label,
-                 std::span<const std::vector<std::uint32_t>> inverses);
+std::vector<std::uint32_t> refine_partition(const std::vector<std::uint32_t>& label,
+                                            std::span<const std::vector<std::uint32_t>> inverses);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
