@@ -29,10 +29,10 @@ class Isometry:
     vertices: Integers
     reverses_orientation: bool
 
-    def __init__(self, found: _core.Isometries, number: int, surface: Surface) -> None:
-        self._found, self._surface = found, surface
-        self._map = found.map(number)
-        self.vertices = found.images_of_vertices(self._map)
+    def __init__(self, isometries: Isometries, number: int) -> None:
+        self._isometries, self._number = isometries, number
+        self._map = isometries._found.map(number)
+        self.vertices = isometries._found.images_of_vertices(self._map)
         self.reverses_orientation = self._map.reverses_orientation
 
     def points(self, points: int | Point | ArrayLike | Sequence[int | Point]) \
@@ -42,10 +42,13 @@ class Isometry:
 
         `points` are vertices of the mesh and `Point`s on its faces.
         """
-        core = self._surface._core
+        core = self._isometries._surface._core
         places = place_arrays(points, "points", core.number_of_input_vertices,
                               core.number_of_input_faces)
-        return self._found.images_of_points(self._map, core, places)
+        return self._isometries._found.images_of_points(self._map, core, places)
+
+    def __reduce__(self):
+        return Isometry, (self._isometries, self._number)
 
     def __repr__(self) -> str:
         kind = "with mirror images" if self.reverses_orientation else "without mirror images"
@@ -53,11 +56,11 @@ class Isometry:
 
 
 class _Maps(Sequence):
-    def __init__(self, found, surface):
-        self._found, self._surface = found, surface
+    def __init__(self, isometries):
+        self._isometries = isometries
 
     def __len__(self):
-        return self._found.size
+        return self._isometries._found.size
 
     def __getitem__(self, i):
         if isinstance(i, slice):
@@ -65,7 +68,7 @@ class _Maps(Sequence):
         number = i + len(self) if i < 0 else i
         if not 0 <= number < len(self):
             raise IndexError(f"there are {len(self)} maps, and none has the number {i}")
-        return Isometry(self._found, number, self._surface)
+        return Isometry(self._isometries, number)
 
 
 class Isometries:
@@ -85,10 +88,15 @@ class Isometries:
     largest_difference: float
     note: str
 
-    def __init__(self, found: _core.Isometries, surface: Surface) -> None:
+    def __init__(self, surface: Surface, other: Surface, progress: Progress = None) -> None:
+        self._surface, self._other = surface, other
+        self._found = found = _core.isometries(surface._core, other._core, progress)
         self.answer, self.note = found.answer, found.note
         self.largest_difference = found.largest_difference
-        self.maps = _Maps(found, surface)
+        self.maps = _Maps(self)
+
+    def __reduce__(self):  # what was found is found again
+        return Isometries, (self._surface, self._other)
 
     def __len__(self) -> int:
         return len(self.maps)
@@ -116,8 +124,7 @@ class _Isometries:
         >>> cube.isometries()
         <intrinsic.Isometries: isometric, 48 maps>
         """
-        other = self if other is None else other
-        return Isometries(_core.isometries(self._core, other._core, progress), self)
+        return Isometries(self, self if other is None else other, progress)
 
     def hash(self) -> int:
         """Returns a number that is the same for all isometric surfaces, also of other

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Isometries and hashes of surfaces."""
 
+import pickle
 import unittest
 
 import intrinsic as it
@@ -37,6 +38,13 @@ class Isometries(unittest.TestCase):
             corners = [other._core.number_of_input_faces > f for f in faces]
             self.assertTrue(all(corners))
             np.testing.assert_allclose(np.sort(weights, axis=1), [[0, 0, 1]] * 8, atol=1e-9)
+
+    def test_results_can_be_pickled(self):
+        found = pickle.loads(pickle.dumps(it.Surface(CUBE, QUADS).isometries()))
+        self.assertEqual(len(found), 48)
+        again = pickle.loads(pickle.dumps(found.maps[5]))
+        self.assertEqual(again.vertices.tolist(), found.maps[5].vertices.tolist())
+        self.assertEqual(len(pickle.loads(pickle.dumps(found.maps))), 48)
 
     def test_hash_depends_on_the_surface_alone(self):
         cube = it.Surface(CUBE, QUADS)

@@ -225,7 +225,7 @@ const std::map<std::string, Lines> answers{
      {{"answer", "{/isometry/answer}"},
       {"isometries", "{/isometry/count}"},
       {"difference", "of lengths: {/isometry/largest_difference}, relatively",
-       [](const Figures& f) { return f.has("/isometry/largest_difference"); }},
+       [](const Figures& f) { return f.at("/isometry/largest_difference").is_number(); }},
       {"note", "{/isometry/note}"}}},
     {"view", {}}, // its answer is the page that it has written
     {"info",

@@ -69,18 +69,18 @@ void Isometry_search::decide_exactly() {
     second_ = exact(*b_);
     surfaces.push_back(b_.get());
   }
+  note_ = both(a_->choice(), b_->choice());
+  if (!a_->is_proven() || !b_->is_proven()) return;
   const Length_classes classes = exact_length_classes(surfaces);
   match(classes);
-  note_ = both(a_->choice(), b_->choice());
-  const bool are_proven = a_->is_proven() && b_->is_proven();
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
     if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
     const bool is_map = respects_vertices(own(0));
     if (!is_map) note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
-    if (are_proven && classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
-  } else if (are_proven && classes.are_separated && note_.empty()) {
+    if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
+  } else if (classes.are_separated && note_.empty()) {
     answer_ = Isometry_answer::not_isometric;
   }
   note_ = both(both(a_->continuous_part(), b_->continuous_part()), note_);

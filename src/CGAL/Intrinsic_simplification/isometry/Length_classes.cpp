@@ -89,9 +89,14 @@ private:
   }
 
   Equality compare_in_field(const Length& x, const Length& y) {
-    const std::size_t words = std::min(words_left_, most_words);
-    field_->limit_products(words);
-    words_left_ -= std::min(words, std::size_t(1) << 10U); // an attempt costs that at least
+    const std::size_t most = std::min(words_left_, most_words);
+    field_->limit_products(most);
+    struct Count { // also if the field gives up
+      std::size_t& left;
+      std::size_t before;
+      const Square_root_field& field;
+      ~Count() { left -= before - field.words_left(); }
+    } const count{words_left_, most, *field_};
     const auto value = [&](const Length& l) {
       return exact_[l.surface](l.id) * Number(times_power_of_two(Gmpq(1), exponent(l)));
     };
@@ -115,7 +120,7 @@ private:
   static constexpr std::size_t most_words = std::size_t(1) << 23;
 
   std::span<const Singular_surface* const> surfaces_;
-  std::size_t words_left_ = std::size_t(1) << 29;
+  std::size_t words_left_ = std::size_t(1) << 27;
   Strip_names names_;
   std::unordered_map<std::uint64_t, std::optional<Strip_names::Name>> known_names_;
   std::unique_ptr<Square_root_field> field_;

@@ -57,7 +57,7 @@ double Moved_triangulation::nearest(Id id) const {
   if (const auto quick = nearest_double(narrow_enclosure(id))) return *quick;
   // a rational number may be in the middle between two doubles, to which no
   // enclosure is narrow
-  if (const auto x = in_field([&] { return (*exact_)(id); }); x && x->is_rational()) {
+  if (const auto x = in_field(most_words, [&] { return (*exact_)(id); }); x && x->is_rational()) {
     const Mpfr_precision precision(53);
     return Mpfr_number::nearest(x->coefficient(0)).to_double();
   }

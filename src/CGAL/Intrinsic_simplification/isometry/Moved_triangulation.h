@@ -110,33 +110,36 @@ private:
       const Mpfr_precision precision(bits);
       return certain(expression(long_values(bits)(d)));
     };
+    const auto value = [&] { return expression((*exact_)(d)); };
+    // most open signs are zero, in planes: then numbers of the field are short
+    std::optional<Square_root_field::Number> x = in_field(few_words, value);
     // after many moves, enclosures of 106 bits are wide
     for (const unsigned bits : {256U, 1024U})
-      if (const auto s = in_bits(bits)) return *s;
-    if (const auto x = in_field([&] { return expression((*exact_)(d)); })) {
-      if (x->is_zero()) return ZERO;
-      if (const auto s = in_growing_precision([&] { return certain(enclosure_of(*x)); })) return *s;
+      if (const auto s = x ? std::nullopt : in_bits(bits)) return *s;
+    if (!x) x = in_field(most_words, value);
+    if (!x) { // once more, without the roots that others needed
+      start_field();
+      x = in_field(most_words, value);
     }
+    if (x && x->is_zero()) return ZERO;
+    if (x)
+      if (const auto s = in_growing_precision([&] { return certain(enclosure_of(*x)); })) return *s;
     if (const auto s = in_bits(Mpfr_number::most_bits)) return *s;
     throw Undecidable("a sign that removing flat vertices depends on could not be proven");
   }
-  // What a function returns that computes in the field; nothing if that takes
-  // too long.
+  // What a function returns that computes in the field; nothing if that takes too long.
   template <class Function>
-  auto in_field(const Function& f) const -> std::optional<decltype(f())> {
-    for (int attempt = 0; attempt < 2 && words_left_ > 0; ++attempt) {
-      const std::size_t most = std::min(most_words, words_left_);
-      field_->limit_products(most);
-      try {
-        const auto result = f();
-        words_left_ -= most - field_->words_left();
-        return result;
-      } catch (const std::length_error&) { // once more in a field without the roots of others
-        words_left_ -= most - field_->words_left();
-        start_field();
-      }
+  auto in_field(std::size_t most, const Function& f) const -> std::optional<decltype(f())> {
+    most = std::min(most, words_left_);
+    if (most == 0) return std::nullopt;
+    field_->limit_products(most);
+    std::optional<decltype(f())> result;
+    try {
+      result = f();
+    } catch (const std::length_error&) {
     }
-    return std::nullopt;
+    words_left_ -= most - field_->words_left();
+    return result;
   }
   // values in so many bits, each computed once
   Value_recipes::Evaluation<Long_ball>& long_values(unsigned bits) const {
@@ -144,10 +147,11 @@ private:
   }
   void start_field() const;
 
+  static constexpr std::size_t few_words = std::size_t(1) << 12;
   // words of coefficients that one sign may cost: some tenths of a second; and
   // all of them
   static constexpr std::size_t most_words = std::size_t(1) << 24;
-  mutable std::size_t words_left_ = std::size_t(1) << 28;
+  mutable std::size_t words_left_ = std::size_t(1) << 27;
 
   Mesh_with_numbers<Gluing_map> numbered_;
   Value_recipes recipes_;

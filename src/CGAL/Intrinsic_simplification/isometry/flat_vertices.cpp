@@ -121,13 +121,17 @@ private:
     return 1 + is_v(h) - is_v(mesh_.next(h)) - is_v(mesh_.next(Gluing_map::opposite(h)));
   }
 
-  // Flips the edge whose ear has the circle that contains the vertex the least:
-  // where the faces about it are Delaunay, so are ears cut off in this order
-  // (Devillers 1999).
+  // Flips the edge whose ear has the circle that contains the vertex the least: where the faces
+  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Where edges from the
+  // vertex to itself block all ears, a flip that takes no end away changes the faces.
   bool flip_an_edge(bool may_be_straight) {
     std::vector<Candidate> candidates;
     for (const Halfedge h : edges_) {
-      if (!t_.has_diamond(h) || gain(h) < 1) continue;
+      if (!t_.has_diamond(h) || gain(h) < 0) continue;
+      if (gain(h) == 0) { // only if there is nothing better, and never in a circle
+        candidates.push_back({0, static_cast<double>(random_()), h});
+        continue;
+      }
       const Diamond_values<double> d = t_.approximate(h);
       const double area = flipped(d).area_f;
       candidates.push_back(
@@ -152,6 +156,7 @@ private:
   Moved_triangulation& t_;
   const Gluing_map& mesh_;
   Vertex v_;
+  std::minstd_rand random_;
   std::vector<Halfedge> edges_;
 };
 
