@@ -31,7 +31,7 @@ public:
   double& left(int i, int k) { return left_[place<rows>(i, k)]; }
   double& right(int i, int k) { return right_[place<columns>(i, k)]; }
 
-  // Calls `add` with the first row and column of each tile, and the tile, which may reach beyond the
+  // Calls `add` with the first row and column of each tile, and the tile. It may reach beyond the
   // product, and above its diagonal.
   template <class Add>
   void for_each_tile(const Add& add) const {

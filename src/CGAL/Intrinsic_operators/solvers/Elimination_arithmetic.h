@@ -44,7 +44,8 @@ public:
   // The multiple of an eliminated column that adds to the column where it has this weight.
   static Multiple multiple(const Pack& weight, const Inverse& inverse) { return weight * inverse; }
   static Pack times(const Pack& weight, const Multiple& m) { return weight * m; }
-  // `times()` as a sum for each double of a pack: of a double of the weight times that of a multiple
+  // `times()`, for each double of a pack, as a sum of doubles of the weight times those of the
+  // multiple
   static constexpr int terms = 1;
   static int of_weight(int part, int) { return part; }
   static double of_multiple(const Multiple& m, int part, int) { return m[part]; }
