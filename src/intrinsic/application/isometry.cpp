@@ -60,7 +60,7 @@ void run_isometry(const Options& options) {
   Options second = options;
   if (!options.other.empty()) second.input = options.other;
   const IT::Canonical_form b = options.other.empty() ? a : form_of(second, progress, other);
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("searching for isometries");
   json["isometry"] = isometry_json(IT::find_isometries(a, b));
   if (!other.is_null()) json["isometry"]["other"] = other["input"];
@@ -75,7 +75,7 @@ void run_info_with_hash(const Options& options) {
     Options as_it_is = options;
     as_it_is.no_flip = true;
     Json json = improve_and_measure(loaded, as_it_is, progress);
-    Stopwatch watch;
+    IT::Stopwatch watch;
     json["hash"] = naming_file(options.input, [&] {
       return hexadecimal(IT::canonical_form(loaded.triangulation).hash());
     });

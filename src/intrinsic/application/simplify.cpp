@@ -209,7 +209,7 @@ template <class Triangulation>
 void simplify(Loaded<Triangulation>& loaded, const Options& options, Progress& progress) {
   const Triangulation& t = loaded.triangulation;
   Json json = improve_and_measure(loaded, options, progress, {});
-  Stopwatch watch;
+  IT::Stopwatch watch;
   progress.show("simplifying");
   const IT::Simplify_options asked = asked_options(loaded, options, progress);
   IT::Simplification s = naming_file(options.input, [&] {

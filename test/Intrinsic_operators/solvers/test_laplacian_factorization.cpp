@@ -250,6 +250,55 @@ TEST(Laplacian_factorization, of_weights_that_differ_by_many_powers_of_ten_keeps
   for (const double p : x) EXPECT_NEAR(p, 1, 1e3 * epsilon); // (L + D) 1 = D 1
 }
 
+// The solution by elimination one by one, without subtraction, in higher precision.
+std::vector<long double> solved_without_subtraction(const Matrix& l, const Eigen::VectorXd& d,
+                                                    const Eigen::VectorXd& right) {
+  const auto n = static_cast<std::size_t>(l.rows());
+  std::vector<std::vector<long double>> w(n, std::vector<long double>(n + 1, 0)); // last: to ground
+  std::vector<long double> x(right.begin(), right.end()), pivot(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j) w[i][j] = -l.coeff(static_cast<int>(i), static_cast<int>(j));
+    w[i][n] = d[static_cast<Eigen::Index>(i)];
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t j = k + 1; j <= n; ++j) pivot[k] += w[k][j];
+    for (std::size_t i = k + 1; i < n; ++i) {
+      x[i] += w[i][k] / pivot[k] * x[k];
+      for (std::size_t j = k + 1; j <= n; ++j)
+        if (i != j) w[i][j] += w[i][k] / pivot[k] * w[k][j];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) x[k] += w[k][j] * x[j];
+    x[k] /= pivot[k];
+  }
+  return x;
+}
+
+// All rows are one supernode, wide enough for panels and products of dense matrices.
+TEST(Laplacian_factorization, of_a_complete_graph_has_full_relative_accuracy) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> exponent(-30, 30);
+  for (const int size : {9, 70, 150, 203}) {
+    std::vector<Edge> edges;
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < i; ++j) edges.push_back({i, j, std::pow(10, exponent(random))});
+    const Matrix l = laplacian_of(size, edges);
+    Eigen::VectorXd d(size);
+    for (double& x : d) x = std::pow(10, exponent(random));
+    const Eigen::VectorXd right = Eigen::VectorXd::Unit(size, size / 2);
+    const Eigen::VectorXd x = IT::Laplacian_factorization(l, d).solve(right);
+    const std::vector<long double> expected = solved_without_subtraction(l, d, right);
+    for (int i = 0; i < size; ++i)
+      ASSERT_NEAR(static_cast<double>(x[i] / expected[static_cast<std::size_t>(i)]), 1,
+                  100 * size * epsilon);
+    const auto both = IT::Laplacian_factorization::of_both(l, d, 0.5, 2 * d);
+    EXPECT_EQ(both.first.solve(right), x);
+    EXPECT_EQ(both.second.solve(right), IT::Laplacian_factorization(0.5 * l, 2 * d).solve(right));
+  }
+}
+
 TEST(Laplacian_factorization, names_a_row_of_a_component_without_diagonal) {
   const Matrix l = laplacian_of(5, {{0, 1, 1}, {1, 2, 1e-9}, {3, 4, 3}});
   Eigen::VectorXd d = Eigen::VectorXd::Zero(5);

@@ -73,9 +73,8 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a, Shared_
 \brief factors a positive definite matrix once, for any number of right sides. A model of
 `Factorization`.
 
-Rows are ordered by approximate minimum degree, and eliminated supernode by supernode, as in
-`Laplacian_factorization`. In measurements that is faster than Eigen (`SimplicialLDLT`) and than
-CHOLMOD.
+Rows are ordered and eliminated as in `Laplacian_factorization`. In measurements that is faster than
+Eigen (`SimplicialLDLT`) and than CHOLMOD.
 
 Copies share the factor, which does not change; several threads may solve at a time.
 

@@ -30,9 +30,10 @@ and Heyman 1985; Alfa, Xue and Ye 2002). The matrix is then definite if D has a 
 each component, and rounding cannot make it indefinite. A few negative weights, as at the border, do
 no harm.
 
-Rows are ordered by approximate minimum degree, and eliminated supernode by supernode. Copies share
-the factor. Different threads may solve at once. With two processors, two threads factor large
-matrices; the result is the same with one.
+Rows are ordered by approximate minimum degree, or by nested dissection where that leaves less work
+on large matrices, and eliminated supernode by supernode. Copies share the factor. Different threads
+may solve at once. With two processors, two threads factor large matrices; the result is the same
+with one.
 */
 class Laplacian_factorization {
 public:

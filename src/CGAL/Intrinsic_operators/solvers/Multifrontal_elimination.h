@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Dense_product.h>
+#include <CGAL/Intrinsic_operators/solvers/Elimination_arithmetic.h>
 #include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
@@ -27,134 +29,10 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-What elimination does with the weights, which are minus the entries, of Laplacians with diagonals:
-one matrix or several with entries in the same places. By Grassmann, Taksar and Heyman, the diagonal
-of a front has the sums of its rows in place of the diagonal of the matrix: a pivot is the sum of a
-column, and nothing is subtracted.
-*/
-template <int matrices>
-class Laplacian_arithmetic {
-public:
-  using Pack = Eigen::Array<double, matrices, 1>; // a number of each matrix
-  using Inverse = Pack;                           // of a pivot
-  using Multiple = Pack;
-  using Factors = std::array<std::shared_ptr<Laplacian_factor>, matrices>;
-
-  // \param unit the factor of the weights of the matrix \param diagonal a pack per row
-  Laplacian_arithmetic(const Factors& factors, const Eigen::SparseMatrix<double>& laplacian,
-                       const Pack& unit, const Eigen::Array<double, matrices, -1>& diagonal)
-      : factors_(factors), laplacian_(laplacian), unit_(unit), diagonal_(diagonal) {}
-
-  Pack diagonal(int row) const { return diagonal_.col(row); }
-  Pack weight(int number) const { return -laplacian_.valuePtr()[number] * unit_; }
-
-  // The multiple of an eliminated column that adds to the column where it has this weight.
-  static Multiple multiple(const Pack& weight, const Inverse& inverse) { return weight * inverse; }
-  static Pack times(const Pack& weight, const Multiple& m) { return weight * m; }
-  // \param diagonal of the eliminated column \param weight in the row of the diagonal
-  static Pack on_diagonal(const Pack& diagonal, const Pack&, const Multiple& m) {
-    return diagonal * m;
-  }
-
-  // Writes a column of the factor. \return whether its pivot is positive up to rounding
-  bool finish_column(int place, int, const Pack* column, int below, Inverse& inverse) {
-    Pack pivot = column[0], all = pivot.abs();
-    for (int i = 1; i <= below; ++i) {
-      pivot += column[i];
-      all += column[i].abs();
-    }
-    inverse = pivot.inverse();
-    for (std::size_t m = 0; m < matrices; ++m) {
-      const auto of_pack = static_cast<Eigen::Index>(m);
-      factors_[m]->pivot[row_number(place)] = pivot[of_pack];
-      double* value = factors_[m]->column(place);
-      for (int i = 1; i <= below; ++i) *value++ = column[i][of_pack] * inverse[of_pack];
-    }
-    // as for Hermitian matrices
-    return (pivot > 64 * std::numeric_limits<double>::epsilon() * all).all();
-  }
-
-private:
-  const Factors& factors_;
-  const Eigen::SparseMatrix<double>& laplacian_;
-  Pack unit_;
-  const Eigen::Array<double, matrices, -1>& diagonal_;
-};
-
-// The same for a symmetric or Hermitian matrix, with its diagonal as it is. Packs are numbers;
-// complex ones are pairs of doubles.
-template <class Number>
-class Self_adjoint_arithmetic {
-public:
-  static constexpr int parts = sizeof(Number) / sizeof(double);
-  using Pack = Eigen::Array<double, parts, 1>;
-  using Inverse = double;
-  struct Complex_multiple {
-    double real;
-    Pack imaginary; // minus it, and it
-  };
-  using Multiple = std::conditional_t<parts == 1, double, Complex_multiple>;
-  using Factor = Multifrontal_factor<Number>;
-
-  Self_adjoint_arithmetic(Factor& factor, const Eigen::SparseMatrix<Number>& matrix)
-      : factor_(factor), matrix_(matrix), diagonal_(matrix.diagonal().real()) {}
-
-  Pack diagonal(int row) const { return real(diagonal_[row]); }
-  Pack weight(int number) const {
-    const Number& a = matrix_.valuePtr()[number];
-    Pack result = real(-std::real(a));
-    if constexpr (parts == 2) result[1] = -std::imag(a);
-    return result;
-  }
-
-  static Multiple multiple(const Pack& weight, Inverse inverse) { // its conjugate
-    if constexpr (parts == 1) {
-      return weight[0] * inverse;
-    } else {
-      const double imaginary = -weight[1] * inverse;
-      return {weight[0] * inverse, {-imaginary, imaginary}};
-    }
-  }
-  static Pack times(const Pack& weight, const Multiple& m) {
-    if constexpr (parts == 1)
-      return weight * m;
-    else
-      return weight * m.real + Pack(weight[1], weight[0]) * m.imaginary;
-  }
-  static Pack on_diagonal(const Pack&, const Pack& weight, const Multiple& m) {
-    if constexpr (parts == 1)
-      return -weight * m;
-    else
-      return real(-(weight[0] * m.real - weight[1] * m.imaginary[1]));
-  }
-
-  bool finish_column(int place, int row, const Pack* column, int below, Inverse& inverse) {
-    const double pivot = column[0][0];
-    inverse = 1 / pivot;
-    factor_.pivot[row_number(place)] = pivot;
-    using Column = Eigen::Array<double, parts, Eigen::Dynamic>;
-    Eigen::Map<Column>(factor_.column(place), parts, below) =
-        Eigen::Map<const Column>(column->data() + parts, parts, below) * inverse;
-    // Smaller pivots are rounding of zero: some roundings for each of the few entries of a row.
-    return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal_[row];
-  }
-
-private:
-  static Pack real(double x) {
-    Pack result = Pack::Zero();
-    result[0] = x;
-    return result;
-  }
-
-  Factor& factor_;
-  const Eigen::SparseMatrix<Number>& matrix_;
-  Eigen::VectorXd diagonal_;
-};
-
-/*
 Eliminates the rows of matrices by fronts (Duff and Reid 1983): the weights between the columns of a
 supernode and all rows where these have entries. The Schur complement of the rows below adds to the
-front of the parent. So computations use contiguous memory.
+front of the parent. So computations use contiguous memory. Wide supernodes are eliminated by panels
+of columns; each panel adds to all columns after it by products of dense matrices.
 */
 template <class Arithmetic>
 class Multifrontal_elimination {
@@ -186,11 +64,11 @@ private:
   // \return the row of a pivot that is not positive, up to rounding, or -1
   int eliminate(Symbolic_factorization::Part part) {
     if (part == Symbolic_factorization::after_both) add_halves();
-    std::vector<Inverse> inverse;
+    Workspace work;
     for (int s = 0; s < e_.supernodes(); ++s) {
       if (e_.part[row_number(s)] != part) continue;
       Front& front = assemble(s);
-      if (const int row = eliminate_columns(s, front, inverse); row >= 0) return row;
+      if (const int row = eliminate_columns(s, front, work); row >= 0) return row;
       const int parent = e_.parent(s);
       if (parent >= 0 && e_.part[row_number(parent)] != part) continue; // until both are done
       if (parent >= 0) add_schur_complement(s, parent);
@@ -210,6 +88,12 @@ private:
     Pack* column(int c) {
       return value.data() + std::ptrdiff_t{c} * height - std::ptrdiff_t{c} * (c + 1) / 2;
     }
+  };
+
+  // kept from front to front
+  struct Workspace {
+    std::vector<Inverse> inverse;
+    Dense_product product;
   };
 
   // the front of a supernode, possibly with Schur complements of its children
@@ -264,21 +148,71 @@ private:
   }
 
   // \return the row of a pivot that is not positive, or -1
-  int eliminate_columns(int s, Front& front, std::vector<Inverse>& inverse) {
+  int eliminate_columns(int s, Front& front, Workspace& work) {
+    constexpr int panel = 64;
     const int columns = e_.columns(s), begin = e_.supernode_begin[row_number(s)];
-    inverse.resize(row_number(columns));
-    for (int c = 0; c < front.height; ++c) {
-      const int before = std::min(c, columns);
-      int j = 0;
-      for (; j + 4 <= before; j += 4) add_multiples<4>(front, j, c, inverse);
-      for (; j + 2 <= before; j += 2) add_multiples<2>(front, j, c, inverse);
-      for (; j < before; ++j) add_multiples<1>(front, j, c, inverse);
-      const int row = c < columns ? e_.row[row_number(begin + c)] : -1;
-      if (row >= 0 && !arithmetic_.finish_column(begin + c, row, front.column(c) + c,
-                                                 front.height - c - 1, inverse[row_number(c)]))
-        return row;
+    work.inverse.resize(row_number(columns));
+    for (int j = 0; j < columns; j += panel) {
+      const int end = std::min(j + panel, columns);
+      for (int c = j; c < end; ++c) {
+        add_columns(front, j, c, c, work.inverse);
+        if (const int row = e_.row[row_number(begin + c)];
+            !arithmetic_.finish_column(begin + c, row, front.column(c) + c, front.height - c - 1,
+                                       work.inverse[row_number(c)]))
+          return row;
+      }
+      add_panel(front, j, end, work);
     }
     return -1;
+  }
+
+  // Adds the result of the elimination of a panel to the columns after it.
+  void add_panel(Front& front, int j, int end, Workspace& work) {
+    constexpr int narrow = 8; // copies for products take longer than they save
+    if (end - j < narrow || front.height - end < 2 * narrow) {
+      for (int c = end; c < front.height; ++c) add_columns(front, j, end, c, work.inverse);
+      return;
+    }
+    for (int c = end; c < front.height; ++c)
+      for (int k = j; k < end; ++k) {
+        const Pack *const from = front.column(k), weight = from[c];
+        front.column(c)[c] += Arithmetic::on_diagonal(
+            from[k], weight, Arithmetic::multiple(weight, work.inverse[row_number(k)]));
+      }
+    for (int part = 0; part < Pack::RowsAtCompileTime; ++part)
+      add_products(front, j, end, part, work);
+  }
+
+  // The same for one double of each pack, below the diagonal.
+  void add_products(Front& front, int j, int end, int part, Workspace& work) {
+    constexpr int terms = Arithmetic::terms;
+    const int size = front.height - end;
+    work.product.resize(size, terms * (end - j));
+    for (int k = j; k < end; ++k)
+      for (int i = 0; i < size; ++i) {
+        const Pack& weight = front.column(k)[end + i];
+        const auto multiple = Arithmetic::multiple(weight, work.inverse[row_number(k)]);
+        for (int t = 0; t < terms; ++t) {
+          const int depth = terms * (k - j) + t;
+          work.product.left(i, depth) = weight[Arithmetic::of_weight(part, t)];
+          work.product.right(i, depth) = Arithmetic::of_multiple(multiple, part, t);
+        }
+      }
+    work.product.for_each_tile([&](int i, int c, const Dense_product::Tile& sums) {
+      for (int m = 0; m < std::min(Dense_product::columns, size - c); ++m) {
+        Pack* const to = front.column(end + c + m) + end;
+        const int last = std::min(i + Dense_product::rows, size);
+        for (int r = std::max(i, c + m + 1); r < last; ++r) to[r][part] += sums(r - i, m);
+      }
+    });
+  }
+
+  // Adds to column c the result of the elimination of columns from j to before `end`.
+  static void add_columns(Front& front, int j, int end, int c,
+                          const std::vector<Inverse>& inverse) {
+    for (; j + 4 <= end; j += 4) add_multiples<4>(front, j, c, inverse);
+    for (; j + 2 <= end; j += 2) add_multiples<2>(front, j, c, inverse);
+    for (; j < end; ++j) add_multiples<1>(front, j, c, inverse);
   }
 
   // Adds to column c the result of the elimination of columns from j on.
