@@ -103,45 +103,40 @@ void Simplifier::push(std::uint32_t v) {
   if (is_allowed) queue_.push({c, v});
 }
 
+// Whether the angles at a bound are not flat yet, or just so.
+bool Simplifier::is_reached(const Vertex_star::Bound& bound, bool grows) const {
+  const double rest = star_.angles(mesh_, bound.factor).sum - star_.flat_angle();
+  return (rest > 0) == grows || std::abs(rest) <= angle_tolerance(star_);
+}
+
 // The logarithm of the factor with which the angles are flat, between 1 and a bound: Newton's
-// steps, and halving where they leave what is known. \param rest what is missing: the angles minus
-// the flat ones; on return zero, or what is missing at the bound if it is reached before
+// steps, and halving where they leave what is known.
+// \param rest the angles minus the flat ones; on return zero, or something else if the bound is
+//   reached before
 double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, double& rest) {
-  const double flat = star_.flat_angle(), tolerance = angle_tolerance(star_);
-  const double end = std::log(bound.factor);
+  const double tolerance = angle_tolerance(star_), end = std::log(bound.factor);
   double low = grows ? 0 : end, high = grows ? end : 0; // angles fall from low to high
-  bool is_end_known = false;
+  bool is_end_known = !std::isfinite(end);
   double u = 0, slope = star_.angles(mesh_, 1).slope;
   unsigned steps = 0;
   while (std::abs(rest) > tolerance && ++steps < 100) {
-    double to = slope > 0 ? u + rest / slope : (low + high) / 2;
+    double to = u + rest / slope;
     if (!(to > low && to < high)) {
-      if (is_end_known || !std::isfinite(end)) {
-        to = (low + high) / 2;
-        if (!std::isfinite(to)) to = grows ? u + 1 : u - 1;
-      } else {
-        is_end_known = true;
-        const Vertex_star::Angles at_end = star_.angles(mesh_, bound.factor);
-        const bool is_solved =
-            bound.side != Gluing::none && std::abs(at_end.sum - flat) <= tolerance;
-        if ((at_end.sum > flat) == grows && !is_solved) {
-          step_.newton_steps += steps;
-          return end;
-        }
-        to = is_solved ? end : (low + high) / 2;
+      if (!is_end_known && is_reached(bound, grows)) {
+        u = end;
+        break;
       }
+      is_end_known = true;
+      to = std::isfinite(low + high) ? (low + high) / 2 : grows ? u + 1 : u - 1;
     }
-    if (to == u || std::abs(to - u) < 1e-17) {
-      rest = 0; // no double is better
-      break;
-    }
+    if (to == u) break; // no double is better
     u = to;
     const Vertex_star::Angles now = star_.angles(mesh_, std::exp(u));
-    rest = now.sum - flat;
+    rest = now.sum - star_.flat_angle();
     slope = now.slope;
     (rest > 0 ? low : high) = u;
   }
-  if (std::abs(rest) <= tolerance || steps >= 100) rest = 0;
+  if (u != end && std::abs(rest) < 1e-9) rest = 0; // as near as doubles are, far below any turn
   step_.newton_steps += steps;
   most_newton_steps_ = std::max(most_newton_steps_, steps);
   return u;
@@ -156,9 +151,12 @@ Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
     const bool grows = rest > 0;
     const Vertex_star::Bound bound = grows ? star_.bound_above(mesh_) : star_.bound_below(mesh_);
     const double u = factor_within(bound, grows, rest);
-    star_.scale(mesh_, rest == 0 ? std::exp(u) : bound.factor);
-    if (rest == 0) return Fate::open;
+    if (rest == 0) {
+      star_.scale(mesh_, std::exp(u));
+      return Fate::open;
+    }
     if (bound.side == Gluing::none) return Fate::blocked;
+    star_.scale(mesh_, bound.factor);
     if (!mesh_.flip(bound.side)) return Fate::failed;
     ++step_.ptolemy_flips;
   }

@@ -54,6 +54,7 @@ private:
   Fate remove(std::uint32_t v, double expected);
   Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
+  bool is_reached(const Vertex_star::Bound& bound, bool grows) const;
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
   bool has_fixed_loop(std::uint32_t v) const;
   int degree_fall(std::uint32_t h, std::uint32_t v) const;
