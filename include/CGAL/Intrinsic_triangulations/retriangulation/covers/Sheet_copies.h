@@ -124,8 +124,8 @@ public:
     if (!p) return {};
     std::vector<Surface_point> result{in_or_on(p->point, place)};
     std::array<Surface_point, 3> sides{p->point, turned(p->point), turned(turned(p->point))};
-    std::sort(sides.begin(), sides.end(), [](const Surface_point& p, const Surface_point& q) {
-      return p.weights[2] < q.weights[2];
+    std::sort(sides.begin(), sides.end(), [](const Surface_point& a, const Surface_point& b) {
+      return a.weights[2] < b.weights[2];
     });
     for (const Surface_point& q : sides) {
       if (!Triangulation::Metric::is_exact && q.weights[2] >= nearness)
