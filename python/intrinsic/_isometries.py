@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -124,6 +125,8 @@ class _Isometries:
         >>> cube.isometries()
         <intrinsic.Isometries: isometric, 48 maps>
         """
+        if not (other is None or isinstance(other, _Isometries)):
+            raise ValueError(f"other is {reprlib.repr(other)}; give a surface, or None")
         return Isometries(self, self if other is None else other, progress)
 
     def hash(self) -> int:

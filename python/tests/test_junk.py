@@ -40,7 +40,7 @@ CALLS = {
     "farthest_points": dict(n=2), "path": dict(a=0, b=15, through=[6]),
     "loop": dict(points=[0, 3, 15]), "network": dict(paths=[[0, 15]], loops=[[0, 3, 15]]),
     "trace": dict(p=0, direction=1 + 1j, length=.5), "isolines": dict(u=np.arange(16.)),
-    "cut": {}, "log_map": dict(p=0), "transport": dict(points=[0], vectors=[[1, 0]]),
+    "isometries": {}, "cut": {}, "log_map": dict(p=0), "transport": dict(points=[0], vectors=[[1, 0]]),
     "extend": dict(points=[0], values=[1]), "direction_field": dict(fixed=([0], [[1, 0]])),
     "signed_distance": dict(curves=[0, 3]), "connection_laplacian": {}, "parametrize": {},
     "uniformize": {}, "eigen": dict(count=2), "deform": dict(handles=[0], displacements=[[1, 0, 0]]),
@@ -69,8 +69,9 @@ class Junk(With_folder):
         except (ValueError, TypeError) as error:
             words = str(error)
         else:
-            is_function = name == "progress" and callable(x)
-            self.assertFalse(any(x is thing for thing in THINGS) and not is_function, "was taken")
+            is_wanted = name == "progress" and callable(x) or \
+                name == "other" and isinstance(x, it.Surface)
+            self.assertFalse(any(x is thing for thing in THINGS) and not is_wanted, "was taken")
             return
         # a message may be about another argument, to which this one does not fit, or an element
         known = "|".join(n.rstrip("s").replace("_", "[_ ]") for n in names)

@@ -4,6 +4,7 @@
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
+#include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
@@ -19,9 +20,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -103,6 +106,43 @@ TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
   const IT::Isometries found = IT::find_isometries(t.triangulation(), u.triangulation());
   EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
   EXPECT_EQ(found.count(), 1);
+}
+
+#ifdef INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR
+
+TEST(CanonicalForm, isThatOfCopiesOfTheDataSet) {
+  std::set<std::uint64_t> hashes;
+  const char* const names[] = {"P",   "corner_with_hole", "cross", "corner", "elephant",
+                               "mpi", "sphere966",        "star",  "tripod", "u"};
+  for (const std::string name : names) {
+    const IT::Triangle_soup soup =
+        IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/" + name + ".off");
+    const Triangles t{soup.points, soup.triangles};
+    const IT::Canonical_form a = IT::canonical_form(t.triangulation()),
+                             b = IT::canonical_form(t.renumbered(1).turned().triangulation());
+    const IT::Isometries found = IT::find_isometries(a, b);
+    EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << name << ": " << found.note();
+    EXPECT_EQ(a.hash(), b.hash()) << name;
+    hashes.insert(a.hash());
+  }
+  EXPECT_EQ(hashes.size(), std::size(names));
+}
+
+#endif
+
+// Two cubes that touch in a corner.
+TEST(CanonicalForm, keepsVerticesWhereFansMeet) {
+  Triangles t = triangle_lists::box(1, 1, 1);
+  for (const std::array<std::uint32_t, 3>& f : triangle_lists::box(1, 1, 1).faces) {
+    const auto at = [](std::uint32_t v) { return v == 0 ? 0 : v + 7; };
+    t.faces.push_back({at(f[0]), at(f[1]), at(f[2])});
+  }
+  for (std::size_t v = 1; v < 8; ++v)
+    t.points.push_back({-t.points[v][0], -t.points[v][1], -t.points[v][2]});
+  const IT::Isometries found =
+      IT::find_isometries(t.triangulation(), t.renumbered(2).triangulation());
+  EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
+  EXPECT_EQ(found.count(), 6 * 6 * 2);
 }
 
 // ---- all gluings of few triangles ---------------------------------------------------------------

@@ -69,7 +69,8 @@ public:
   It hashes squared lengths in the units of the user, each rounded correctly, along the
   tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
-  Where the form is not unique, the number counts elements only.
+  Where a choice is arbitrary, the number only counts components.
+  \throws Invalid_input if exact arithmetic could not decide the form
   \complexity linear
   */
   std::uint64_t hash() const;

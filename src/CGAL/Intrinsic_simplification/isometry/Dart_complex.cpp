@@ -30,7 +30,7 @@ Dart_complex::Dart_complex(const Gluing_map& mesh, const std::vector<char>& is_l
     opposite[d] = dart[halfedge[d] ^ 1U];
   }
   count_sides();
-  count_degrees();
+  count_degrees(mesh);
   find_components();
 }
 
@@ -51,9 +51,13 @@ void Dart_complex::count_sides() {
 }
 
 // Turns about the source of each dart, from the border on if there is one.
-void Dart_complex::count_degrees() {
+void Dart_complex::count_degrees(const Gluing_map& mesh) {
+  constexpr std::uint32_t of_pinched_vertex = 0x80000000U;
   degree.assign(size(), 0);
-  std::vector<std::uint32_t> fan;
+  std::vector<std::uint32_t> fan, number_of_fans(mesh.number_of_vertices(), 0);
+  const auto source = [&](std::uint32_t d) {
+    return mesh.source(Gluing_map::Halfedge{halfedge[d]}).index;
+  };
   for (std::uint32_t d = 0; d < size(); ++d) {
     if (degree[d] != 0) continue;
     std::uint32_t first = d;
@@ -65,7 +69,10 @@ void Dart_complex::count_degrees() {
       e = opposite[previous[e]];
     } while (e != none && e != first);
     for (const std::uint32_t x : fan) degree[x] = static_cast<std::uint32_t>(fan.size());
+    ++number_of_fans[source(d)];
   }
+  for (std::uint32_t d = 0; d < size(); ++d)
+    if (number_of_fans[source(d)] > 1) degree[d] |= of_pinched_vertex;
 }
 
 void Dart_complex::find_components() {

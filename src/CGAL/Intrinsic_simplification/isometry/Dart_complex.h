@@ -28,13 +28,14 @@ struct Dart_complex {
   std::vector<std::uint32_t> halfedge;  // of the triangulation
   std::vector<std::uint32_t> dart;      // of each halfedge, or none
   std::vector<std::uint32_t> sides;     // number of sides of its polygon
-  std::vector<std::uint32_t> degree;    // number of darts of the fan that start where it does
+  std::vector<std::uint32_t> degree;    // darts of its fan that start where it does, and
+                                        // whether other fans meet there
   std::vector<std::uint32_t> component; // of each dart, from 0
   std::uint32_t number_of_components = 0;
 
 private:
   void count_sides();
-  void count_degrees();
+  void count_degrees(const Gluing_map& mesh);
   void find_components();
 };
 

@@ -150,8 +150,8 @@ private:
   static constexpr std::size_t few_words = std::size_t(1) << 12;
   // words of coefficients that one sign may cost: some tenths of a second; and
   // all of them
-  static constexpr std::size_t most_words = std::size_t(1) << 24;
-  mutable std::size_t words_left_ = std::size_t(1) << 27;
+  static constexpr std::size_t most_words = std::size_t(1) << 22;
+  mutable std::size_t words_left_ = std::size_t(1) << 26;
 
   Mesh_with_numbers<Gluing_map> numbered_;
   Value_recipes recipes_;

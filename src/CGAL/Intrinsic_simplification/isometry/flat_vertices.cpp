@@ -13,12 +13,15 @@
 #include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
+#include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -34,39 +37,54 @@ bool is_on_border(const Gluing_map& mesh, Vertex v) {
   return mesh.face(mesh.halfedge(v)).index == Gluing::none;
 }
 
-// With more faces, a vertex that is not flat is recognised by a few of them;
-// the sine of all is a polynomial of that degree.
-constexpr std::size_t many_faces = 16;
+// A sum of angles, and a bound of its error.
+struct Angle_enclosure {
+  double sum = 0, error = 0;
 
-// The sine of the angle sum is zero iff that is a multiple of pi. Which one
-// follows from the signs of the sines of the sums before: each corner adds less
-// than pi.
+  // \param p, a the angle is that of p + i a
+  void add(const Interval_nt<false>& p, const Interval_nt<false>& a) {
+    const double x = (p.inf() + p.sup()) / 2, y = (a.inf() + a.sup()) / 2;
+    const double radius = (p.sup() - p.inf()) + (a.sup() - a.inf()), size = std::hypot(x, y);
+    sum += std::atan2(y, x);
+    error += radius < size / 2 ? 2 * radius / size + 1e-12 : 100;
+  }
+};
+
+// Whether the sines of all corners at a vertex show that their angles sum to so many half turns.
+// The sine of the sum is zero iff that is a multiple of pi. Which one follows from the signs of the
+// sines of the sums before: each corner adds less than pi.
+template <class Sine>
+bool is_sum_of_half_turns(std::size_t corners, std::size_t needed, const Sine& sine) {
+  std::size_t count = 0;
+  for (std::size_t m = 2; m < corners && count <= needed; ++m) {
+    const Sign s = sine(m);
+    if (s == ZERO || (s == NEGATIVE) != (count % 2 == 1)) ++count;
+  }
+  return count + 1 == needed && sine(corners) == ZERO;
+}
+
 bool is_flat(const Corresponding_triangulation& t,
              const Corresponding_triangulation::Const_session&, Vertex v) {
   const Gluing_map& mesh = t.mesh();
   Wedge wedge;
+  Angle_enclosure angle;
   for_each_outgoing(v, mesh, [&](Halfedge h) {
     if (mesh.face(h).index == Gluing::none) return;
     const Halfedge n = mesh.next(h), l = mesh.next(n);
     const Indexed_face f{mesh.face(h).index, {h.index / 2, n.index / 2, l.index / 2}};
     wedge.add(f, approximate_values(t.metric(), f));
+    const auto length = [&](std::size_t k) { return t.metric().squared_length(f.edges[k]); };
+    angle.add(length(0) + length(2) - length(1), t.metric().quadruple_area(f.face));
   });
-  const std::size_t n = wedge.faces.size(), needed = is_on_border(mesh, v) ? 1 : 2;
+  const std::size_t corners = wedge.faces.size(), needed = is_on_border(mesh, v) ? 1 : 2;
+  if (corners < 2) return corners == 0;
   const auto sine = [&](std::size_t m) {
     return t.sign(wedge.all_faces().first(m), Wedge_sine_expression{wedge.all_scales().first(m)});
   };
-  // the number of half turns, or one more than needed
-  const auto half_turns = [&] {
-    std::size_t count = 0;
-    for (std::size_t m = 2; m <= n && count <= needed; ++m) {
-      const Sign s = sine(m);
-      if (s == ZERO || (s == NEGATIVE) != (count % 2 == 1)) ++count;
-    }
-    return count;
-  };
-  if (n < 2) return n == 0;
-  if (n > many_faces && half_turns() > needed) return false;
-  return sine(n) == ZERO && half_turns() == needed;
+  // intervals tell most vertices from flat ones, and which multiple of pi is near
+  if (angle.error > 0.5) return is_sum_of_half_turns(corners, needed, sine);
+  const double difference = std::abs(angle.sum - static_cast<double>(needed) * std::numbers::pi);
+  return difference <= angle.error && sine(corners) == ZERO;
 }
 
 // Flips edges away from one vertex, and removes it.

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
 #include <bit>
@@ -72,7 +73,11 @@ double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
 
 std::uint64_t hash_of_surface(const Singular_surface& s) {
   const Dart_complex& darts = s.darts();
-  if (!s.is_proven() || !s.choice().empty()) return mixed(darts.number_of_components);
+  if (!s.is_proven()) // another triangulation of the surface might get a hash
+    throw Invalid_input(Element_kind::none, 0,
+                        "the surface gets no hash, since " + s.choice() +
+                            "; remove flat vertices from the mesh");
+  if (!s.choice().empty()) return mixed(darts.number_of_components);
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {
     const std::uint32_t o = darts.opposite[d];
