@@ -11,5 +11,6 @@ Includes simplification with a proven stretch, isometries, convex polyhedra of m
 */
 
 #include <CGAL/Intrinsic_conformal.h>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_H
