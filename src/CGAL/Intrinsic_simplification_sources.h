@@ -11,5 +11,15 @@ one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_conformal_sources.h>
+#include <CGAL/Intrinsic_simplification/embedding/Length_equations.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Whole_faces.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/certify_convex.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/remove_flat.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

@@ -52,13 +52,13 @@ convex for certain. Its flat edges are flat up to that distance: they may lie in
 polyhedron with the same vertices and without these edges is convex.
 */
 struct Convexity_certificate {
-  bool is_proven = false;         ///< whether that polyhedron exists
-  double within = 0;              ///< in the unit of the lengths
-  std::size_t convex_edges = 0;   ///< edges that are convex for certain
-  std::size_t flat_edges = 0;     ///< edges that are flat up to that distance
-  std::size_t concave_edges = 0;  ///< edges that are neither; 0 if the status is `done`
-  bool encloses_its_apex = false; ///< whether faces turn once around a point inside: with the
-                                  ///< above, the polyhedron is convex as a whole
+  bool is_proven = false;           ///< whether that polyhedron exists
+  double within = 0;                ///< in the unit of the lengths
+  std::size_t convex_edges = 0;     ///< edges that are convex for certain
+  std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
+  std::size_t concave_edges = 0;    ///< edges that are neither; 0 if the status is `done`
+  bool encloses_its_centre = false; ///< whether faces turn once around the centre: with the
+                                    ///< above, the polyhedron is convex as a whole
 };
 
 /// What `embed_convex()` has found.
