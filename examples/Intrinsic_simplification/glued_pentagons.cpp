@@ -19,29 +19,24 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Partners = std::array<std::uint32_t, 10>; // of each half of a side
 
-// The halves are opened and closed like brackets, as the bits of a word say.
-bool pair(unsigned word, Partners& partners) {
+bool pair(unsigned word, Partners& partners) { // whose bits open and close halves like brackets
   std::vector<std::uint32_t> open;
-  for (std::uint32_t k = 0; k < 10; ++k)
-    if ((word >> k & 1) != 0) {
-      open.push_back(k);
-    } else if (open.empty()) {
-      return false;
-    } else {
-      partners[partners[k] = open.back()] = k;
-      open.pop_back();
-    }
+  for (std::uint32_t k = 0; k < 10; ++k, word /= 2) {
+    if (word % 2 == 1) open.push_back(k);
+    if (word % 2 == 1) continue;
+    if (open.empty()) return false;
+    partners[partners[k] = open.back()] = k;
+    open.pop_back();
+  }
   return open.empty();
 }
-
-// Ten triangles about the centre, with the halves glued; side 0 of each is a half.
-IT::Intrinsic_input glued(const Partners& partners) {
-  Partners point{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}; // points that become one get the least number
+IT::Intrinsic_input glued(const Partners& partners) { // ten triangles about the centre
+  // points that become one get the least number
+  Partners vertex{}, point{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
   for (int round = 0; round < 10; ++round)
     for (std::uint32_t k = 0; k < 10; ++k) // where k begins, its partner ends
       point[k] = point[(partners[k] + 1) % 10] = std::min(point[k], point[(partners[k] + 1) % 10]);
   IT::Gluing g{1, {}, {}}; // the centre is vertex 0
-  Partners vertex{};
   for (std::uint32_t k = 0; k < 10; ++k)
     vertex[k] = point[k] == k ? g.number_of_vertices++ : vertex[point[k]];
   for (std::uint32_t k = 0; k < 10; ++k) {
@@ -52,17 +47,16 @@ IT::Intrinsic_input glued(const Partners& partners) {
   const double half = .5, inner = half / std::tan(std::numbers::pi / 5);
   std::vector<double> squared(map.number_of_edges());
   for (std::uint32_t f = 0; f < 10; ++f)
-    for (std::uint32_t k = 0; const IT::Gluing_map::Halfedge h : map.sides({f})) {
-      const bool is_corner = (f + k) % 2 == 0;
-      squared[h.index / 2] = k++ == 0 ? half * half : inner * inner + (is_corner ? half * half : 0);
-    }
+    for (std::uint32_t k = 0; const IT::Gluing_map::Halfedge h : map.sides({f}))
+      squared[h.index / 2] = // even points of the border are corners
+          k++ == 0 ? half * half : inner * inner + ((f + k) % 2 == 1 ? half * half : 0);
   return {map, squared};
 }
 
 int main(int argc, char* argv[]) {
   std::ofstream out(argc > 1 ? argv[1] : std::filesystem::temp_directory_path() / "pentagons.obj");
   Partners partners{};
-  std::array<int, 3> number{}; // polyhedra, polygons, surfaces that are not convex
+  double polyhedra = 0, polygons = 0;
   std::size_t points = 1;
   for (unsigned word = 0; word < 1024; ++word) {
     if (!pair(word, partners)) continue;
@@ -71,18 +65,15 @@ int main(int argc, char* argv[]) {
       const IT::Corresponding_triangulation t(glued(partners));
       const IT::Convex_polyhedron p = IT::embed_convex(t);
       //! [embed]
-      const int place = number[0] + number[1];
-      ++number[p.shape == IT::Convex_shape::polyhedron ? 0 : 1];
-      for (const auto& [x, y, z] : p.points)
-        out << "v " << x + 2 * (place % 7) << ' ' << y - 2 * (place / 7) << ' ' << z << '\n';
+      ++(p.shape == IT::Convex_shape::polyhedron ? polyhedra : polygons);
+      for (const auto& [x, y, z] : p.points) // beside each other
+        out << "v " << x + 2 * (polyhedra + polygons) << ' ' << y << ' ' << z << '\n';
       for (const auto& [i, j, k] : p.faces)
         out << "f " << points + i << ' ' << points + j << ' ' << points + k << '\n';
       points += p.points.size();
     } catch (const IT::Invalid_input&) { // more than a full turn at a vertex
-      ++number[2];
     }
   }
-  std::cout << number[0] << " polyhedra, " << number[1] << " polygons, front and back, and "
-            << number[2] << " surfaces that are not convex\n";
-  return number[0] + number[1] + number[2] == 42 ? 0 : 1;
+  std::cout << polyhedra << " polyhedra, " << polygons << " polygons, front and back\n";
+  return polyhedra + polygons == 15 ? 0 : 1;
 }

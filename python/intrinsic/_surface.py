@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from . import _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
 from ._curves import _Curves
 from ._distances import _Distances
+from ._embedding import _Embedding
 from ._fields import _Fields
 from ._files import save_surface
 from ._maps import _Maps
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
-class Surface(_Distances, _Curves, _Fields, _Maps, _Learning, _Pages):
+class Surface(_Distances, _Curves, _Fields, _Maps, _Embedding, _Learning, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is

@@ -328,6 +328,10 @@ const std::vector<Command> table{
      "deform the surface: move some vertices, others follow smoothly",
      run_edit,
      {common, add_result_options, add_edit_options}},
+    {"embed",
+     "find the convex polyhedron whose surface has the lengths of the input",
+     run_embed,
+     {common, add_metric_option, add_polyhedron_option}},
     {"info",
      "describe a mesh or an intrinsic triangulation as it is, and say whether it is "
      "Delaunay",

@@ -38,6 +38,8 @@ void run_field(const Options& options);
 void run_eigen(const Options& options);
 /// deforms the surface by moving some of its vertices.
 void run_edit(const Options& options);
+/// finds the convex polyhedron of a metric on the sphere.
+void run_embed(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// starts the program `intrinsic-study` in place of this one.

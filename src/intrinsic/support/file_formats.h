@@ -21,7 +21,8 @@ enum class Contents {
   valued_subdivision,
   matrix,
   full_matrix,
-  cut_surface
+  cut_surface,
+  polyhedron
 };
 
 /// returns whether files with the extension of a path may have such contents.

@@ -29,8 +29,8 @@ struct Embedding_progress {
 
 /// What `embed_convex()` is asked for.
 struct Embed_options {
-  /// Vertices whose angles sum to a full turn, up to this many radians, are flat. They are left out
-  /// and put back on faces. Lengths in doubles are rounded, so 0 is seldom right.
+  /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
+  /// to doubles can change, are flat. They are left out and put back on faces.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
   /// Is called after each step, and returns whether to go on.

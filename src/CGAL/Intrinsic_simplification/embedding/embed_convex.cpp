@@ -19,6 +19,11 @@
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,14 +75,30 @@ Metric_triangles triangles_of(const Input& surface, int& scale) {
   return {gluing_from_map(mesh), std::move(lengths)};
 }
 
-void expect_convex(const Input& surface, const Metric_triangles& t, double within) {
+// Up to which curvature each vertex is flat: as asked for, and as much as changes if lengths are
+// rounded to doubles.
+std::vector<double> flat_curvatures(const Metric_triangles& t, double asked) {
+  std::vector<double> result(t.number_of_vertices(), asked);
+  for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h) {
+    const std::uint32_t n = Metric_triangles::next(h), p = Metric_triangles::next(n);
+    const double area = 2 * t.length(h) * t.length(p) * t.sine(h); // four times
+    const double sum =
+        CGAL::square(t.length(h)) + CGAL::square(t.length(n)) + CGAL::square(t.length(p));
+    if (area > 0) result[t.source(h)] += std::min(0x1p-52 * sum / area, 1e-6);
+  }
+  return result;
+}
+
+void expect_convex(const Input& surface, const Metric_triangles& t,
+                   const std::vector<double>& flat) {
   const std::vector<double> curvature = t.curvatures();
-  const auto least = std::min_element(curvature.begin(), curvature.end());
-  if (*least >= -within) return;
-  const auto v = static_cast<std::uint32_t>(least - curvature.begin());
+  std::uint32_t v = 0;
+  for (std::uint32_t w = 1; w < curvature.size(); ++w)
+    if (curvature[w] + flat[w] < curvature[v] + flat[v]) v = w;
+  if (curvature[v] >= -flat[v]) return;
   throw Invalid_input::about(
       Element_kind::vertex, surface.names().row(v),
-      " has angles that sum to " + std::to_string(360 - *least * 180 / std::numbers::pi) +
+      " has angles that sum to " + std::to_string(360 - curvature[v] * 180 / std::numbers::pi) +
           " degrees, but on a convex polyhedron to at most 360; change lengths there");
 }
 
@@ -155,10 +176,11 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   expect_sphere(surface);
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);
+  const std::vector<double> flat = flat_curvatures(t, options.flat_within);
   flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
-  expect_convex(surface, t, options.flat_within);
+  expect_convex(surface, t, flat);
   Convex_polyhedron result;
-  if (!remove_flat(t, options.flat_within)) {
+  if (!remove_flat(t, flat)) {
     result.status = Status::stalled;
     return result;
   }

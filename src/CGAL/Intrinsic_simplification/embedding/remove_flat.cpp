@@ -58,11 +58,11 @@ bool remove_flat_vertex(Metric_triangles& t, std::uint32_t v) {
 
 } // namespace
 
-bool remove_flat(Metric_triangles& t, double within) {
+bool remove_flat(Metric_triangles& t, const std::vector<double>& within) {
   const std::vector<double> curvature = t.curvatures();
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < t.number_of_vertices(); ++v)
-    if (std::abs(curvature[v]) <= within) left.push_back(v);
+    if (std::abs(curvature[v]) <= within[v]) left.push_back(v);
   while (!left.empty()) { // loops at a vertex may go with its neighbours
     std::vector<std::uint32_t> again;
     for (const std::uint32_t v : left)

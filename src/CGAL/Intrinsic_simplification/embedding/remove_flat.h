@@ -6,12 +6,14 @@
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 
+#include <vector>
+
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Removes the vertices whose curvature is at most `within`, by flips until they have three faces.
-// Numbers of vertices stay; see `Metric_triangles::compress()`.
+// Removes the vertices whose curvature is at most `within` there, by flips until they have three
+// faces. Numbers of vertices stay; see `Metric_triangles::compress()`.
 // \return whether all could be removed
-bool remove_flat(Metric_triangles& t, double within);
+bool remove_flat(Metric_triangles& t, const std::vector<double>& within);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
