@@ -11,6 +11,7 @@ Includes simplification with a proven stretch, isometries, convex polyhedra of m
 */
 
 #include <CGAL/Intrinsic_conformal.h>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 #include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>

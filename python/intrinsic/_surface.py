@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from . import _arguments, _arrays, _core, _options, _pickles  # noqa: F401: pickles are registered
 from ._curves import _Curves
 from ._distances import _Distances
+from ._embedding import _Embedding
 from ._fields import _Fields
 from ._files import save_surface
 from ._isometries import _Isometries
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simplification,
-              _Isometries, _Pages):
+              _Isometries, _Embedding, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
 
     A surface never changes. `delaunay()`, `refine()` and `adapt()` return new ones; what is

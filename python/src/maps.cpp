@@ -204,6 +204,7 @@ void bind_maps(py::module_& m) {
   m.def("eigen", &eigen);
   m.def("deform", &deform);
   bind_uniformize(m);
+  bind_embed(m);
 }
 
 } // namespace python

@@ -21,6 +21,8 @@ py::dict dict_of(const IT::Map_distortion& d);
 
 /// adds the functions on conformal maps.
 void bind_uniformize(py::module_& m);
+/// adds the function that finds convex polyhedra.
+void bind_embed(py::module_& m);
 
 } // namespace python
 

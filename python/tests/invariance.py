@@ -12,6 +12,7 @@ says which measure belongs to which class:
 - "combinatorial": numbers of elements, connectivity and choices, likewise; there are no ties.
 """
 
+import re
 import tempfile
 from typing import Callable, NamedTuple
 
@@ -536,6 +537,18 @@ def conformal_map(x, count):
         tau = reduced_period(m.period)
         return [m.u[:count] - m.u[:count].mean(), np.array([tau.real, tau.imag])]
     return [m.u[:count], distances_between(m.points[:count])]
+
+
+def embedded(x):
+    """The surface is not convex: the largest sum of angles, which the error names."""
+    return [angle_in_error(x.s.embed)]
+
+
+def angle_in_error(function):
+    try:
+        function()
+    except (ValueError, RuntimeError) as error:
+        return round(float(re.search(r"sum to ([\d.]+) degrees", str(error))[1]), 4)
 
 
 def cut_and_mapped(x):

@@ -18,6 +18,10 @@ from ten_surfaces import DISKS, MESHES, ORIENTED
 from written import place
 
 
+def embed(x, path, folder):
+    return [m.angle_in_error(lambda: program.run("embed", path, "-o", folder / "e.off"))]
+
+
 def write(x, path):
     """Writes a surface to an OFF file, or to an XYZ file."""
     points = [" ".join(map(repr, p)) for p in x.V.tolist()]
@@ -191,6 +195,7 @@ COMMANDS = {
     "field": [combinatorial(field, on=MESHES)],
     "eigen": [discrete(eigen)],
     "edit": [discrete(edit)],
+    "embed": [intrinsic(embed, on=("sphere",))],
     "info": [intrinsic(info)],
     "study": [combinatorial(study, on=ORIENTED)],
 }

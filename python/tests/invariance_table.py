@@ -76,7 +76,7 @@ TABLE = {
     "Failure": Left_out("holds what a function of the user's raised"),
     "__version__": Left_out("is of the package"),
     **{f"{kind}.save": Left_out("writes what the result has to a file") for kind in
-       ("ConformalMap", "Curve", "Curves", "Cut", "Network", "PlaneMap", "Voronoi")},
+       ("ConformalMap", "Curve", "Curves", "Cut", "Network", "PlaneMap", "Voronoi", "ConvexPolyhedron")},
     "Surface.html": Left_out("draws what delaunay() and common_subdivision() give"),
     "Surface.show": Left_out("opens a browser with html()"),
     "Surface.to_pyvista": Left_out("needs PyVista; it is common_subdivision()"),
@@ -176,5 +176,6 @@ TABLE = {
         combinatorial(m.cut_and_mapped, on=CLOSED)],
     "Surface.uniformize": [vertices(m.uniformized(k), on=ORIENTED) for k in ("delaunay", "input")]
     + [vertices(m.with_cones, on=CLOSED), vertices(m.start_of_the_surface, on=CLOSED)],
+    "Surface.embed": [intrinsic(m.embedded, on=("sphere",))],
     "Surface.deform": [discrete(m.deform(k), on=ALL) for k in ("biharmonic", "harmonic")],
 }

@@ -11,6 +11,16 @@ one of their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_conformal_sources.h>
+#include <CGAL/Intrinsic_simplification/embedding/Length_equations.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/Whole_faces.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/certify_convex.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/remove_flat.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_matching.cpp>

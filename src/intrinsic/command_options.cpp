@@ -207,6 +207,10 @@ const std::vector<Command> table{
      "say whether two surfaces are isometric, or find the symmetries of one, exactly",
      run_isometry,
      {common, add_isometry_options}},
+    {"embed",
+     "find the convex polyhedron whose surface has the lengths of the input",
+     run_embed,
+     {common, add_metric_option, add_polyhedron_option}},
     {"info",
      "describe a mesh or an intrinsic triangulation as it is, and say whether it is "
      "Delaunay",

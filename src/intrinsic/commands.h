@@ -42,6 +42,8 @@ void run_edit(const Options& options);
 void run_simplify(const Options& options);
 /// finds the isometries between two surfaces, or of a surface with itself.
 void run_isometry(const Options& options);
+/// finds the convex polyhedron of a metric on the sphere.
+void run_embed(const Options& options);
 /// describes a mesh or an intrinsic triangulation, as it is.
 void run_info(const Options& options);
 /// starts the program `intrinsic-study` in place of this one.

@@ -24,6 +24,7 @@ void run_transport(const Options& options) { become(applications, options.argume
 void run_logmap(const Options& options) { become(applications, options.arguments); }
 void run_field(const Options& options) { become(applications, options.arguments); }
 void run_eigen(const Options& options) { become(applications, options.arguments); }
+void run_embed(const Options& options) { become(applications, options.arguments); }
 void run_edit(const Options& options) { become(applications, options.arguments); }
 void run_simplify(const Options& options) { become(applications, options.arguments); }
 void run_isometry(const Options& options) { become(applications, options.arguments); }

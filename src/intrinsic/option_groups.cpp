@@ -147,6 +147,10 @@ void add_metric_option(CLI::App& command, Options& options) {
                         "xy xz yy yz zz per face");
 }
 
+void add_polyhedron_option(CLI::App& command, Options& options) {
+  add_output_option(command, options, "-o", options.output, {Contents::polyhedron});
+}
+
 void add_refinement_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   IT::Refine_criteria& r = options.refinement;

@@ -60,6 +60,8 @@ void add_info_options(CLI::App& command, Options& options);
 void add_constraint_options(CLI::App& command, Options& options);
 /// adds other lengths than those in space.
 void add_metric_option(CLI::App& command, Options& options);
+/// adds the file of a polyhedron.
+void add_polyhedron_option(CLI::App& command, Options& options);
 /// adds the criteria of `refine`.
 void add_refinement_options(CLI::App& command, Options& options);
 /// adds adaptive refinement, which replaces all criteria but the least angle. The vertex that it is

@@ -23,6 +23,7 @@ std::string contents_of_output(const Options& o) {
   if (!o.application.source_sets.empty() && o.application.voronoi.empty())
     return "distances, a row for each set of sources";
   if (is_file_of(Contents::values, o.output)) return "values, a line for each row";
+  if (o.command == "embed") return "a polyhedron";
   if (!is_mesh_output(o)) return "a matrix";
   const std::string surface = o.application.on == "input" ? "the mesh" : "the common subdivision";
   const bool has_values = o.command != "delaunay" && o.command != "refine" &&
@@ -55,7 +56,7 @@ std::vector<Output> outputs(const Options& o) {
 bool is_standard_output(const std::string& path) { return path == "-" || path.starts_with("-."); }
 
 bool is_mesh_output(const Options& options) {
-  return is_file_of(Contents::subdivision, options.output);
+  return options.command != "embed" && is_file_of(Contents::subdivision, options.output);
 }
 
 bool writes_plain_meshes(const Options& options) {

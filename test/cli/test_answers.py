@@ -50,6 +50,7 @@ class Answers(Cli_test):
                 (("eigen", self.mesh, "--count", "4"), "eigenvalues     ",
                  ", 1.99993, 1.99993, 1.99993"),
                 (("edit", self.mesh, "--handles", "handles.txt"), "moved           by at most 1"),
+                (("embed", self.mesh), "320 triangles; status done", "0 vertices on faces"),
                 (("info", self.mesh), "162 vertices", "genus 0, closed")):
             with self.subTest(arguments[0]):
                 out = self.answer(*arguments)

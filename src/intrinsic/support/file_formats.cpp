@@ -30,9 +30,10 @@ constexpr std::array<std::string_view, 1> values{"txt"};
 constexpr std::array<std::string_view, 2> with_values{"ply", "vtp"};
 constexpr std::array<std::string_view, 1> matrix{"mtx"};
 constexpr std::array<std::string_view, 2> full_matrix{"npy", "txt"};
+constexpr std::array<std::string_view, 2> polyhedron{"off", "obj"};
 
 // in the order of `Contents`
-constexpr std::array<Format, 12> formats{
+constexpr std::array<Format, 13> formats{
     {{"meshes", IT::mesh_extensions},
      {"lists of points", IT::point_set_extensions},
      {"the intrinsic triangulation", triangulation},
@@ -44,7 +45,8 @@ constexpr std::array<Format, 12> formats{
      {"matrices in Matrix Market format", matrix},
      {"a matrix", full_matrix},
      {"the surface cut open", IT::cut_surface_extensions},
-     {"the coarse triangles in space", IT::common_subdivision_extensions}}};
+     {"the coarse triangles in space", IT::common_subdivision_extensions},
+     {"the polyhedron", polyhedron}}};
 
 const Format& format(Contents contents) { return formats[static_cast<std::size_t>(contents)]; }
 

@@ -22,7 +22,8 @@ enum class Contents {
   matrix,
   full_matrix,
   cut_surface,
-  coarse_surface
+  coarse_surface,
+  polyhedron
 };
 
 /// returns whether files with the extension of a path may have such contents.

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_EMBED_CONVEX_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_EMBED_CONVEX_H
+
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+/*!
+\file
+The convex polyhedron of a metric on the sphere. Alexandrov proved that there is exactly one.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// How far `embed_convex()` is.
+struct Embedding_progress {
+  double curvature_left = 1; ///< of the curvature at the start, along the segments from the apex
+  std::size_t steps = 0;     ///< Newton steps so far
+};
+
+/// What `embed_convex()` is asked for.
+struct Embed_options {
+  /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
+  /// to doubles can change, are flat. They are left out and put back on faces.
+  double flat_within = 1e-10;
+  std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
+  /// Is called after each step, and returns whether to go on.
+  std::function<bool(const Embedding_progress&)> progress;
+};
+
+/// What the points of a `Convex_polyhedron` are.
+enum class Convex_shape : std::uint8_t {
+  polyhedron,            ///< it has a volume
+  doubly_covered_polygon ///< a convex polygon, front and back, in the plane z = 0
+};
+
+/*!
+\brief says what is proven about a `Convex_polyhedron`.
+
+If `is_proven`, there is a polyhedron that has exactly the lengths of the metric along its edges,
+and whose vertices are within `within` of the points (Kantorovich's theorem). Its convex edges are
+convex for certain. Its flat edges are flat up to that distance: they may lie inside a face, and a
+polyhedron with the same vertices and without these edges is convex.
+*/
+struct Convexity_certificate {
+  bool is_proven = false;           ///< whether that polyhedron exists
+  double within = 0;                ///< in the unit of the lengths
+  std::size_t convex_edges = 0;     ///< edges that are convex for certain
+  std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
+  std::size_t concave_edges = 0;    ///< edges that are neither; 0 if the status is `done`
+  bool encloses_its_centre = false; ///< whether faces turn once around the centre: with the
+                                    ///< above, the polyhedron is convex as a whole
+};
+
+/// What `embed_convex()` has found.
+struct Convex_polyhedron {
+  /// `done`; `inaccurate` if distances are wrong by more than 1e-10 of the diameter or edges are
+  /// concave; `stalled` or `cap` if the solver has stopped; `cancelled`. There are points only if
+  /// it is `done` or `inaccurate`.
+  Status status = Status::done;
+  Convex_shape shape = Convex_shape::polyhedron; ///< whether it has a volume
+  /// The places of the vertices, by their names in the input: on a cover, of all copies.
+  std::vector<std::array<double, 3>> points;
+  /// Triangles between the points, counterclockwise from outside.
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::uint32_t> flat_vertices; ///< those that lie on a face or an edge
+  /// Greatest difference between a distance in space and in the metric, over the edges of the
+  /// polyhedron, by its diameter.
+  double largest_error = 0;
+  std::size_t steps = 0;             ///< Newton steps
+  Convexity_certificate certificate; ///< what is proven; of a polygon nothing
+};
+
+/*!
+\brief finds the convex polyhedron whose surface has a given metric, up to motions of space.
+
+Only lengths are used, never points. The method is that of Bobenko and Izmestiev (2008): pyramids
+over all faces meet in an apex, segments from the apex to the vertices have curvatures, and these
+are decreased to 0 together. Flips keep the edges convex. Then Newton's method finds the positions
+from the lengths.
+\param surface the surface
+\param options what is asked for
+\return the polyhedron, see its status
+\throws Invalid_input if the surface is not a sphere, or naming a vertex where angles sum to more
+  than a full turn
+\complexity in measurements about \f$n^{3/2}\f$ for n vertices
+*/
+Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options = {});
+
+/// embeds the surface of a triangulation, see there: its vertices are those of its input.
+/// \tparam Triangulation a triangulation that keeps its input
+template <class Triangulation>
+  requires requires(const Triangulation& t) {
+    { t.input() } -> std::convertible_to<const Input&>;
+  }
+Convex_polyhedron embed_convex(const Triangulation& t, const Embed_options& options = {}) {
+  return embed_convex(t.input(), options);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_EMBED_CONVEX_H

@@ -1,0 +1,87 @@
+# Copyright (c) 2026 The Intrinsic Triangulations authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Convex polyhedra of metrics."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from . import _arrays, _core
+from ._files import save_surface
+from ._pages import _Shown
+
+if TYPE_CHECKING:
+    from typing import Any
+    from ._surface import Surface
+    from ._types import Integers, Numbers, Path, Progress
+
+
+class ConvexPolyhedron(_Shown):
+    """The convex polyhedron of a metric.
+
+    `points` of shape (n, 3) are the places of the vertices of the surface, and `faces` of shape
+    (m, 3) triangles between them, counterclockwise from outside. `flat_vertices` lie inside faces
+    or edges. If `is_polygon`, it is a convex polygon, front and back, with z = 0.
+
+    `status` is "done", or says what is missing; `error` is the largest difference between a length
+    of an edge in space and in the metric, by the size of the polyhedron. `certificate` is a dict:
+    if "proven", a polyhedron with exactly these lengths has its vertices no farther than "within"
+    from `points`; "convex_edges" are convex for certain, "flat_edges" are flat up to that distance.
+    """
+
+    points: Numbers
+    faces: Integers
+    flat_vertices: Integers
+    is_polygon: bool
+    status: str
+    error: float
+    steps: int
+    certificate: dict[str, Any]
+
+    def __init__(self, found, kind):
+        self.__dict__.update(found)
+        # front and back of a polygon may have the same edges
+        self._surface = kind(self.points, self.faces,
+                             domain="tufted" if self.is_polygon else "manifold")
+
+    @property
+    def surface(self) -> Surface:
+        """The polyhedron as a surface in space."""
+        return self._surface
+
+    def save(self, path: Path, *, plain: bool = False) -> None:
+        """Writes the polyhedron to a file .off, .ply, .obj, .stl or .vtp, see `Surface.save()`."""
+        save_surface(path, self._surface, (), plain)
+
+    def _add_to_page(self, contents):
+        pass
+
+    def __repr__(self):
+        return f"<intrinsic.ConvexPolyhedron: {len(self.points)} vertices, {self.status}>"
+
+
+class _Embedding:
+    def embed(self, *, flat_within: float = 1e-10, progress: Progress = None) -> ConvexPolyhedron:
+        """Finds the convex polyhedron whose surface has the lengths of this one: there is exactly
+        one, up to motions, if the surface is a sphere without vertices of negative curvature.
+
+        Only lengths are used, never points. Vertices whose angles sum to a full turn up to
+        `flat_within`, in radians, are put on faces.
+
+        Raises:
+            ValueError: the surface is no sphere, or a vertex, which it names, has negative
+                curvature.
+            RuntimeError: the solver has stopped.
+
+        >>> tetrahedron = Surface(4, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+        ...                       lengths=[[1, 1, 1]] * 4)
+        >>> tetrahedron.embed()
+        <intrinsic.ConvexPolyhedron: 4 vertices, done>
+        """
+        within = _arrays.number(flat_within, "flat_within")
+        if not 0 <= within <= .1:
+            raise ValueError(f"flat_within is {within}; give radians from 0 to 0.1")
+        found = _core.embed(self._core, within, progress)
+        if not len(found["points"]):
+            raise RuntimeError(f"the polyhedron is not found: the status is {found['status']}")
+        return ConvexPolyhedron(found, type(self))

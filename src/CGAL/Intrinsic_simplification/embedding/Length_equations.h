@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_LENGTH_EQUATIONS_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_LENGTH_EQUATIONS_H
+
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// One equation per edge: (|p - q|^2 - L) / (2 l) = 0. Its derivatives are those of the distance.
+struct Length_equations {
+  std::vector<std::uint32_t> halfedges;  // one per edge
+  Eigen::VectorXd residual;              // computed with 106 bits
+  Eigen::SparseMatrix<double> gradients; // an equation per column, a coordinate per row
+
+  Length_equations(const Metric_triangles& t, const Space_points& points);
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_LENGTH_EQUATIONS_H

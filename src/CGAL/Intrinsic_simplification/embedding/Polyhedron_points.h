@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_POLYHEDRON_POINTS_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_POLYHEDRON_POINTS_H
+
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+#include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+using Space_points = std::vector<Eigen::Vector3d>;
+
+// Places the vertices about the apex, one after another over neighbouring pyramids.
+Space_points lay_out_pyramids(const Glued_pyramids& p);
+
+// Moves the points until all edges have their lengths, and flips edges that are concave then.
+// \param within an edge is concave if it is so by more than this distance
+// \return whether the lengths are right and no edge is concave
+bool fit_lengths(Metric_triangles& t, Space_points& points, double within, std::size_t& steps);
+
+// The height of the next vertex across h over the face of h; positive if the edge is concave.
+double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h);
+
+// the greatest distance from the centre to a point, twice: between the diameter and twice of it
+double extent_of(const Space_points& points);
+
+// the greatest difference between a distance of points and the length of an edge
+double greatest_error(const Metric_triangles& t, const Space_points& points);
+
+// Proves what can be proven about points that fit the lengths.
+Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_POLYHEDRON_POINTS_H

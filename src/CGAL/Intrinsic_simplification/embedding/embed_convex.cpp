@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
+#include <CGAL/Intrinsic_simplification/embedding/Whole_faces.h>
+#include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
+#include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.h>
+#include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
+#include <CGAL/Intrinsic_simplification/embedding/remove_flat.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
+
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+namespace {
+
+void expect_sphere(const Input& surface) {
+  const auto refuse = [](const std::string& what) {
+    throw Invalid_input(Element_kind::none, 0,
+                        "only spheres are surfaces of convex polyhedra, and the surface " + what);
+  };
+  const Gluing_map& mesh = surface.mesh();
+  if (!boundary_loops(mesh).empty())
+    refuse("has a border; glue two copies along it: --domain closed");
+  if (!is_orientable(mesh)) refuse("is not orientable");
+  if (connected_components(mesh).count != 1) refuse("has several components; split it");
+  const std::vector<std::uint32_t> number = umbrellas(mesh);
+  for (std::uint32_t v = 0; v < number.size(); ++v)
+    if (number[v] != 1)
+      throw Invalid_input::about(Element_kind::vertex, surface.names().row(v),
+                                 number[v] == 0 ? " has no face; remove it"
+                                                : " joins parts of the surface; split it");
+  if (genus(mesh) != 0) refuse("has handles");
+}
+
+// The triangles of the surface, with lengths between 1/2 and 1 at most.
+// \param scale the coordinates are multiplied by two to this power
+Metric_triangles triangles_of(const Input& surface, int& scale) {
+  const Gluing_map& mesh = surface.mesh();
+  std::vector<Double_double> squared = squared_lengths<Double_double>(surface.metric(), mesh);
+  double most = 0;
+  for (const Double_double& l : squared) most = std::max(most, l.to_double());
+  scale = -std::ilogb(std::sqrt(most)) - 1;
+  std::vector<Double_double> lengths;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const Gluing_map::Halfedge h : mesh.sides({f}))
+      lengths.push_back(squared[h.index / 2].scaled(std::ldexp(1., 2 * scale)));
+  scale += surface.scale_exponent();
+  return {gluing_from_map(mesh), std::move(lengths)};
+}
+
+// Up to which curvature each vertex is flat: as asked for, and as much as changes if lengths are
+// rounded to doubles.
+std::vector<double> flat_curvatures(const Metric_triangles& t, double asked) {
+  std::vector<double> result(t.number_of_vertices(), asked);
+  for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h) {
+    const std::uint32_t n = Metric_triangles::next(h), p = Metric_triangles::next(n);
+    const double area = 2 * t.length(h) * t.length(p) * t.sine(h); // four times
+    const double sum =
+        CGAL::square(t.length(h)) + CGAL::square(t.length(n)) + CGAL::square(t.length(p));
+    if (area > 0) result[t.source(h)] += std::min(0x1p-52 * sum / area, 1e-6);
+  }
+  return result;
+}
+
+void expect_convex(const Input& surface, const Metric_triangles& t,
+                   const std::vector<double>& flat) {
+  const std::vector<double> curvature = t.curvatures();
+  std::uint32_t v = 0;
+  for (std::uint32_t w = 1; w < curvature.size(); ++w)
+    if (curvature[w] + flat[w] < curvature[v] + flat[v]) v = w;
+  if (curvature[v] >= -flat[v]) return;
+  throw Invalid_input::about(
+      Element_kind::vertex, surface.names().row(v),
+      " has angles that sum to " + std::to_string(360 - curvature[v] * 180 / std::numbers::pi) +
+          " degrees, but on a convex polyhedron to at most 360; change lengths there");
+}
+
+// Looks for the polyhedron while the curvatures of pyramids decrease.
+class Polyhedron_search {
+public:
+  Polyhedron_search(const Metric_triangles& t, Convex_polyhedron& result)
+      : triangles(t), result_(result) {}
+
+  // Whether it is found. It is tried seldom: that takes longer than a step.
+  bool try_at(const Glued_pyramids& p) {
+    if (std::optional<Space_points> polygon = doubly_covered_polygon(p)) {
+      triangles = p.triangles;
+      points = std::move(*polygon);
+      result_.shape = Convex_shape::doubly_covered_polygon;
+      return true;
+    }
+    if (p.curvature_left > next_) return false;
+    next_ = 1e-3 * p.curvature_left;
+    return fit(p);
+  }
+  // \return whether lengths are right and no edge is concave
+  bool fit(const Glued_pyramids& p) {
+    constexpr double concave = 1e-13;
+    triangles = p.triangles;
+    points = lay_out_pyramids(p);
+    return fit_lengths(triangles, points, concave * extent_of(points), result_.steps);
+  }
+
+  Metric_triangles triangles;
+  Space_points points; // none: nothing is found
+
+private:
+  Convex_polyhedron& result_;
+  double next_ = 1e-5; // of the curvature that is left
+};
+
+Polyhedron_search find_points(const Metric_triangles& t, const Embed_options& options,
+                              Convex_polyhedron& result) {
+  Polyhedron_search search(t, result);
+  Glued_pyramids p{t, {}, 1};
+  result.status = decrease_curvatures(
+      p, options, result.steps, [&](const Glued_pyramids& now) { return search.try_at(now); });
+  if (result.status == Status::stopped)
+    result.status = Status::done;
+  else if (result.status == Status::done)
+    result.status = search.fit(p) ? Status::done : Status::inaccurate;
+  else
+    search.points.clear();
+  if (search.points.empty() || result.shape == Convex_shape::doubly_covered_polygon) return search;
+  result.certificate = certify_polyhedron(search.triangles, search.points);
+  const Convexity_certificate& c = result.certificate;
+  if (c.concave_edges != 0 || !c.encloses_its_centre) result.status = Status::inaccurate;
+  return search;
+}
+
+void name_points(const Input& surface, const Whole_faces& whole, int scale,
+                 Convex_polyhedron& result) {
+  const Element_names& names = surface.names().vertices;
+  result.points.resize(whole.points.size());
+  for (std::uint32_t v = 0; v < whole.points.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      result.points[names.user(v)][k] =
+          std::ldexp(whole.points[v][static_cast<Eigen::Index>(k)], -scale);
+  for (const auto& [i, j, k] : whole.faces)
+    result.faces.push_back({names.user(i), names.user(j), names.user(k)});
+}
+
+} // namespace
+
+} // namespace internal
+
+Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options) {
+  using namespace internal;
+  expect_sphere(surface);
+  int scale = 0;
+  Metric_triangles t = triangles_of(surface, scale);
+  const std::vector<double> flat = flat_curvatures(t, options.flat_within);
+  flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
+  expect_convex(surface, t, flat);
+  Convex_polyhedron result;
+  if (!remove_flat(t, flat)) {
+    result.status = Status::stalled;
+    return result;
+  }
+  const std::vector<std::uint32_t> left = t.compress();
+  const Polyhedron_search found = find_points(t, options, result);
+  if (found.points.empty()) return result;
+  result.largest_error = greatest_error(found.triangles, found.points) / extent_of(found.points);
+  result.certificate.within = std::ldexp(result.certificate.within, -scale);
+  for (const Removed_vertex& r : t.removed())
+    result.flat_vertices.push_back(surface.names().vertices.user(r.vertex));
+  std::sort(result.flat_vertices.begin(), result.flat_vertices.end());
+  name_points(surface, put_back(found.triangles, found.points, left), scale, result);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations

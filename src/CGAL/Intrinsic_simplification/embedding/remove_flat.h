@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_REMOVE_FLAT_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_REMOVE_FLAT_H
+
+#include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Removes the vertices whose curvature is at most `within` there, by flips until they have three
+// faces. Numbers of vertices stay; see `Metric_triangles::compress()`.
+// \return whether all could be removed
+bool remove_flat(Metric_triangles& t, const std::vector<double>& within);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_REMOVE_FLAT_H
