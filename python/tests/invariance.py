@@ -539,6 +539,17 @@ def conformal_map(x, count):
     return [m.u[:count], distances_between(m.points[:count])]
 
 
+def coarse(x):
+    """Which vertices go first depends on rounding where costs are nearly the same."""
+    t = x.s.simplify("50%")
+    levels = x.s.hierarchy(2, ratio=.5)
+    return [t.number_of_vertices, t.status, [level.number_of_vertices for level in levels]]
+
+
+def without_flat(x):
+    return [x.s.remove_flat_vertices(1e-6).number_of_vertices]
+
+
 def embedded(x):
     """The surface is not convex: the largest sum of angles, which the error names."""
     return [angle_in_error(x.s.embed)]

@@ -156,7 +156,7 @@ class Hostile(With_folder):
         for x in (s.frames(), s.transport(0, [1, 0]), s.direction_field(), s.voronoi([0, 24]),
                   s.farthest_points(3), s.common_subdivision(), s.cut(s.path(0, 24)),
                   s.parametrize(), s.uniformize(), it.Surface(*TETRAHEDRON).uniformize(),
-                  it.Surface(*TETRAHEDRON).embed(),
+                  it.Surface(*TETRAHEDRON).embed(), s.simplify(9),
                   s.isolines(u), it.Point(0, (1, 0, 0))):
             for twin in pickle.loads(pickle.dumps(x)), copy.deepcopy(x), copy.copy(x):
                 self.assertEqual(repr(twin), repr(x))

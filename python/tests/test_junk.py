@@ -43,6 +43,7 @@ CALLS = {
     "isometries": {}, "cut": {}, "log_map": dict(p=0), "transport": dict(points=[0], vectors=[[1, 0]]),
     "extend": dict(points=[0], values=[1]), "direction_field": dict(fixed=([0], [[1, 0]])),
     "signed_distance": dict(curves=[0, 3]), "connection_laplacian": {}, "parametrize": {},
+    "simplify": dict(vertices=4), "hierarchy": dict(levels=2), "remove_flat_vertices": {},
     "embed": {}, "uniformize": {}, "eigen": dict(count=2), "deform": dict(handles=[0], displacements=[[1, 0, 0]]),
     "frames": {}, "laplacian": {}, "operators": dict(k=2), "html": {}, "show": dict(path="t.html", open_browser=False)}
 
