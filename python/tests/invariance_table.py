@@ -176,10 +176,10 @@ TABLE = {
         combinatorial(m.cut_and_mapped, on=CLOSED)],
     "Surface.uniformize": [vertices(m.uniformized(k), on=ORIENTED) for k in ("delaunay", "input")]
     + [vertices(m.with_cones, on=CLOSED), vertices(m.start_of_the_surface, on=CLOSED)],
-    "Surface.simplify": [combinatorial(m.coarse, on=CLOSED)],
-    "Surface.hierarchy": [combinatorial(m.coarse, on=CLOSED)],
-    "Surface.remove_flat_vertices": [combinatorial(m.without_flat, on=ORIENTED)],
-    "CoarseSurface": [combinatorial(m.coarse, on=CLOSED)],
+    "Surface.simplify": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
+    "Surface.hierarchy": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
+    "Surface.remove_flat_vertices": [combinatorial(m.without_flat, on=ORIENTED, changes=tuple(RIGID))],
+    "CoarseSurface": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
     "Surface.embed": [intrinsic(m.embedded, on=("sphere",))],
     "Surface.deform": [discrete(m.deform(k), on=ALL) for k in ("biharmonic", "harmonic")],
 }
