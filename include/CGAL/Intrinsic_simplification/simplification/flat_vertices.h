@@ -32,6 +32,7 @@ bool is_flat_wedge(const Triangulation& t, const Wedge& wedge, bool is_on_border
 // Whether a vertex that is nearly flat is exactly flat.
 template <class Triangulation>
 bool is_flat(const Triangulation& t, typename Triangulation::vertex_descriptor v) {
+  [[maybe_unused]] const typename Triangulation::Const_session session(t); // for signs
   const auto& mesh = t.mesh();
   // to the vertex; on the border the one after which corners begin
   const auto first = halfedge(v, mesh);

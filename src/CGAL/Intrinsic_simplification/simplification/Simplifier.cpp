@@ -170,24 +170,32 @@ bool Simplifier::has_fixed_loop(std::uint32_t v) const {
   });
 }
 
-// By how much a flip of the edge makes the degree of the vertex smaller.
-int Simplifier::degree_fall(std::uint32_t h, std::uint32_t v) const {
-  if (!mesh_.is_flippable(h)) return 0;
-  const auto count = [&](std::uint32_t s) { return mesh_.origin(s) == v ? 1 : 0; };
-  const std::uint32_t g = mesh_.glued(h);
-  return count(h) + count(g) - count(Coarse_mesh::previous(h)) - count(Coarse_mesh::previous(g));
+// Flips an edge of the star so that the degree of the vertex falls, by 2 or 1.
+bool Simplifier::lower_degree(std::uint32_t v) {
+  const auto count = [&](std::uint32_t h) { return mesh_.origin(h) == v ? 1 : 0; };
+  const auto fall = [&](std::uint32_t h) {
+    const std::uint32_t g = mesh_.glued(h);
+    return count(h) + count(g) - count(Coarse_mesh::previous(h)) - count(Coarse_mesh::previous(g));
+  };
+  for (const int most : {2, 1})
+    for (const std::uint32_t h : star_.sides())
+      if (mesh_.is_flippable(h) && fall(h) == most && mesh_.flip(h)) return true;
+  return false;
 }
 
-// Flips the edges from a flat vertex to itself away, and others where that does not go yet; the
-// degree falls with each flip.
+// Flips edges until none is from a flat vertex to itself. The degree falls, at times after another
+// flip that makes faces convex together.
 bool Simplifier::open_loops(std::uint32_t v) {
   while (star_.find(mesh_, v) && !star_.is_proper()) {
-    const auto flip_one = [&](int fall) {
-      return std::ranges::any_of(star_.sides(), [&](std::uint32_t h) {
-        return degree_fall(h, v) == fall && mesh_.flip(h);
-      });
-    };
-    if (!flip_one(2) && !flip_one(1)) return false;
+    bool is_lower = lower_degree(v);
+    const std::vector<std::uint32_t> sides = star_.sides();
+    for (std::size_t k = 0; k < sides.size() && !is_lower; ++k) {
+      if (!mesh_.is_flippable(sides[k]) || !mesh_.flip(sides[k])) continue;
+      star_.find(mesh_, v);
+      is_lower = lower_degree(v);
+      if (!is_lower) mesh_.flip(sides[k]);
+    }
+    if (!is_lower) return false;
     ++step_.flips;
   }
   return true;

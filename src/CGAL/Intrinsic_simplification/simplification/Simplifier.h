@@ -57,7 +57,7 @@ private:
   bool is_reached(const Vertex_star::Bound& bound, bool grows) const;
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
   bool has_fixed_loop(std::uint32_t v) const;
-  int degree_fall(std::uint32_t h, std::uint32_t v) const;
+  bool lower_degree(std::uint32_t v);
   bool open_loops(std::uint32_t v);
   void restore_delaunay();
   bool is_within_bounds();
