@@ -54,7 +54,7 @@ void keep_least(nlohmann::json& to, const char* name, const Stopwatch& watch) {
 }
 
 nlohmann::json direct_times(const System& s, std::size_t repetitions) {
-  nlohmann::json result;
+  nlohmann::json result = nlohmann::json::object();
   for (std::size_t i = 0; i < repetitions; ++i) {
     Stopwatch watch;
     const IT::Laplacian_factorization factored(s.laplacian, s.masses);
@@ -69,7 +69,7 @@ nlohmann::json direct_times(const System& s, std::size_t repetitions) {
 
 nlohmann::json multigrid_times(const System& s, std::size_t repetitions) {
   const Eigen::SparseMatrix<double> matrix = s.matrix();
-  nlohmann::json result;
+  nlohmann::json result = nlohmann::json::object();
   for (std::size_t i = 0; i < repetitions; ++i) {
     Stopwatch watch;
     const IT::Multigrid_factorization<double> prepared(matrix, 1e-8);
