@@ -37,6 +37,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.cpp>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.cpp>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.cpp>
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.cpp>

@@ -46,6 +46,10 @@ namespace internal {
 
 struct Symbolic_factorization;
 
+// \throws std::invalid_argument if a matrix is not square or an entry is not finite
+template <class Scalar>
+void expect_factorable(const Eigen::SparseMatrix<Scalar>& a);
+
 // What a factorization finds from the places of entries alone, for matrices that have theirs in the
 // same places.
 using Shared_analysis = std::shared_ptr<const Symbolic_factorization>;

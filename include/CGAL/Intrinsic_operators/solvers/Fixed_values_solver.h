@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -43,13 +44,15 @@ public:
   \brief factors the free part of a matrix.
   \param a the matrix, both triangles of it \pre definite on the free rows: positive, or negative
   \param rows the fixed rows, in any order, repeated or not
+  \param solver how to solve for the free rows
   \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not
     exist; or if no value is fixed in a component of the free rows on which constants are in the
     kernel (the message names a row of it)
   \throws Indefinite_matrix if rounding makes the matrix indefinite
-  \complexity that of a sparse factorization
+  \complexity that of a sparse factorization, or linear in the number of entries
   */
-  Fixed_values_solver(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> rows);
+  Fixed_values_solver(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> rows,
+                      Linear_solver solver = Linear_solver::direct);
 
   /*!
   \brief solves for some right sides.
@@ -58,7 +61,8 @@ public:
   rows
   \return the solutions, a column each, with exactly the fixed values
   \throws std::invalid_argument if sizes do not fit, a number is not finite, or a row has two values
-  \complexity linear in the entries of the factor, for each column
+  \throws No_convergence if an iteration does not reach its tolerance
+  \complexity linear in the entries of the factor, or of the matrix for each step, for each column
   */
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
@@ -70,7 +74,8 @@ private:
   Eigen::SparseMatrix<double> matrix_; // with the sign that makes it positive definite
   double sign_ = 1;
   // nothing, if all rows are fixed
-  std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>>
+  std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>,
+               Multigrid_factorization<double>>
       factorization_;
 };
 
@@ -82,20 +87,24 @@ conditions), once; see `Fixed_values_solver`.
 \param b the right side, a problem per column
 \param rows the fixed rows, in any order; a row may be repeated with the same value
 \param values a value per fixed row, and column of `b`
+\param solver how to solve for the free rows
 \return the solutions, a column each, with exactly the fixed values
 \throws std::invalid_argument if sizes do not fit, a number is not finite, the matrix is not
   symmetric, a row does not exist or has two values; or if no value is fixed in a component of the
   free rows on which constants are in the kernel
 \throws Indefinite_matrix if rounding makes the matrix indefinite
-\complexity that of a sparse factorization, once for all columns
+\throws No_convergence if an iteration does not reach its tolerance
+\complexity that of a sparse factorization, once for all columns; or linear in the number of entries
+  for each step and column
 */
 template <class B, class Values>
   requires std::same_as<typename B::Scalar, double> && std::same_as<typename Values::Scalar, double>
 typename B::PlainObject solve_with_fixed_values(const Eigen::SparseMatrix<double>& a,
                                                 const Eigen::MatrixBase<B>& b,
                                                 std::span<const std::uint32_t> rows,
-                                                const Eigen::MatrixBase<Values>& values) {
-  return Fixed_values_solver(a, rows).solve(b, values);
+                                                const Eigen::MatrixBase<Values>& values,
+                                                Linear_solver solver = Linear_solver::direct) {
+  return Fixed_values_solver(a, rows, solver).solve(b, values);
 }
 
 /*!

@@ -32,6 +32,9 @@ void expect_factorable(const Eigen::SparseMatrix<Scalar>& a) {
                                     ") is not");
 }
 
+template void expect_factorable(const Eigen::SparseMatrix<double>&);
+template void expect_factorable(const Eigen::SparseMatrix<std::complex<double>>&);
+
 // The factor by fronts.
 template <class Scalar>
 class Multifrontal_cholesky : public Cholesky_factor<Scalar> {

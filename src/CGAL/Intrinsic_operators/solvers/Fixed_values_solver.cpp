@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -15,6 +16,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -75,7 +77,7 @@ std::vector<std::uint32_t> rows_with_constant_kernel(const Eigen::SparseMatrix<d
 }
 
 Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
-                                         std::span<const std::uint32_t> rows)
+                                         std::span<const std::uint32_t> rows, Linear_solver solver)
     : rows_(rows.begin(), rows.end()), matrix_(internal::symmetrized(a)) {
   const std::vector<char> is_fixed = internal::marked_rows(a.rows(), rows);
   const auto first = std::find(is_fixed.begin(), is_fixed.end(), 0) - is_fixed.begin();
@@ -86,8 +88,10 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   const std::vector<std::uint32_t> component = components_of_matrix(free_part);
   const internal::Free_excess found(matrix_, is_fixed, component);
   internal::expect_excess(found.excess, component);
-  if (found.excess.minCoeff() >= 0 &&
-      (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))
+  if (solver == Linear_solver::iterative)
+    factorization_.emplace<Multigrid_factorization<double>>(free_part);
+  else if (found.excess.minCoeff() >= 0 &&
+           (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))
     factorization_.emplace<Laplacian_factorization>(free_part, found.excess);
   else
     factor_with_subtraction(free_part, found.excess);
@@ -128,13 +132,16 @@ Eigen::MatrixXd Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b,
 Eigen::MatrixXd Fixed_values_solver::solve(const Eigen::MatrixXd& b,
                                            const Eigen::MatrixXd& values) const {
   Eigen::MatrixXd x = fixed_part(b, values);
-  if (std::holds_alternative<std::monostate>(factorization_)) return x;
   Eigen::MatrixXd right = sign_ * b - matrix_ * x;
   for (const std::uint32_t r : rows_) right.row(r).setZero(); // leaves exactly zero there
-  const auto* laplacian = std::get_if<Laplacian_factorization>(&factorization_);
-  return x + (laplacian != nullptr
-                  ? laplacian->solve(right)
-                  : std::get<Cholesky_factorization<double>>(factorization_).solve(right));
+  return x + std::visit(
+                 [&right](const auto& f) -> Eigen::MatrixXd {
+                   if constexpr (Factorization<std::remove_cvref_t<decltype(f)>>)
+                     return f.solve(right);
+                   else
+                     return Eigen::MatrixXd::Zero(right.rows(), right.cols()); // all are fixed
+                 },
+                 factorization_);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
