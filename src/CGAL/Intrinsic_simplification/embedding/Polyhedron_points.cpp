@@ -19,7 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -38,6 +41,66 @@ Eigen::Vector3d point_over(const Eigen::Vector3d& a, const Eigen::Vector3d& b, d
   const double rest = std::max(CGAL::square(radius) - in_plane.squaredNorm(), 0.);
   return in_plane + normal * std::sqrt(rest / squared);
 }
+
+// Places one vertex after another, beside an edge whose ends are placed: first where errors grow
+// least, not beside short edges.
+class Pyramid_layout {
+public:
+  explicit Pyramid_layout(const Glued_pyramids& p)
+      : t_(p.triangles), r_(p.radii), points_(t_.number_of_vertices()), error_(points_.size(), 0),
+        is_visited_(t_.number_of_faces(), 0) {}
+
+  Space_points from(std::uint32_t first) {
+    const std::uint32_t a = t_.source(first), b = t_.target(first);
+    const double x = product(first) / r_[a];
+    points_[a] = {r_[a], 0, 0};
+    points_[b] = {x, std::sqrt(std::max(CGAL::square(r_[b]) - CGAL::square(x), 0.)), 0};
+    error_[a] = error_[b] = 1;
+    push(first);
+    push(t_.opposite(first));
+    while (!queue_.empty()) {
+      const Next next = queue_.top();
+      queue_.pop();
+      place(next.first, next.second);
+    }
+    return std::move(points_);
+  }
+
+private:
+  using Next = std::pair<double, std::uint32_t>; // the estimated error, a side of a face
+
+  double product(std::uint32_t h) const { // of the radii to the ends
+    return (CGAL::square(r_[t_.source(h)]) + CGAL::square(r_[t_.target(h)]) -
+            CGAL::square(t_.length(h))) /
+           2;
+  }
+  void push(std::uint32_t h) {
+    const double far =
+        t_.length(Metric_triangles::next(h)) + t_.length(Metric_triangles::previous(h));
+    const double both = error_[t_.source(h)] + error_[t_.target(h)];
+    queue_.emplace(1 + both * (1 + far / t_.length(h)) / 4, h);
+  }
+  void place(double error, std::uint32_t h) {
+    const std::uint32_t j = Metric_triangles::next(h), k = Metric_triangles::previous(h),
+                        v = t_.source(k);
+    if (is_visited_[h / 3] != 0) return;
+    is_visited_[h / 3] = 1;
+    if (error_[v] == 0) { // not placed
+      points_[v] =
+          point_over(points_[t_.source(h)], points_[t_.target(h)], product(k), product(j), r_[v]);
+      error_[v] = error;
+    }
+    push(t_.opposite(j));
+    push(t_.opposite(k));
+  }
+
+  const Metric_triangles& t_;
+  const std::vector<double>& r_;
+  Space_points points_;
+  std::vector<double> error_; // estimates; 0: not placed
+  std::vector<char> is_visited_;
+  std::priority_queue<Next, std::vector<Next>, std::greater<>> queue_;
+};
 
 // Least squares: the change of points that changes distances by the residual. The equations leave
 // motions of space free; gradients are orthogonal to them.
@@ -104,36 +167,10 @@ bool solve_lengths(const Metric_triangles& t, Space_points& points, std::size_t&
 
 Space_points lay_out_pyramids(const Glued_pyramids& p) {
   const Metric_triangles& t = p.triangles;
-  const std::vector<double>& r = p.radii;
-  Space_points points(t.number_of_vertices());
-  std::vector<char> is_placed(points.size(), 0), is_visited(t.number_of_faces(), 0);
-  const auto product = [&](std::uint32_t h) { // of the radii to the ends
-    return (CGAL::square(r[t.source(h)]) + CGAL::square(r[t.target(h)]) -
-            CGAL::square(t.length(h))) /
-           2;
-  };
   std::uint32_t first = 0; // a longest edge
   for (std::uint32_t h = 1; h < t.number_of_halfedges(); ++h)
     if (t.length(h) > t.length(first) && t.source(h) != t.target(h)) first = h;
-  const std::uint32_t a = t.source(first), b = t.target(first);
-  const double x = product(first) / r[a];
-  points[a] = {r[a], 0, 0};
-  points[b] = {x, std::sqrt(std::max(CGAL::square(r[b]) - CGAL::square(x), 0.)), 0};
-  is_placed[a] = is_placed[b] = 1;
-  std::vector<std::uint32_t> queue{first, t.opposite(first)};
-  for (std::size_t n = 0; n < queue.size(); ++n) {
-    const std::uint32_t h = queue[n], j = Metric_triangles::next(h),
-                        k = Metric_triangles::previous(h), v = t.source(k);
-    if (is_visited[h / 3] != 0) continue;
-    is_visited[h / 3] = 1;
-    if (is_placed[v] == 0)
-      points[v] =
-          point_over(points[t.source(h)], points[t.target(h)], product(k), product(j), r[v]);
-    is_placed[v] = 1;
-    queue.push_back(t.opposite(j));
-    queue.push_back(t.opposite(k));
-  }
-  return points;
+  return Pyramid_layout(p).from(first);
 }
 
 double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h) {
