@@ -27,12 +27,11 @@ py::dict embed(Surface& s, double flat_within, Watch& watch) {
                              "convex_edges"_a = c.convex_edges, "flat_edges"_a = c.flat_edges,
                              "concave_edges"_a = c.concave_edges);
   const bool is_polygon = found.shape == IT::Convex_shape::doubly_covered_polygon;
-  return py::dict("points"_a = array_of(std::move(found.points)),
-                  "faces"_a = array_of(std::move(found.faces)),
-                  "flat_vertices"_a = whole(found.flat_vertices),
-                  "status"_a = IT::name_of(found.status), "is_polygon"_a = is_polygon,
-                  "error"_a = found.largest_error, "steps"_a = found.steps,
-                  "certificate"_a = certificate);
+  return py::dict(
+      "points"_a = array_of(std::move(found.points)), "faces"_a = array_of(std::move(found.faces)),
+      "flat_vertices"_a = whole(found.flat_vertices), "status"_a = IT::name_of(found.status),
+      "is_polygon"_a = is_polygon, "error"_a = found.largest_error, "steps"_a = found.steps,
+      "certificate"_a = certificate);
 }
 
 } // namespace

@@ -42,11 +42,20 @@ bool names_a_file_twice(const Options& o) {
 // An output that is a file to be read, which may be a pipe or a terminal; empty if there is none.
 std::string overwritten_input(const Options& o) {
   const Application_options& a = o.application;
-  std::vector<std::string> read{
-      o.input,           o.constraints, o.metric, o.sizes,       o.field, o.geodesic.network,
-      o.other,
-      a.vectors,         a.handles,     a.pairs,  a.source_sets, a.cut,   o.uniformize.angles,
-      o.uniformize.cones};
+  std::vector<std::string> read{o.input,
+                                o.constraints,
+                                o.metric,
+                                o.sizes,
+                                o.field,
+                                o.geodesic.network,
+                                o.other,
+                                a.vectors,
+                                a.handles,
+                                a.pairs,
+                                a.source_sets,
+                                a.cut,
+                                o.uniformize.angles,
+                                o.uniformize.cones};
   read.insert(read.end(), o.shown.begin(), o.shown.end());
   for (const std::string& in : read)
     for (const Output& out : outputs(o))

@@ -34,8 +34,8 @@ Json json_of(const IT::Convex_polyhedron& found) {
           {"flat_vertices", found.flat_vertices.size()},
           {"proven", c.is_proven},
           {"within", c.within},
-          {"edges", {{"convex", c.convex_edges}, {"flat", c.flat_edges},
-                     {"concave", c.concave_edges}}}};
+          {"edges",
+           {{"convex", c.convex_edges}, {"flat", c.flat_edges}, {"concave", c.concave_edges}}}};
 }
 
 void write_polyhedron(std::ostream& out, const IT::Convex_polyhedron& found, bool is_obj) {
@@ -65,10 +65,8 @@ void run_embed(const Options& options) {
       warn("the polyhedron is not convex, or lengths are not right, up to rounding; see its status "
            "and errors");
     Computed computed{"embed", json_of(found), {}};
-    computed.write = [found = std::move(found),
-                      is_obj = options.output.ends_with(".obj")](std::ostream& out, Json&) {
-      write_polyhedron(out, found, is_obj);
-    };
+    computed.write = [found = std::move(found), is_obj = options.output.ends_with(".obj")](
+                         std::ostream& out, Json&) { write_polyhedron(out, found, is_obj); };
     return computed;
   });
 }

@@ -109,14 +109,8 @@ Matrix random_laplacian(int size, int edges, std::mt19937& random) {
 // Whatever entries elimination makes: they are where the solution needs them.
 TEST(Laplacian_factorization, of_random_graphs_solves_as_a_dense_method) {
   std::mt19937 random(3);
-  for (const auto& [size, edges] : {std::pair{1, 0},
-                                    {5, 0},
-                                    {9, 8},
-                                    {30, 25},
-                                    {30, 60},
-                                    {60, 60},
-                                    {60, 130},
-                                    {25, 400}})
+  for (const auto& [size, edges] :
+       {std::pair{1, 0}, {5, 0}, {9, 8}, {30, 25}, {30, 60}, {60, 60}, {60, 130}, {25, 400}})
     for (int trial = 0; trial < 10; ++trial) {
       const Matrix l = random_laplacian(size, edges, random);
       const Eigen::VectorXd d = Eigen::VectorXd::LinSpaced(size, 0.1, 1);

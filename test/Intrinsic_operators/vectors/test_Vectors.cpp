@@ -105,7 +105,7 @@ TEST(Vectors, ValuesStayBetweenThoseGiven) {
 }
 
 TEST(Vectors, IndicesOfDirectionsHaveTheSumOfTheSurface) {
-  const std::vector<Point> points{{1, 0, 0},  {0, 1.1, 0},  {-1.2, 0, 0},
+  const std::vector<Point> points{{1, 0, 0},  {0, 1.1, 0}, {-1.2, 0, 0},
                                   {0, -1, 0}, {0, 0, 1.3}, {0, 0, -1}};
   const std::vector<std::array<std::uint32_t, 3>> octahedron{
       {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}};

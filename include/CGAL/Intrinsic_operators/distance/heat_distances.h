@@ -88,29 +88,29 @@ and calls with parts of the sets share `heat`.
 template <NumberedTriangulation Triangulation, std::ranges::random_access_range SourceSets,
           std::floating_point Number, NamedParameters NP = parameters::Parameters<>>
   requires MeasuredTriangulation<Triangulation>
-Status heat_distances(const Heat_distance<Triangulation>& heat, const SourceSets& sets,
-                      std::span<Number> out, const NP& np = parameters::default_values()) {
-  using namespace internal::tags;
-  internal::expect_names<number_of_threads, visitor>(np);
-  const Triangulation& t = internal::Heat_batch::triangulation(heat);
-  const internal::Heat_batch batch(heat);
-  const std::size_t columns = std::ranges::size(sets), rows = t.number_of_vertices();
-  internal::expect_columns(rows, columns, out.size());
-  if (batch.is_stopped) return Status::cancelled;
-  std::vector<internal::Source_places> places;
-  for (const auto& set : sets)
-    places.push_back(internal::Source_reader<Triangulation>(t, batch.solver.table()).read(set));
-  auto stored_visitor = internal::object_or<visitor>(np, Batch_visitor());
-  auto& observed = internal::unwrapped(stored_visitor);
-  const bool is_complete = internal::for_each_heat_column(
-      batch, places, internal::value_or<number_of_threads>(np, std::size_t{0}),
-      [&](std::size_t i, std::span<const double> column) {
-        std::transform(column.begin(), column.end(), out.subspan(i * rows, rows).begin(),
-                       [](double d) { return static_cast<Number>(d); });
-      },
-      [&](std::size_t done) { return observed.progress(done, columns); });
-  return is_complete ? Status::done : Status::cancelled;
-}
+      Status heat_distances(const Heat_distance<Triangulation>& heat, const SourceSets& sets,
+                            std::span<Number> out, const NP& np = parameters::default_values()) {
+    using namespace internal::tags;
+    internal::expect_names<number_of_threads, visitor>(np);
+    const Triangulation& t = internal::Heat_batch::triangulation(heat);
+    const internal::Heat_batch batch(heat);
+    const std::size_t columns = std::ranges::size(sets), rows = t.number_of_vertices();
+    internal::expect_columns(rows, columns, out.size());
+    if (batch.is_stopped) return Status::cancelled;
+    std::vector<internal::Source_places> places;
+    for (const auto& set : sets)
+      places.push_back(internal::Source_reader<Triangulation>(t, batch.solver.table()).read(set));
+    auto stored_visitor = internal::object_or<visitor>(np, Batch_visitor());
+    auto& observed = internal::unwrapped(stored_visitor);
+    const bool is_complete = internal::for_each_heat_column(
+        batch, places, internal::value_or<number_of_threads>(np, std::size_t{0}),
+        [&](std::size_t i, std::span<const double> column) {
+          std::transform(column.begin(), column.end(), out.subspan(i * rows, rows).begin(),
+                         [](double d) { return static_cast<Number>(d); });
+        },
+        [&](std::size_t done) { return observed.progress(done, columns); });
+    return is_complete ? Status::done : Status::cancelled;
+  }
 
 /*!
 \brief factors the matrices of the heat flow and finds the distances from each of many sets of

@@ -87,11 +87,9 @@ concept Lacks_adaptor = requires {
 
 // meshes, and triangulations without lambda lengths
 template <class Other>
-concept Has_no_horocycles = Mesh_without_metric<Other> || (requires(const Other& t) {
-  t.metric();
-} && !requires(const Other& t) {
-  t.metric().approximate_lambda(std::uint32_t());
-});
+concept Has_no_horocycles = Mesh_without_metric<Other> ||(
+    requires(const Other& t) { t.metric(); } &&
+    !requires(const Other& t) { t.metric().approximate_lambda(std::uint32_t()); });
 
 // inputs of triangulations, except an `Intrinsic_input`
 template <class Surface>

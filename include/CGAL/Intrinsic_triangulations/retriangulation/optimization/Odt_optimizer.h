@@ -97,8 +97,7 @@ class Odt_optimizer {
 public:
   /// takes the named parameters of `odt_optimize()`, and what asks its visitor to go on.
   template <class NP>
-  Odt_optimizer(Triangulation& t, const NP& np,
-                std::function<bool(const Odt_result&)> progress)
+  Odt_optimizer(Triangulation& t, const NP& np, std::function<bool(const Odt_result&)> progress)
       : t_(t), mesh_(t.mesh()), session_(t), view_(t), progress_(std::move(progress)),
         flipper_(t, session_),
         number_of_iterations_(value_or<tags::number_of_iterations>(np, 100U)),
