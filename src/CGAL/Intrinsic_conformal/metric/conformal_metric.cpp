@@ -197,6 +197,8 @@ double Conformal_newton::step() {
   const double largest = direction.lpNorm<Eigen::Infinity>();
   if (!(slope < 0) || !std::isfinite(largest)) return 0; // no angles at the start among others
   least_ = std::min(least_, excess_.norm());
+  // The energy whose gradient is the excess is convex. A step is good if it does not go past its
+  // least value by more than a tenth of the slope (Wolfe's second rule); tests fail without.
   for (double part = std::min(1., reach_ / largest); part >= shortest; part /= 2) {
     Factors factors = changed(part * direction);
     std::optional<Eigen::VectorXd> excess = excess_at(factors);

@@ -66,6 +66,7 @@ private:
       }
       if (is_at_vertex) from = Window_face(table_, a.side).apex;
       const double rounding = 0x1p-50 * table_.corners[a.side].length;
+      // 1e-12: each triangle that a window was unfolded through errs by about 2^-52, here 4,000
       Ray ray{a.side,  from,     from,
               a.image, a.source, 1e-12 * planar_distance(from, a.image) + rounding};
       Step step = start(ray);
@@ -97,6 +98,7 @@ private:
   // Whether the source is in the face of the ray; the path ends there, or goes on from a vertex.
   bool arrive(const Ray& ray, Step& step) {
     const auto vertices = static_cast<std::uint32_t>(field_.vertices.size());
+    // Wide, as only the source of this window can be here: a path that misses it is inaccurate.
     const double near = 1e3 * ray.tolerance + 0x1p-50 * table_.corners[ray.side].length;
     if (Crossing::is_one(ray.source)) return false;
     if (ray.source < vertices) {

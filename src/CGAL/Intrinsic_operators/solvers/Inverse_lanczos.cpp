@@ -52,7 +52,8 @@ bool Inverse_lanczos::improve(Eigen::VectorXcd& z, const std::function<bool()>& 
       if (k == j) diagonal.col(j) = c.real();
     }
     Eigen::VectorXd norm = norms(next);
-    for (Eigen::Index i = 0; i < z.size(); ++i) // rounding errors are no direction
+    // Rounding errors are no direction: those of sums of up to a million terms are 1e3 2^-53.
+    for (Eigen::Index i = 0; i < z.size(); ++i)
       if (norm[i] <= 1e-13 * diagonal(i, 0)) norm[i] = 0;
     beside.col(j) = norm;
     if (j + 1 == steps) break;
