@@ -34,7 +34,7 @@ Double_double four_areas(const Double_double& a, const Double_double& b, const D
 
 } // namespace
 
-std::array<double, 2> Unfolded_diamond::sines() const {
+std::array<double, 2> Metric_diamond::sines() const {
   const Double_double at_i = kx * my + mx * ky, jk = length - kx, jm = length - mx,
                       at_j = jk * my + jm * ky;
   const auto norm = [](const Double_double& x, const Double_double& y) {
@@ -92,7 +92,7 @@ std::uint32_t Metric_triangles::degree(std::uint32_t v) const {
   return number;
 }
 
-Unfolded_diamond Metric_triangles::unfold(std::uint32_t h) const {
+Metric_diamond Metric_triangles::unfold(std::uint32_t h) const {
   const std::uint32_t g = opposite(h);
   const Double_double &ij = squared_[h], &jk = squared_[next(h)], &ki = squared_[previous(h)],
                       &im = squared_[next(g)], &mj = squared_[previous(g)];
@@ -101,7 +101,7 @@ Unfolded_diamond Metric_triangles::unfold(std::uint32_t h) const {
           twice_product(ij, im, mj) / twice, halved(four_areas(ij, im, mj)) / l};
 }
 
-void Metric_triangles::flip(std::uint32_t h, const Unfolded_diamond& d) {
+void Metric_triangles::flip(std::uint32_t h, const Metric_diamond& d) {
   if (!removed_in_.empty()) move_removed(h, d);
   const std::uint32_t g = opposite(h), h1 = next(h), h2 = next(h1), g1 = next(g), g2 = next(g1);
   const std::uint32_t i = source(h), j = source(g), k = source(h2), m = source(g2);
@@ -131,7 +131,7 @@ void Metric_triangles::flip(std::uint32_t h, const Unfolded_diamond& d) {
   set_corners(g / 3);
 }
 
-void Metric_triangles::move_removed(std::uint32_t h, const Unfolded_diamond& d) {
+void Metric_triangles::move_removed(std::uint32_t h, const Metric_diamond& d) {
   const std::uint32_t g = opposite(h);
   std::vector<std::uint32_t> moved;
   for (const std::uint32_t f : {h / 3, g / 3}) {

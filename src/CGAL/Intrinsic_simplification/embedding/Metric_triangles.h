@@ -23,7 +23,7 @@ struct Removed_vertex {
 
 // The two triangles at the halfedge h = ij in one plane: i = (0, 0), j = (length, 0), k above, m
 // below. Twice the edge times each coordinate is a polynomial in squared lengths and areas.
-struct Unfolded_diamond {
+struct Metric_diamond {
   Double_double length, kx, ky, mx, my; // my is positive, the point is (mx, -my)
 
   // Sines of the angles at i and at j, of both triangles together.
@@ -62,10 +62,10 @@ public:
   std::uint32_t degree(std::uint32_t v) const;
 
   // \pre both sides of h are in different faces
-  Unfolded_diamond unfold(std::uint32_t h) const;
+  Metric_diamond unfold(std::uint32_t h) const;
   bool is_in_two_faces(std::uint32_t h) const { return h / 3 != opposite(h) / 3; }
   // turns ij to mk: h runs from m to k. \pre the diamond is convex, maybe straight at one end
-  void flip(std::uint32_t h, const Unfolded_diamond& d);
+  void flip(std::uint32_t h, const Metric_diamond& d);
   // removes a vertex with three faces, none of its edges a loop
   void remove(std::uint32_t vertex);
   // numbers what is left anew. \return the vertices that are left, by their numbers before
@@ -77,7 +77,7 @@ private:
   void glue(std::uint32_t g, std::uint32_t h);
   void set_length(std::uint32_t h, const Double_double& squared);
   void set_corners(std::uint32_t face);
-  void move_removed(std::uint32_t h, const Unfolded_diamond& d);
+  void move_removed(std::uint32_t h, const Metric_diamond& d);
   // the vertex, and those removed before in its faces, in the triangle that is left of them
   void place_in_rim(std::uint32_t vertex, const std::array<std::uint32_t, 3>& rim);
 

@@ -203,7 +203,7 @@ bool fit_lengths(Metric_triangles& t, Space_points& points, double within, std::
       if (h > t.opposite(h) || !(height_across(t, points, h) > within)) continue;
       is_convex = false;
       if (!t.is_in_two_faces(h)) return false;
-      const Unfolded_diamond d = t.unfold(h);
+      const Metric_diamond d = t.unfold(h);
       const std::array<double, 2> sines = d.sines();
       if (sines[0] > 0 && sines[1] > 0) t.flip(h, d);
     }

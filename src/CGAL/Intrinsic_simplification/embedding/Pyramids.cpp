@@ -112,7 +112,7 @@ bool flip_to_convex(Metric_triangles& t, const std::vector<double>& radii) {
     const double feet = foot_of(t, radii, h) + foot_of(t, radii, g);
     if (feet >= -rounding_of_foot(t, radii, h) - rounding_of_foot(t, radii, g)) continue;
     if (!t.is_in_two_faces(h) || left-- == 0) return false;
-    const Unfolded_diamond d = t.unfold(h);
+    const Metric_diamond d = t.unfold(h);
     const std::array<double, 2> sines = d.sines();
     if (!(sines[0] > 0 && sines[1] > 0)) return false;
     t.flip(h, d);

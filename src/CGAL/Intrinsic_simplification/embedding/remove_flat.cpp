@@ -20,7 +20,7 @@ namespace {
 constexpr double least_sine = 1e-7, straight = 1e-9;
 
 // How good it is to flip an edge from a flat vertex, or less than 0 if that is impossible.
-double merit(const Metric_triangles& t, std::uint32_t h, const Unfolded_diamond& d) {
+double merit(const Metric_triangles& t, std::uint32_t h, const Metric_diamond& d) {
   const std::array<double, 2> sines = d.sines();
   if (t.source(h) == t.target(h)) // a loop: flipping it removes two edges from the vertex
     return std::min(sines[0], sines[1]) > least_sine ? 2 + std::min(sines[0], sines[1]) : -1;
