@@ -116,9 +116,28 @@ def _wanted(vertices, count):
 def _split(keep, count):
     """Returns the vertices to keep, and pairs or an angle for edges."""
     none = np.empty(0, dtype=np.int64)
-    if keep is None or _arrays.is_single(keep) or np.ndim(keep) != 1:
+    if keep is None or _arrays.is_single(keep):
         return none, *_options.kept(keep, count)
-    return _arrays.indices(keep, "keep", (None,), count), None, None
+    keep = _arrays.indices(keep, "keep", count=count)
+    if keep.ndim == 1:
+        return keep, None, None
+    return none, *_options.kept(keep, count)
+
+
+def _cost(cost):
+    """Returns the word of a cost, and a function in place of it or None."""
+    if not callable(cost):
+        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
+        return cost, None
+
+    def of_candidate(candidate):
+        try:
+            return float(cost(candidate))
+        except (TypeError, ValueError) as error:
+            raise TypeError("cost needs a function that takes a candidate and returns a number: "
+                            f"{error}") from error
+
+    return "stretch", of_candidate
 
 
 def _simplified(surface, wanted, stretch, within, keep, cost, progress):
@@ -126,14 +145,12 @@ def _simplified(surface, wanted, stretch, within, keep, cost, progress):
 
     if stretch is not None:
         stretch = _options.number(stretch, "stretch")
-    own = cost if callable(cost) else None
-    if own is None:
-        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
+    word, own = _cost(cost)
     vertices, ends, angle = _split(keep, surface.number_of_input_vertices)
     fine = surface._flipped() if keep is None or len(vertices) else _core.delaunay(
         surface._core, ends, angle, None)
     positions = None if fine.points is None else _core.positions(fine)
     core, found = _core.simplify(
         fine, wanted, np.inf if stretch is None else stretch, within,
-        "stretch" if own is not None else cost, own, vertices, ends, angle, positions, progress)
+        word, own, vertices, ends, angle, positions, progress)
     return CoarseSurface._of_simplification(core, found)

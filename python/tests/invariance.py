@@ -17,6 +17,7 @@ import tempfile
 from typing import Callable, NamedTuple
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 import intrinsic as it
 from ten_surfaces import ALL, MESHES, ORIENTED
@@ -550,9 +551,28 @@ def without_flat(x):
     return [x.s.remove_flat_vertices(1e-6).number_of_vertices]
 
 
+def symmetries(x):
+    """Turned and scaled surfaces are rounded, and other surfaces: each has its own symmetries."""
+    found = x.s.isometries()
+    return [found.answer, len(found), found.maps[0].vertices.tolist() == list(range(len(x.V))),
+            x.s.hash() == x.s.delaunay().hash()]
+
+
 def embedded(x):
     """The surface is not convex: the largest sum of angles, which the error names."""
     return [angle_in_error(x.s.embed)]
+
+
+def hull_again(x):
+    """The area of the convex hull, which is found again from its lengths."""
+    hull = ConvexHull(x.V)
+    a, b, c = (x.V[hull.simplices[:, k]] for k in range(3))
+    inward = np.einsum("ij,ij->i", np.cross(b - a, c - a), hull.equations[:, :3]) < 0
+    F = np.where(inward[:, None], hull.simplices[:, [0, 2, 1]], hull.simplices)
+    number = np.full(len(x.V), -1)
+    number[hull.vertices] = np.arange(len(hull.vertices))
+    found = it.Surface(x.V[hull.vertices], number[F]).embed()
+    return [found.status, round(found.surface.mass().sum() / x.scale**2, 9)]
 
 
 def angle_in_error(function):

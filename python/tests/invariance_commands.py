@@ -14,8 +14,18 @@ import intrinsic as it
 import invariance as m
 import program
 from invariance import combinatorial, discrete, intrinsic, vertices
-from ten_surfaces import DISKS, MESHES, ORIENTED
-from written import place
+from ten_surfaces import CLOSED, DISKS, MESHES, ORIENTED
+from written import RIGID, place
+
+
+def isometry(x, path, folder):
+    found = program.run("isometry", path)["isometry"]
+    return [found["answer"], found["count"]]
+
+
+def simplify(x, path, folder):
+    found = program.run("simplify", path, "--vertices", "50%")["simplify"]
+    return [found["vertices"], found["status"]]
 
 
 def embed(x, path, folder):
@@ -196,6 +206,8 @@ COMMANDS = {
     "eigen": [discrete(eigen)],
     "edit": [discrete(edit)],
     "embed": [intrinsic(embed, on=("sphere",))],
+    "isometry": [combinatorial(isometry, on=CLOSED)],
+    "simplify": [combinatorial(simplify, on=CLOSED, changes=tuple(RIGID))],
     "info": [intrinsic(info)],
     "study": [combinatorial(study, on=ORIENTED)],
 }

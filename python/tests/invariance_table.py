@@ -76,7 +76,8 @@ TABLE = {
     "Failure": Left_out("holds what a function of the user's raised"),
     "__version__": Left_out("is of the package"),
     **{f"{kind}.save": Left_out("writes what the result has to a file") for kind in
-       ("ConformalMap", "Curve", "Curves", "Cut", "Network", "PlaneMap", "Voronoi", "ConvexPolyhedron")},
+       ("ConformalMap", "ConvexPolyhedron", "Curve", "Curves", "Cut", "Network", "PlaneMap",
+        "Voronoi")},
     "Surface.html": Left_out("draws what delaunay() and common_subdivision() give"),
     "Surface.show": Left_out("opens a browser with html()"),
     "Surface.to_pyvista": Left_out("needs PyVista; it is common_subdivision()"),
@@ -180,6 +181,9 @@ TABLE = {
     "Surface.hierarchy": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
     "Surface.remove_flat_vertices": [combinatorial(m.without_flat, on=ORIENTED, changes=tuple(RIGID))],
     "CoarseSurface": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
+    **{name: [combinatorial(m.symmetries, on=CURVED)] for name in
+       ("Surface.isometries", "Surface.hash", "Isometries", "Isometry", "Isometry.points")},
+    "ConvexPolyhedron.surface": [intrinsic(m.hull_again, on=("sphere",))],
     "Surface.embed": [intrinsic(m.embedded, on=("sphere",))],
     "Surface.deform": [discrete(m.deform(k), on=ALL) for k in ("biharmonic", "harmonic")],
 }

@@ -70,7 +70,7 @@ class Junk(With_folder):
         except (ValueError, TypeError) as error:
             words = str(error)
         else:
-            is_wanted = name == "progress" and callable(x) or \
+            is_wanted = name in ("progress", "cost") and callable(x) or \
                 name == "other" and isinstance(x, it.Surface)
             self.assertFalse(any(x is thing for thing in THINGS) and not is_wanted, "was taken")
             return

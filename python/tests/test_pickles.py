@@ -26,7 +26,9 @@ def results():
     return [s, it.Surface(*bumpy(5)).refine(), it.points(bumpy(6)[0], neighbors=8), s.frames(),
             s.transport([0, it.Point(3, (.2, .3, .5))], [[1, 0], [0, 2]]), field,
             field.singularities, cells, cells.junctions, s.farthest_points(3),
-            s.common_subdivision(), s.isometries(), s.isometries().maps[3], s.path(0, 23), s.loop([0, 4, 24], waypoints=True), crossing,
+            s.common_subdivision(), s.isometries(), s.isometries().maps[3], s.simplify(9),
+            s.simplify(9).stretch, it.Surface(*TETRAHEDRON).embed(), s.path(0, 23),
+            s.loop([0, 4, 24], waypoints=True), crossing,
             s.cut(crossing), s.parametrize(), flat, flat.layout,
             it.Surface(*TETRAHEDRON).uniformize(), s.isolines(u), it.Point(0, (1., 0., 0.)),
             s.trace(0, [1, .3, 0], 2.), s.operators(k=3), it.map(int, ["x"])[0]]

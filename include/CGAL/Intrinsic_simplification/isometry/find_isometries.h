@@ -87,7 +87,7 @@ public:
   std::size_t number_of_walks() const;
 
 private:
-  friend Isometries find_isometries(const Canonical_form&, const Canonical_form&);
+  friend Isometries find_isometries(const Canonical_form& a, const Canonical_form& b);
   explicit Isometries(std::shared_ptr<const internal::Isometry_search> search)
       : search_(std::move(search)) {}
 

@@ -46,10 +46,16 @@ public:
   Report();
   // Defined in the source: every program that includes this header would compile how a
   // variant is copied and destroyed.
+
+  /// copies.
   Report(const Report& other);
+  /// moves.
   Report(Report&& other) noexcept;
+  /// copies.
   Report& operator=(const Report& other);
+  /// moves.
   Report& operator=(Report&& other) noexcept;
+  /// destructs.
   ~Report();
   /// is a truth value.
   template <std::same_as<bool> Bool>

@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 struct Number_range {
   double least = 0; ///< the least of them
   double most = 0;  ///< the greatest of them
-  bool is_whole = false;
+  bool is_whole = false;    ///< whether only whole numbers are
   bool is_positive = false; ///< whether `least`, which is 0, is none of them
 
   /// tells whether a number is one of them; NaN is none.
