@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Says which pages of the manual break its rules. They are short, not counting code; the lists of
 pages name them; they give the title of the course that they cite; each public concept has one; and
-the files in the table of walks have the names that it says."""
+the files in the table of walks have the names that it says; the text of a link is on one line, as
+doxygen finds no page otherwise."""
 
 import pathlib
 import re
@@ -21,6 +22,7 @@ CODE = re.compile(r"^```cpp$.*?^```$", re.MULTILINE | re.DOTALL)
 FOUND_BY = re.compile(r"^<!-- found by: .*$", re.MULTILINE) # for the search, not for readers
 INTERNAL = re.compile(r"^namespace (?:\S*::)?internal \{$.*?^\} // namespace (?:\S*::)?internal$",
                       re.MULTILINE | re.DOTALL)
+BROKEN_LINK = re.compile(r"\[([^\[\]\n]*\n[^\[\]\n]*)\]\([^)\n]*\)")
 TITLE = "Geometry Processing with Intrinsic Triangulations"
 
 
@@ -30,6 +32,8 @@ def defects(name, text, listed):
         yield f"has more than {MOST_WORDS} words: split it by task"
     if name not in listed:
         yield "is linked by none of " + ", ".join(LISTS)
+    for link in BROKEN_LINK.findall(CODE.sub("", text)):
+        yield f"the text of a link is on two lines: {' '.join(link.split())}"
     cited = re.search(r"\bcourse\b|§ ?\d", text)
     title = re.search(TITLE.replace(" ", r"\s+"), text)
     if cited and (title is None or title.start() > cited.end() + 60):
