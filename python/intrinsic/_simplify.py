@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 class Stretch(NamedTuple):
     """By what lengths of curves are multiplied from the fine surface to the coarse one.
 
-    `lower` and `upper` are proven for every curve, and so for every geodesic distance;
-    `mean_lower` and `mean_upper` are means of such bounds in faces, by area.
+    `lower` and `upper` are proven for every curve, and so for every geodesic distance. They are 0
+    and infinite where faces are too thin for doubles. On a cover they hold for its points, where
+    copies of a vertex are different ones, and not for distances on the mesh. `mean_lower` and `mean_upper` are means of such bounds in faces, by area.
     """
 
     lower: float
@@ -109,7 +110,7 @@ def _wanted(vertices, count):
             part = np.nan
         if not 0 < part <= 1:
             raise ValueError(f"vertices is {vertices!r}; give {remedy}")
-        return int(part * count)
+        return max(1, int(part * count))
     return _arrays.whole(vertices, "vertices", remedy, least=1)
 
 
@@ -130,12 +131,22 @@ def _cost(cost):
         _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
         return cost, None
 
+    import inspect
+
+    try:
+        inspect.signature(cost).bind(None)
+    except TypeError:
+        raise TypeError("cost needs a function of one argument, a candidate") from None
+    except ValueError:  # it has no signature
+        pass
+
     def of_candidate(candidate):
+        found = cost(candidate)
         try:
-            return float(cost(candidate))
-        except (TypeError, ValueError) as error:
-            raise TypeError("cost needs a function that takes a candidate and returns a number: "
-                            f"{error}") from error
+            return float(found)
+        except (TypeError, ValueError):
+            raise TypeError(f"cost has returned {found!r}; it needs a function that returns a "
+                            "number") from None
 
     return "stretch", of_candidate
 

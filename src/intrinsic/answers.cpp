@@ -220,8 +220,13 @@ const std::map<std::string, Lines> answers{
     {"simplify",
      {{"vertices", "{/simplify/vertices} on {/simplify/faces face}; {/simplify/removed} removed; "
                    "status {/simplify/status}"},
-      {"lengths", "multiplied by {/simplify/stretch/lower} to {/simplify/stretch/upper}, proven; "
+      {"lengths", "multiplied by {/simplify/stretch/lower} to {/simplify/stretch/upper}, proven, "
+                  "rounded here; "
                   "on average by {/simplify/stretch/mean_lower} to {/simplify/stretch/mean_upper}"},
+      {"lengths", "no bound is proven: faces are too thin for doubles",
+       [](const Figures& f) {
+         return f.at("/simplify/stretch/upper").is_null() || !f.has("/simplify/stretch/lower");
+       }},
       {"stayed", "{/simplify/blocked_by_border vertex vertices} at borders and kept edges",
        has<blocked>},
       {"stayed", "{/simplify/not_flattened vertex vertices}, as rounding or loops hinder them",

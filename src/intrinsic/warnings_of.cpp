@@ -104,6 +104,11 @@ const std::array warnings{
                      f.number("/refine/asked_angle_deg") <= greatest_safe_angle;
             },
             "refinement stopped at its cap of insertions; allow more with --max-insertions"},
+    Warning{[](const Figures& f, const Options& o) {
+              return is_at_command(o, {"simplify"}) && f.number("/domain/sheets") > 1;
+            },
+            "the surface is a cover: bounds hold on it, where copies of a vertex are different "
+            "points, and not for distances on the mesh"},
     Warning{[](const Figures& f, const Options&) { return f.word("/geodesic/status") == "cap"; },
             "shortening did not end after {/geodesic/flips flip} in double arithmetic; use "
             "--arithmetic exact"}};

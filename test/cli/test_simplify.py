@@ -3,8 +3,11 @@
 """The command `simplify`: distances stay within the proven bounds, flat surfaces stay the same."""
 
 import math
+import pathlib
 
 from cli_support import CUBE, Cli_test, grid, icosphere, main, triangles
+
+LOOPS = pathlib.Path(__file__).resolve().parent / "data" / "loops.off"
 
 
 def subdivided(points, faces):
@@ -103,6 +106,22 @@ class Simplify(Cli_test):
             self.assertLessEqual(found["stretch"]["upper"], bound)
             self.assertGreaterEqual(found["stretch"]["lower"], 1 / bound)
             self.assertGreater(found["kept_by_bound"], 0)
+
+    def test_it_ends_where_flips_around_loops_could_go_in_a_circle(self):
+        self.stats("simplify", str(LOOPS), "--domain", "manifold", "--cost", "curvature",
+                   "--stretch", "1.9651826198829903", "--time-limit", "20")
+
+    def test_standard_output_gets_the_coarse_surface(self):
+        mesh = self.write_off("s.off", *icosphere(2))
+        run = self.run_program("simplify", mesh, "-o", "-", "--quiet")
+        self.assertEqual((run.code, run.out[:4]), (0, "IDT "), run.err)
+
+    def test_covers_are_warned_of(self):
+        mesh = self.write_off("m.off", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, -1, 0)],
+                              [(0, 1, 2), (0, 1, 3), (0, 1, 4)])
+        run = self.run_program("simplify", mesh, "--vertices", "3")
+        self.assertEqual(run.code, 0, run.err)
+        self.assertIn("cover", run.err)
 
     def test_bad_options_are_refused(self):
         mesh = self.write_off("s.off", *icosphere(1))

@@ -32,7 +32,8 @@ namespace {
 // A number of vertices, or a percentage of all.
 std::size_t wanted_vertices(const std::string& word, std::size_t all) {
   if (word.back() != '%') return std::stoul(word);
-  return static_cast<std::size_t>(std::stod(word) / 100 * static_cast<double>(all));
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::stod(word) / 100 * static_cast<double>(all)));
 }
 
 std::vector<std::uint32_t> listed_vertices(const Options& options, std::uint32_t vertices) {
@@ -195,7 +196,7 @@ void write(const Loaded<Triangulation>& loaded, IT::Simplification& s, const Opt
     write_in_space({std::move(fine.s), std::move(fine.points), {}}, s, coarse, options, json,
                    files);
   }
-  if (is_file_of(Contents::triangulation, options.output))
+  if (!options.output.empty() && !is_mesh_output(options))
     files.write(options.output,
                 [&](std::ostream& out) { IT::write_intrinsic_triangulation(out, coarse); });
   if (!options.simplify.prolongation.empty())

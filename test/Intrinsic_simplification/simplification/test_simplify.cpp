@@ -281,17 +281,19 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
   ASSERT_EQ(s.kept.size(), 100U);
   EXPECT_LT(std::ranges::max(s.kept), 110U);
   options.vertices = 1;
-  EXPECT_EQ(IT::simplify(fine, options).kept.size(), 50U);
+  s = IT::simplify(fine, options); // in this order some removals cannot be proven
+  EXPECT_EQ(s.kept.size(), 50U + s.not_flattened);
+  EXPECT_TRUE(std::isfinite(s.stretch.upper) && s.stretch.lower > 0);
   std::size_t calls = 0;
   options.progress = [&](const IT::Simplify_progress& p) {
     ++calls;
-    EXPECT_EQ(p.removed, 256U);
-    EXPECT_EQ(p.left, 320U);
+    EXPECT_EQ(p.removed, 255U); // before the 256th
+    EXPECT_EQ(p.left, 321U);
     return false;
   };
   s = IT::simplify(fine, options);
   EXPECT_EQ(s.status, IT::Status::cancelled);
-  EXPECT_EQ(s.kept.size(), 320U);
+  EXPECT_EQ(s.kept.size(), 321U);
   EXPECT_EQ(calls, 1U);
   expect_surface(fine, s);
 }

@@ -57,11 +57,14 @@ struct Simplify_options {
   std::vector<std::uint32_t> kept_vertices;
   /// Numbers of edges of the triangulation that stay edges, with their vertices: curves, features.
   std::vector<std::uint32_t> kept_edges;
-  /// Is called after every 256 removals, and returns whether to go on.
+  /// Is called after every 256 tries to remove a vertex, and returns whether to go on.
   std::function<bool(const Simplify_progress&)> progress;
 };
 
-/// By what the lengths of curves are multiplied, from the fine surface to the coarse one.
+/// By what the lengths of curves are multiplied, from the fine surface to the coarse one. A face so
+/// thin that doubles cannot hold its height has no bound: `lower` is 0 or `upper` infinite then. On
+/// a cover, curves are on the cover, where copies of a vertex are different points; distances on the
+/// mesh, where they are one, may change more.
 struct Stretch {
   double lower = 1;      ///< no curve becomes shorter than this times its length: proven
   double upper = 1;      ///< no curve becomes longer than this times its length: proven

@@ -67,7 +67,7 @@ std::vector<char> flat_vertices(const Triangulation& t, double within) {
   for (const typename Triangulation::vertex_descriptor v : vertices(t.mesh())) {
     const double k =
         halfedge(v, t.mesh()) == null ? 8 : std::abs(gaussian_curvature(t, v)); // 8: isolated
-    result.push_back(k <= within || (k <= nearly && is_flat(t, v)) ? 1 : 0);
+    result.push_back((within > 0 && k <= within) || (k <= nearly && is_flat(t, v)) ? 1 : 0);
   }
   return result;
 }

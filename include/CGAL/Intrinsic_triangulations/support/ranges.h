@@ -81,6 +81,7 @@ inline std::string Number_range::description() const {
     return digits.substr(0, digits.find('.'));
   };
   if (is_positive) return "a positive " + number;
+  if (!is_whole && least > 0 && most > 1e9) return "a number from " + text(least);
   if (most >= ranges::most_whole)
     return least == 0 ? "a " + number + " that is not negative" : "a positive " + number;
   return "a " + number + " from " + text(least) + " to " + text(most);

@@ -110,9 +110,10 @@ double quadruple_area_of(double a, double b, double c) {
 bool is_proven_triangle(const Side_values& l) {
   const auto [x, y, z] = l;
   if (!(x > 0 && y > 0 && z > 0)) return false;
-  const double longest = std::max({x, y, z});
   // the error of the area is below 2^-100 of the product of the shorter sides
-  return squared_quadruple_area(x, y, z) > 0x1p-90 * (x * y * z / longest);
+  const double shorter = std::min({x * y, y * z, z * x});
+  return shorter >= std::numeric_limits<double>::min() * 0x1p90 &&
+         squared_quadruple_area(x, y, z) > 0x1p-90 * shorter;
 }
 
 bool is_proven_left_turn(const Exact_point& p, const Exact_point& q, const Exact_point& r) {

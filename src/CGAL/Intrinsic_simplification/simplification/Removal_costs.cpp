@@ -68,8 +68,13 @@ double Removal_costs::cost_of_mass(const Vertex_star& star, std::uint32_t v) {
     if (m.amount > 0)
       for (std::size_t k = 0; k < shares_.size(); ++k)
         sum += m.amount * shares_[k] * (m.distance + std::sqrt(star.spoke(k)));
+  return sum;
+}
+
+double Removal_costs::bound() const {
+  if (!moves_mass()) return options_.cost;
   const int units = options_.order == Removal_cost::area ? 3 : 1; // of length
-  return std::ldexp(sum, -units * fine_.scale_exponent);
+  return std::ldexp(options_.cost, units * fine_.scale_exponent);
 }
 
 Removal_candidate Removal_costs::candidate(const Vertex_star& star, std::uint32_t v,

@@ -23,6 +23,8 @@ public:
   Removal_costs(const Fine_surface& fine, const Coarse_mesh& mesh, const Simplify_options& options);
 
   double cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  // The greatest cost that is allowed, in the units of `cost()`: mass is in scaled units.
+  double bound() const;
   // Remembers the neighbours of a vertex, before it becomes flat.
   void remember(const Coarse_mesh& mesh, const Vertex_star& star);
   // Moves the mass of a vertex that is gone to the neighbours that are remembered.

@@ -97,7 +97,7 @@ void Simplifier::push(std::uint32_t v) {
   if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
   neighbour_.find(mesh_, v);
   const double c = costs_.cost(mesh_, neighbour_, v);
-  const bool is_allowed = std::isfinite(c) && c <= options_.cost;
+  const bool is_allowed = std::isfinite(c) && c <= costs_.bound();
   fate_[v] = is_allowed ? Fate::open : Fate::bound;
   is_cost_old_[v] = 0;
   if (is_allowed) queue_.push({c, v});
@@ -183,20 +183,27 @@ bool Simplifier::lower_degree(std::uint32_t v) {
   return false;
 }
 
-// Flips edges until none is from a flat vertex to itself. The degree falls, at times after another
-// flip that makes faces convex together.
+// The same after another flip, which makes faces convex together.
+bool Simplifier::lower_degree_in_two(std::uint32_t v) {
+  const std::size_t tries = star_.size();
+  for (std::size_t k = 0; k < tries && k < star_.size(); ++k) {
+    const std::uint32_t h = star_.side(k);
+    if (!mesh_.is_flippable(h) || !mesh_.flip(h)) continue;
+    star_.find(mesh_, v);
+    if (lower_degree(v)) return true;
+    if (!mesh_.flip(h)) return false;
+    star_.find(mesh_, v); // sides have moved
+  }
+  return false;
+}
+
+// Flips edges until none is from a flat vertex to itself: the degree falls, so that this ends.
 bool Simplifier::open_loops(std::uint32_t v) {
   while (star_.find(mesh_, v) && !star_.is_proper()) {
-    bool is_lower = lower_degree(v);
-    const std::vector<std::uint32_t> sides = star_.sides();
-    for (std::size_t k = 0; k < sides.size() && !is_lower; ++k) {
-      if (!mesh_.is_flippable(sides[k]) || !mesh_.flip(sides[k])) continue;
-      star_.find(mesh_, v);
-      is_lower = lower_degree(v);
-      if (!is_lower) mesh_.flip(sides[k]);
-    }
-    if (!is_lower) return false;
+    const std::size_t degree = star_.size();
+    if (!lower_degree(v) && !lower_degree_in_two(v)) return false;
     ++step_.flips;
+    if (!star_.find(mesh_, v) || star_.size() >= degree) return false;
   }
   return true;
 }
@@ -247,9 +254,14 @@ bool Simplifier::is_within_bounds() {
 // Removes a flat vertex.
 Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   if (!open_loops(v)) return Fate::failed;
+  double before = 0;
+  for (const std::uint32_t h : star_.sides())
+    before = std::max<double>(before, mesh_.face(h / 3).spread);
   if (!removal_.remove(mesh_, star_, v)) return Fate::failed;
   restore_delaunay();
-  return is_within_bounds() ? Fate::removed : Fate::bound;
+  if (!is_within_bounds()) return Fate::bound;
+  if (!std::isfinite(step_.spread) && std::isfinite(before)) return Fate::failed; // no proof
+  return costs_.are_stretches() && step_.spread > costs_.bound() ? Fate::bound : Fate::removed;
 }
 
 // \return `open`: it would stretch the surface much more than expected, and others less
@@ -289,7 +301,7 @@ void Simplifier::renew_costs() {
 }
 
 void Simplifier::run(std::size_t wanted) {
-  std::size_t removed = 0;
+  std::size_t removed = 0, tried = 0;
   status_ = number_left_ <= wanted ? Status::done : Status::stalled;
   while (number_left_ > wanted && !queue_.empty()) {
     const auto [expected, v] = queue_.top();
@@ -298,17 +310,18 @@ void Simplifier::run(std::size_t wanted) {
       push(v);
       continue;
     }
+    if (++tried % 256 == 0 && options_.progress && !options_.progress({removed, number_left_})) {
+      status_ = Status::cancelled;
+      return;
+    }
     fate_[v] = is_last(v) ? Fate::stays : remove(v, expected);
     if (fate_[v] == Fate::open) queue_.push({step_.spread, v});
     if (fate_[v] != Fate::removed) continue;
     --number_left_;
     --left_[component_[v]];
     if (number_left_ <= wanted) status_ = Status::done;
+    ++removed;
     renew_costs();
-    if (++removed % 256 == 0 && options_.progress && !options_.progress({removed, number_left_})) {
-      status_ = Status::cancelled;
-      return;
-    }
   }
 }
 

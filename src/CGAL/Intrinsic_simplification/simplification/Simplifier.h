@@ -58,6 +58,7 @@ private:
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
   bool has_fixed_loop(std::uint32_t v) const;
   bool lower_degree(std::uint32_t v);
+  bool lower_degree_in_two(std::uint32_t v);
   bool open_loops(std::uint32_t v);
   void restore_delaunay();
   bool is_within_bounds();

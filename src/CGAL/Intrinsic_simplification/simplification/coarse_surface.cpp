@@ -49,15 +49,24 @@ double proven_upper(const Side_values& form, const Side_values& below) {
   return std::numeric_limits<double>::infinity();
 }
 
-void find_stretch(Simplification& s, const Coarse_mesh& mesh) {
+// The lengths of a face as they are in the units of the user, where small ones may be rounded.
+Side_values written_lengths(const Coarse_face& face, int scale_exponent) {
+  Side_values result;
+  for (std::size_t k = 0; k < 3; ++k)
+    result[k] = std::ldexp(std::ldexp(face.length[k], -2 * scale_exponent), 2 * scale_exponent);
+  return result;
+}
+
+void find_stretch(Simplification& s, const Coarse_mesh& mesh, int scale_exponent) {
   const Protect_FPU_rounding<true> up;
   s.stretch = {std::numeric_limits<double>::infinity(), 0, 0, 0};
   double area = 0;
   for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
     const Coarse_face& face = mesh.face(f);
     if (face.is_removed) continue;
-    const Face_stretch r{proven_lower(face.length, mesh.forms(f).above),
-                         proven_upper(face.length, mesh.forms(f).below)};
+    const Side_values length = written_lengths(face, scale_exponent);
+    const Face_stretch r{proven_lower(length, mesh.forms(f).above),
+                         proven_upper(length, mesh.forms(f).below)};
     s.face_stretch.push_back(r);
     s.stretch.lower = std::min(s.stretch.lower, r.lower);
     s.stretch.upper = std::max(s.stretch.upper, r.upper);
@@ -138,7 +147,7 @@ Simplification Simplifier::take_result() const {
   s.most_newton_steps = most_newton_steps_;
   s.ptolemy_flips = counts_.ptolemy_flips;
   s.flips = counts_.flips;
-  find_stretch(s, mesh_);
+  find_stretch(s, mesh_, fine_.scale_exponent);
   return s;
 }
 
