@@ -23,7 +23,8 @@ class Stretch(NamedTuple):
 
     `lower` and `upper` are proven for every curve, and so for every geodesic distance. They are 0
     and infinite where faces are too thin for doubles. On a cover they hold for its points, where
-    copies of a vertex are different ones, and not for distances on the mesh. `mean_lower` and `mean_upper` are means of such bounds in faces, by area.
+    copies of a vertex are different ones, and not for distances on the mesh. `mean_lower` and
+    `mean_upper` are means of such bounds in faces, by area.
     """
 
     lower: float
