@@ -63,8 +63,8 @@ struct Simplify_options {
 
 /// By what the lengths of curves are multiplied, from the fine surface to the coarse one. A face so
 /// thin that doubles cannot hold its height has no bound: `lower` is 0 or `upper` infinite then. On
-/// a cover, curves are on the cover, where copies of a vertex are different points; distances on the
-/// mesh, where they are one, may change more.
+/// a cover, curves are on the cover, where copies of a vertex are different points; distances on
+/// the mesh, where they are one, may change more.
 struct Stretch {
   double lower = 1;      ///< no curve becomes shorter than this times its length: proven
   double upper = 1;      ///< no curve becomes longer than this times its length: proven
