@@ -31,8 +31,8 @@ struct Embedding_progress {
 struct Embed_options {
   /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
   /// to doubles can change, are flat. They are left out and put back on faces. A vertex with
-  /// the curvature c may lose a height of the square root of c, times the size: for the default that
-  /// is 1e-5. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
+  /// the curvature c may lose a height of the square root of c, times the size: 1e-5 of it for the
+  /// default. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
   /// Is called after each step, and returns whether to go on.

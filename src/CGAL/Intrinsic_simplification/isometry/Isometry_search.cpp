@@ -46,17 +46,17 @@ Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(st
     note_ = "one surface is a cover of its mesh, with another number of sheets than the other one";
     return;
   }
-  search();
-  if (sheets_of(*a_) > 1) note_ = both(note_, "compared are the covers of the meshes");
-}
-
-void Isometry_search::search() {
   try {
-    decide_exactly();
+    search();
   } catch (const Undecidable& e) {
     note_ = both(note_, e.what());
     matching_.reset();
   }
+  if (sheets_of(*a_) > 1) note_ = both(note_, "compared are the covers of the meshes");
+}
+
+void Isometry_search::search() {
+  decide_exactly();
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
     if (decide_within(error)) return;
