@@ -66,7 +66,8 @@ class _Embedding:
         one, up to motions, if the surface is a sphere without vertices of negative curvature.
 
         Only lengths are used, never points. Vertices whose angles sum to a full turn up to
-        `flat_within`, in radians, are put on faces.
+        `flat_within`, in radians, are put on faces; then the certificate proves nothing if they
+        have more curvature than rounding explains.
 
         Raises:
             ValueError: the surface is no sphere, or a vertex, which it names, has negative
@@ -78,7 +79,7 @@ class _Embedding:
         >>> tetrahedron.embed()
         <intrinsic.ConvexPolyhedron: 4 vertices, done>
         """
-        within = _arrays.number(flat_within, "flat_within")
+        within = _arrays.not_negative(flat_within, "flat_within")
         if not 0 <= within <= .1:
             raise ValueError(f"flat_within is {within}; give radians from 0 to 0.1")
         found = _core.embed(self._core, within, progress)

@@ -24,6 +24,7 @@ class Isometry:
 
     Attributes:
         vertices: the vertex to which each vertex is mapped, -1 for flat vertices: see `points()`.
+            On a cover, it is that of the first copy of the vertex.
         reverses_orientation: whether a part of the surface is mapped to its mirror image.
     """
 
@@ -79,9 +80,9 @@ class Isometries:
         answer: "isometric" or "not_isometric", by proof; "isometric_within": lengths differ by
             rounding; or "undecided".
         maps: the isometries, a sequence of `Isometry`, each computed when it is asked for.
-        largest_difference: the largest relative difference of lengths; 0 if surfaces are isometric,
-            infinity if they are not.
-        note: what is arbitrary, or undecided, and why; mostly empty.
+        largest_difference: the largest relative difference of lengths for the first map; 0 if
+            surfaces are isometric, infinity if they are not.
+        note: what is arbitrary, or undecided, and why, or that covers are compared; mostly empty.
     """
 
     answer: Literal["isometric", "isometric_within", "not_isometric", "undecided"]
@@ -117,7 +118,8 @@ class _Isometries:
 
         Parameters:
             other: the other surface.
-            progress: see `delaunay()`.
+            progress: see `delaunay()`; it is called, and Ctrl-C ends the search, between stages:
+                the tessellation of each surface, and the comparison.
 
         >>> cube = it.Surface([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
         ...                   [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6],

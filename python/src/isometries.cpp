@@ -36,6 +36,7 @@ IT::Canonical_form form_of(Surface& s, Watch& watch) {
   return naming(s.name, [&] {
     return with_triangulation(s, watch, [&](const auto& t) {
       return s.cached<IT::Canonical_form>("canonical form", [&] {
+        watch.begin("tessellation");
         return std::make_unique<IT::Canonical_form>(IT::canonical_form(t));
       });
     });
@@ -64,17 +65,20 @@ struct Found_isometries {
 std::unique_ptr<Found_isometries> isometries(Surface& s, Surface& other, Watch& watch) {
   const IT::Canonical_form first = form_of(s, watch), second = form_of(other, watch);
   return with_forms(watch, [&] {
+    watch.begin("isometries");
     return std::make_unique<Found_isometries>(
         Found_isometries{first, second, IT::find_isometries(first, second)});
   });
 }
 
-// The vertex of the other surface at each vertex, or -1 if the vertex is flat.
+// The vertex of the other surface at each vertex, or -1 if the vertex is flat. Of several copies of
+// a vertex on a cover, the first one counts.
 py::array_t<std::int64_t> images_of_vertices(const Found_isometries& f, const IT::Isometry& map) {
   const IT::Input &from = f.first.input(), &to = f.second.input();
   std::vector<std::int64_t> images(from.number_of_rows(), -1);
   for (std::uint32_t v = 0; v < from.number_of_vertices(); ++v)
-    if (const std::uint32_t w = map.image_of_vertex(v); w != IT::Canonical_form::none)
+    if (const std::uint32_t w = map.image_of_vertex(v);
+        w != IT::Canonical_form::none && images[from.names().row(v)] < 0)
       images[from.names().row(v)] = to.names().row(w);
   return array_of(std::move(images));
 }

@@ -54,6 +54,56 @@ class Isometries(unittest.TestCase):
         self.assertEqual(cube.isometries(it.Surface(2 * CUBE, QUADS)).answer, "not_isometric")
         self.assertFalse(cube.isometries(it.Surface(2 * CUBE, QUADS)))
 
+    def test_covers_are_not_compared_with_meshes(self):
+        rim = [[0, k, k % 5 + 1] for k in range(1, 6)]
+        hemi = it.Surface(6, rim + [[1, 2, 4], [2, 3, 5], [3, 4, 1], [4, 5, 2], [5, 1, 3]],
+                          lengths=np.ones((10, 3)))
+        top = [[0, k, k % 5 + 1] for k in range(1, 6)]
+        sides = [[k, k + 5, k % 5 + 1] for k in range(1, 6)]
+        sides += [[k % 5 + 1, k + 5, k % 5 + 6] for k in range(1, 6)]
+        icosahedron = it.Surface(12, top + sides + [[11, k % 5 + 6, k + 5] for k in range(1, 6)],
+                                 lengths=np.ones((20, 3)))
+        found = hemi.isometries(icosahedron)
+        self.assertEqual((found.answer, len(found)), ("undecided", 0))
+        self.assertIn("cover", found.note)
+        self.assertIn("covers", hemi.isometries().note)
+        self.assertEqual((icosahedron.isometries().note, len(icosahedron.isometries())), ("", 120))
+        self.assertNotEqual(hemi.hash(), icosahedron.hash())
+        with self.assertRaisesRegex(ValueError, "one-sided"):
+            hemi.embed()
+
+    def test_a_chain_of_lengths_is_no_rounding(self):
+        def fan(steps):
+            angle = np.cumsum(steps) / sum(steps) * 2 * np.pi
+            points = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+            n = len(steps)
+            return it.Surface([[0, 0, .3], *points],
+                              [[0, 1 + k, 1 + (k + 1) % n] for k in range(n)])
+        steps = 1 + .8e-5 * np.arange(400)
+        found = fan(steps).isometries(fan(np.random.default_rng(1).permutation(steps)))
+        self.assertEqual((found.answer, len(found)), ("not_isometric", 0))
+        self.assertEqual(found.largest_difference, np.inf)
+
+    def test_sizes_far_apart_are_noted(self):
+        found = it.Surface(CUBE * 2.**-500, QUADS).isometries(it.Surface(CUBE * 2.**500, QUADS))
+        self.assertEqual(found.answer, "undecided")
+        self.assertIn("too widely", found.note)
+
+    def test_shared_vertices_stay_shared(self):
+        triangles = [[f[0], *f[k:k + 2]] for k in (1, 2) for f in QUADS]
+        lengths = [[np.linalg.norm(CUBE[a] - CUBE[b]) for a, b in ((f[0], f[1]), (f[1], f[2]),
+                                                                   (f[2], f[0]))]
+                   for f in triangles]
+
+        def cubes(seed):  # that meet at two opposite corners
+            place = np.array([0, *range(8, 14), 7])
+            faces = np.array(triangles + place[triangles].tolist())
+            random = np.random.default_rng(seed)
+            order, numbers = random.permutation(24), random.permutation(14)
+            return it.Surface(14, numbers[faces][order], lengths=np.array(2 * lengths)[order])
+        for seed in range(1, 5):
+            self.assertEqual(cubes(0).isometries(cubes(seed)).answer, "isometric")
+
 
 if __name__ == "__main__":
     unittest.main()

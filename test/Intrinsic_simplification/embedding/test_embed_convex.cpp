@@ -212,7 +212,8 @@ TEST(EmbedConvex, isConvexFromOutside) {
 }
 
 TEST(EmbedConvex, putsFlatVerticesBack) {
-  const std::vector<std::pair<Point, int>> boxes{{{1, 1, 1}, 6}, {{1, 1, .02}, 4}, {{3, 1, .1}, 3}};
+  const std::vector<std::pair<Point, int>> boxes{
+      {{1, 1, 1}, 6}, {{1, 1, .02}, 4}, {{1, 1, .02}, 10}, {{3, 1, .1}, 3}};
   for (const auto& [sides, n] : boxes) {
     SCOPED_TRACE(std::to_string(sides[2]));
     const Mesh mesh = box(sides, n);

@@ -30,7 +30,9 @@ struct Embedding_progress {
 /// What `embed_convex()` is asked for.
 struct Embed_options {
   /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
-  /// to doubles can change, are flat. They are left out and put back on faces.
+  /// to doubles can change, are flat. They are left out and put back on faces. A vertex with
+  /// the curvature c may lose a height of the square root of c, times the size: 1e-5 of it for the
+  /// default. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
   /// Is called after each step, and returns whether to go on.
@@ -48,8 +50,8 @@ enum class Convex_shape : std::uint8_t {
 
 If `is_proven`, there is a polyhedron that has exactly the lengths of the metric along its edges,
 and whose vertices are within `within` of the points (Kantorovich's theorem). Its convex edges are
-convex for certain. Its flat edges are flat up to that distance: they may lie inside a face, and a
-polyhedron with the same vertices and without these edges is convex.
+convex for certain. Its flat edges are flat up to that distance: they may lie inside a face. It is
+convex up to that distance.
 */
 struct Convexity_certificate {
   bool is_proven = false;           ///< whether that polyhedron exists
@@ -58,7 +60,8 @@ struct Convexity_certificate {
   std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
   std::size_t concave_edges = 0;    ///< edges that are neither; 0 if the status is `done`
   bool encloses_its_centre = false; ///< whether faces turn once around the centre: with the
-                                    ///< above, the polyhedron is convex as a whole
+                                    ///< above, the polyhedron as a whole is convex, up to
+                                    ///< `within`
 };
 
 /// What `embed_convex()` has found.
@@ -90,8 +93,8 @@ from the lengths.
 \param surface the surface
 \param options what is asked for
 \return the polyhedron, see its status
-\throws Invalid_input if the surface is not a sphere, or naming a vertex where angles sum to more
-  than a full turn
+\throws Invalid_input if the surface is not a sphere, or covers a one-sided mesh; or naming a vertex
+  where angles sum to more than a full turn
 \complexity in measurements about \f$n^{3/2}\f$ for n vertices
 */
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options = {});

@@ -61,6 +61,7 @@ public:
   /// returns the vertex of the input from which `d` starts.
   std::uint32_t source(std::uint32_t d) const;
   /// returns the double nearest to the squared length of `d`, in the units of the user.
+  /// \throws Invalid_input if exact arithmetic could not decide which one is nearest
   double squared_length(std::uint32_t d) const;
 
   /*!
@@ -70,7 +71,7 @@ public:
   tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
   Where a choice is arbitrary, the number only counts components.
-  \throws Invalid_input if exact arithmetic could not decide the form
+  \throws Invalid_input if exact arithmetic could not decide the form, or how to round a length
   \complexity linear
   */
   std::uint64_t hash() const;

@@ -78,9 +78,11 @@ public:
   /// computes isometry number `i`. \complexity linear in the number of darts
   Isometry operator[](std::size_t i) const;
   /// returns the largest relative difference of the lengths of corresponding edges: zero if the
-  /// surfaces are isometric, a bound for `isometric_within`, infinity otherwise.
+  /// surfaces are isometric, a bound for isometry number 0 if they are `isometric_within`, infinity
+  /// otherwise.
   double largest_difference() const;
-  /// names the continuous part of the group, or says why nothing was decided; mostly empty.
+  /// names the continuous part of the group, says that covers are compared, or why nothing was
+  /// decided; mostly empty.
   std::string note() const;
   /// returns the number of candidates that were compared with the surface, for tests and
   /// benchmarks.

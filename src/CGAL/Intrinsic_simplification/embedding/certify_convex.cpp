@@ -97,22 +97,23 @@ double least_eigenvalue_bound(Eigen::SparseMatrix<double> a) {
 // the residual is r with 2 b^2 K r <= 1, there is a solution within 2 b r.
 std::optional<double> distance_to_solution(const Metric_triangles& t, const Space_points& points) {
   const Length_equations equations(t, points);
-  std::vector<double> around(points.size(), 0); // sums of inverse squared lengths
+  std::vector<double> around(points.size(), 0);      // sums of inverse squared lengths
+  const double least = 0x1p-100 * extent_of(points); // residuals have 106 bits
   double r = 0;
   for (Eigen::Index e = 0; e < equations.residual.size(); ++e) {
     const std::uint32_t h = equations.halfedges[static_cast<std::size_t>(e)];
     const double l = t.length(h);
     around[t.source(h)] += 1 / (l * l);
     around[t.target(h)] += 1 / (l * l);
-    r += equations.residual[e] * equations.residual[e];
+    r += equations.residual[e] * equations.residual[e] + least * least;
   }
-  constexpr double rounding = 1 + 1e-9;
+  constexpr double rounding = 1 + 1e-7;
   r = std::sqrt(r) * rounding;
   const double lipschitz =
-      std::sqrt(2 * *std::max_element(around.begin(), around.end())) * rounding;
-  const double least = least_eigenvalue_bound(pinned_normal_matrix(equations, points));
-  if (!(least > 0)) return {};
-  const double inverse = rounding / std::sqrt(least);
+      2 * std::sqrt(*std::max_element(around.begin(), around.end())) * rounding;
+  const double eigenvalue = least_eigenvalue_bound(pinned_normal_matrix(equations, points));
+  if (!(eigenvalue > 0)) return {};
+  const double inverse = rounding / std::sqrt(eigenvalue);
   if (!(2 * inverse * inverse * lipschitz * r <= 1)) return {};
   return 2 * inverse * r * rounding;
 }

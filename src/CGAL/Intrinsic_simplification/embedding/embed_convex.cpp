@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -30,6 +31,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +59,11 @@ void expect_sphere(const Input& surface) {
                                  number[v] == 0 ? " has no face; remove it"
                                                 : " joins parts of the surface; split it");
   if (genus(mesh) != 0) refuse("has handles");
+  // two copies that are glued along a border share its vertices
+  const Input_names& names = surface.names();
+  const std::uint32_t n = surface.number_of_vertices();
+  if (names.is_cover() && n == names.sheets * names.number_of_rows(n))
+    refuse("covers a mesh that is one-sided");
 }
 
 // The triangles of the surface, with lengths between 1/2 and 1 at most.
@@ -96,10 +103,23 @@ void expect_convex(const Input& surface, const Metric_triangles& t,
   for (std::uint32_t w = 1; w < curvature.size(); ++w)
     if (curvature[w] + flat[w] < curvature[v] + flat[v]) v = w;
   if (curvature[v] >= -flat[v]) return;
+  std::ostringstream excess;
+  excess << -curvature[v] * 180 / std::numbers::pi;
   throw Invalid_input::about(
       Element_kind::vertex, surface.names().row(v),
-      " has angles that sum to " + std::to_string(360 - curvature[v] * 180 / std::numbers::pi) +
-          " degrees, but on a convex polyhedron to at most 360; change lengths there");
+      " has angles that sum to " + excess.str() +
+          " degrees more than 360, the most on a convex polyhedron; change lengths there");
+}
+
+// What removed vertices lose if they have curvature, more than rounding: a vertex with the
+// curvature c may be higher than its face by the square root of c, times the diameter.
+double lost_curvature(const Metric_triangles& t, const std::vector<double>& curvature,
+                      const std::vector<double>& rounding) {
+  double lost = 0;
+  for (const Removed_vertex& r : t.removed())
+    if (std::abs(curvature[r.vertex]) > 4 * rounding[r.vertex])
+      lost += std::abs(curvature[r.vertex]);
+  return lost;
 }
 
 // Looks for the polyhedron while the curvatures of pyramids decrease.
@@ -177,6 +197,7 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);
   const std::vector<double> flat = flat_curvatures(t, options.flat_within);
+  const std::vector<double> rounding = flat_curvatures(t, 0), curvature = t.curvatures();
   flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
   expect_convex(surface, t, flat);
   Convex_polyhedron result;
@@ -188,6 +209,11 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   const Polyhedron_search found = find_points(t, options, result);
   if (found.points.empty()) return result;
   result.largest_error = greatest_error(found.triangles, found.points) / extent_of(found.points);
+  if (const double lost = lost_curvature(t, curvature, rounding); lost > 0) {
+    Convexity_certificate& c = result.certificate;
+    c.is_proven = false;
+    c.within = std::max(c.within, std::sqrt(lost) * extent_of(found.points));
+  }
   result.certificate.within = std::ldexp(result.certificate.within, -scale);
   for (const Removed_vertex& r : t.removed())
     result.flat_vertices.push_back(surface.names().vertices.user(r.vertex));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
@@ -63,12 +64,18 @@ bool remove_flat(Metric_triangles& t, const std::vector<double>& within) {
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < t.number_of_vertices(); ++v)
     if (std::abs(curvature[v]) <= within[v]) left.push_back(v);
-  while (!left.empty()) { // loops at a vertex may go with its neighbours
+  // Loops at a vertex may go with its neighbours. Flips that failed may block others; those to
+  // Delaunay undo them.
+  const std::vector<double> equal(t.number_of_vertices(), 1);
+  for (bool was_blocked = false; !left.empty();) {
     std::vector<std::uint32_t> again;
     for (const std::uint32_t v : left)
       if (!remove_flat_vertex(t, v)) again.push_back(v);
-    if (again.size() == left.size()) return false;
+    const bool is_blocked = again.size() == left.size();
+    if (is_blocked && was_blocked) return false;
+    was_blocked = is_blocked;
     left = std::move(again);
+    if (!left.empty()) flip_to_convex(t, equal);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
+#include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
@@ -28,15 +29,33 @@ namespace {
 // doubles, and of coordinates in single precision.
 constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
+constexpr const char* too_wide = "lengths are enclosed too widely to be compared";
+
 using Halfedge = Gluing_map::Halfedge;
 
 std::string both(const std::string& x, const std::string& y) {
   return x.empty() || x == y ? y : y.empty() ? x : x + "; " + y;
 }
 
+std::uint32_t sheets_of(const Singular_surface& s) { return s.delaunay().input().names().sheets; }
+
 } // namespace
 
 Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(std::move(b)) {
+  if (sheets_of(*a_) != sheets_of(*b_)) { // isometric covers say nothing about the meshes
+    note_ = "one surface is a cover of its mesh, with another number of sheets than the other one";
+    return;
+  }
+  try {
+    search();
+  } catch (const Undecidable& e) {
+    note_ = both(note_, e.what());
+    matching_.reset();
+  }
+  if (sheets_of(*a_) > 1) note_ = both(note_, "compared are the covers of the meshes");
+}
+
+void Isometry_search::search() {
   decide_exactly();
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
@@ -51,7 +70,6 @@ Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(st
     for (const double error : rounding_errors)
       if (decide_within(error)) return;
   }
-  matching_.reset();
 }
 
 void Isometry_search::match(const Length_classes& classes) {
@@ -59,6 +77,7 @@ void Isometry_search::match(const Length_classes& classes) {
   matching_.emplace(first_->darts, classes.of_dart.front(), is_one ? nullptr : &second_->darts,
                     is_one ? nullptr : &classes.of_dart.back());
   number_of_walks_ += matching_->number_of_walks();
+  first_map_ = 0;
 }
 
 void Isometry_search::decide_exactly() {
@@ -71,16 +90,25 @@ void Isometry_search::decide_exactly() {
   }
   note_ = both(a_->choice(), b_->choice());
   if (!a_->is_proven() || !b_->is_proven()) return;
+  constexpr int most_bits = 800; // squared lengths in common units do not overflow
+  if (std::abs(exponent_to_units_of(*b_, *a_)) > most_bits) {
+    note_ = both(note_, too_wide);
+    return;
+  }
   const Length_classes classes = exact_length_classes(surfaces);
   match(classes);
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
     if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
-    const bool is_map = respects_vertices(own(0));
+    const bool is_map = find_first_map();
     if (!is_map) note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
     if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
-  } else if (classes.are_separated && note_.empty()) {
+  } else if (!classes.are_separated) {
+    note_ = both(note_, too_wide);
+  } else if (!classes.are_proven) {
+    note_ = both(note_, "lengths could not be proven to be equal");
+  } else if (note_.empty()) {
     answer_ = Isometry_answer::not_isometric;
   }
   note_ = both(both(a_->continuous_part(), b_->continuous_part()), note_);
@@ -101,12 +129,28 @@ bool Isometry_search::decide_within(double error) {
   const Singular_surface* const surfaces[] = {a_.get(), b_.get()};
   const Dart_complex* const complexes[] = {&first_->darts, &second_->darts};
   match(rounded_length_classes(surfaces, error, complexes));
-  if (matching_->is_given_up() || !matching_->are_isomorphic()) return false;
-  const Isometry map = own(0);
-  if (!respects_vertices(map)) return false;
-  largest_difference_ = difference_of(map);
-  answer_ = Isometry_answer::isometric_within;
-  return true;
+  if (!matching_->is_given_up() && matching_->are_isomorphic() && find_first_map()) {
+    // a class may be a long chain of lengths, each near to the next one
+    const double difference = difference_of(own(0));
+    if (difference <= 2 * error) {
+      largest_difference_ = difference;
+      answer_ = Isometry_answer::isometric_within;
+      return true;
+    }
+  }
+  matching_.reset();
+  return false;
+}
+
+bool Isometry_search::find_first_map() {
+  constexpr double most_maps = 1000;
+  const auto number = static_cast<std::size_t>(std::min(count(), most_maps));
+  for (std::size_t n = 0; n < number; ++n)
+    if (respects_vertices(own(n))) {
+      first_map_ = n;
+      return true;
+    }
+  return false;
 }
 
 Isometry Isometry_search::own(std::size_t n) const {
@@ -163,6 +207,7 @@ Directed_dart Isometry_search::composed(const Dart_matching::Group& g, const Dir
 }
 
 void Isometry_search::compute(std::size_t n, Isometry& result) const {
+  if (n == 0 || n == first_map_) n = first_map_ - n; // they change places
   const std::uint32_t shift = a_ == b_ ? 0 : first_->darts.size();
   std::vector<std::uint32_t> image(matching_->number_of_darts(), Dart_complex::none),
       scratch = image, visited;

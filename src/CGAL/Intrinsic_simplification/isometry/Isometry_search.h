@@ -51,12 +51,15 @@ private:
     Dart_complex darts;
   };
 
+  void search();
   void decide_exactly();
   bool decide_within(double error);
   void match(const Length_classes& classes);
   Isometry own(std::size_t n) const; // does not keep this object
   // whether fans of faces that meet at a vertex go to fans that meet at one
   bool respects_vertices(const Isometry& map) const;
+  // makes a map that respects vertices the first one. \return whether one is found
+  bool find_first_map();
   double difference_of(const Isometry& map) const;
   // The image of the dart `first.dart` of a component of a group: back to the
   // first dart of the group, by the symmetry, and on to the component of
@@ -72,6 +75,7 @@ private:
   std::optional<Tessellation> first_,
       second_; // the second one only if surfaces differ
   std::optional<Dart_matching> matching_;
+  std::size_t first_map_ = 0; // this isometry, in the order of digits, is number 0
   Isometry_answer answer_ = Isometry_answer::undecided;
   std::string note_;
   double largest_difference_ = std::numeric_limits<double>::infinity();

@@ -150,16 +150,21 @@ std::vector<Length> sorted_lengths(std::span<const Singular_surface* const> surf
 // apart.
 template <class Visit>
 void for_each_run(std::span<const Length> all, const Visit& visit) {
+  const auto radius = [&](std::size_t i) { return all[i].value.radius() * (1 + 0x1p-40); };
+  // lower bounds of each length and all after it: a later enclosure may be wider
+  std::vector<Double_double> lower(all.size());
+  for (std::size_t i = all.size(); i-- > 0;) {
+    lower[i] = all[i].value.center() - Double_double(radius(i));
+    if (i + 1 < all.size() && (lower[i + 1] - lower[i]).magnitude() < 0) lower[i] = lower[i + 1];
+  }
   std::size_t begin = 0;
   Double_double upper;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Short_ball& x = all[i].value;
-    const double radius = x.radius() * (1 + 0x1p-40);
-    if (i > begin && (x.center() - upper).magnitude() > 2 * radius + 0x1p-99 * upper.magnitude()) {
+    if (i > begin && (lower[i] - upper).magnitude() > 0x1p-99 * upper.magnitude()) {
       visit(all.subspan(begin, i - begin));
       begin = i;
     }
-    const Double_double above = x.center() + Double_double(radius);
+    const Double_double above = all[i].value.center() + Double_double(radius(i));
     if (i == begin || (above - upper).magnitude() > 0) upper = above;
   }
   if (begin < all.size()) visit(all.subspan(begin));

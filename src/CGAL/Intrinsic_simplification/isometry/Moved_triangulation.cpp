@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
+#include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
@@ -65,7 +66,7 @@ double Moved_triangulation::nearest(Id id) const {
     const Mpfr_precision precision(bits);
     if (const auto result = nearest_double(long_values(bits)(id))) return *result;
   }
-  return short_(id).to_double();
+  throw Undecidable("enclosures of a length stay too wide");
 }
 
 Value_recipes::Diamond_ids Moved_triangulation::diamond(Halfedge h) const {

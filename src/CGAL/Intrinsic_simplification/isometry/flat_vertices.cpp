@@ -258,10 +258,14 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
     flip_to_delaunay(t, first_move);
     others.insert(others.end(), cluster.begin(), cluster.end());
   }
-  const std::size_t first_move = t.moves().size();
-  while (!others.empty())
-    if (!remove_some(t, others)) throw Undecidable("flips could not remove a flat vertex");
-  flip_to_delaunay(t, first_move);
+  // flips that failed may block others; those to Delaunay undo them
+  for (bool was_blocked = false; !others.empty();) {
+    const std::size_t first_move = t.moves().size();
+    const bool is_blocked = !remove_some(t, others);
+    if (is_blocked && was_blocked) throw Undecidable("flips could not remove a flat vertex");
+    was_blocked = is_blocked;
+    flip_to_delaunay(t, first_move);
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

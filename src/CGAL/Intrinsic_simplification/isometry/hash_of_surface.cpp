@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.h>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
+#include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -67,17 +69,23 @@ private:
 } // namespace
 
 double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
-  return std::ldexp(s.triangulation().nearest(s.length(dart)),
-                    -2 * s.delaunay().input().scale_exponent());
+  try {
+    return std::ldexp(s.triangulation().nearest(s.length(dart)),
+                      -2 * s.delaunay().input().scale_exponent());
+  } catch (const Undecidable& e) {
+    throw Invalid_input(Element_kind::none, 0,
+                        std::string("a length cannot be rounded correctly: ") + e.what());
+  }
 }
 
 std::uint64_t hash_of_surface(const Singular_surface& s) {
   const Dart_complex& darts = s.darts();
+  const std::uint32_t sheets = s.delaunay().input().names().sheets; // a cover is another surface
   if (!s.is_proven()) // another triangulation of the surface might get a hash
     throw Invalid_input(Element_kind::none, 0,
                         "the surface gets no hash, since " + s.choice() +
                             "; remove flat vertices from the mesh");
-  if (!s.choice().empty()) return mixed(darts.number_of_components);
+  if (!s.choice().empty()) return mixed(darts.number_of_components, sheets);
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {
     const std::uint32_t o = darts.opposite[d];
@@ -88,7 +96,7 @@ std::uint64_t hash_of_surface(const Singular_surface& s) {
   std::uint64_t all = 0;
   for (std::size_t c = 0; c < sums.size(); ++c)
     all += mixed(std::min(sums[c], mirrored[c]), std::max(sums[c], mirrored[c]));
-  return mixed(all, darts.size());
+  return mixed(mixed(all, darts.size()), sheets);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
