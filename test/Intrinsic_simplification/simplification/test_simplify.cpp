@@ -283,7 +283,6 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
   options.vertices = 1;
   s = IT::simplify(fine, options); // in this order some removals cannot be proven
   EXPECT_EQ(s.kept.size(), 50U + s.not_flattened);
-  EXPECT_TRUE(std::isfinite(s.stretch.upper) && s.stretch.lower > 0);
   std::size_t calls = 0;
   options.progress = [&](const IT::Simplify_progress& p) {
     ++calls;
