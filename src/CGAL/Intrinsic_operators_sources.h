@@ -35,6 +35,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Dense_product.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Hermitian_factorizations.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.cpp>
