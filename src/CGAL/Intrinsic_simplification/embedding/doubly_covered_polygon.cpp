@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using Plane_point = std::array<Double_double, 2>;
+using Polygon_point = std::array<Double_double, 2>;
 
 // For each halfedge, whether its edge is folded by more than a right angle.
 std::vector<char> folded(const Metric_triangles& t, const Pyramids& pyramids) {
@@ -50,8 +50,8 @@ std::uint32_t border_halfedge(const Metric_triangles& t, const std::vector<char>
 }
 
 // The point at the end of the face on the left of h.
-Plane_point third_corner(const Metric_triangles& t, std::uint32_t h, const Plane_point& p,
-                         const Plane_point& q) {
+Polygon_point third_corner(const Metric_triangles& t, std::uint32_t h, const Polygon_point& p,
+                         const Polygon_point& q) {
   const Double_double &a = t.squared_length(h), &b = t.squared_length(Metric_triangles::next(h)),
                       &c = t.squared_length(Metric_triangles::previous(h));
   const Double_double twice = a + a, x = (a + c - b) / twice, squared = c / a - x * x;
@@ -63,7 +63,7 @@ Plane_point third_corner(const Metric_triangles& t, std::uint32_t h, const Plane
 // Lays out the part on the left of h up to folded edges, with the side of h on an axis.
 // \return whether the part has all vertices and is a disk
 bool lay_out_part(const Metric_triangles& t, const std::vector<char>& is_folded, std::uint32_t h,
-                  std::vector<Plane_point>& points) {
+                  std::vector<Polygon_point>& points) {
   std::vector<char> is_placed(t.number_of_vertices(), 0);
   points.assign(t.number_of_vertices(), {});
   points[t.target(h)] = {sqrt(t.squared_length(h)), Double_double(0)};
@@ -93,7 +93,7 @@ std::optional<Space_points> doubly_covered_polygon(const Glued_pyramids& p) {
   if (!pyramids.build(t, p.radii)) return {};
   const std::vector<char> is_folded = folded(t, pyramids);
   const std::uint32_t h = border_halfedge(t, is_folded);
-  std::vector<Plane_point> front, back;
+  std::vector<Polygon_point> front, back;
   if (h == Gluing::none || !lay_out_part(t, is_folded, h, front) ||
       !lay_out_part(t, is_folded, t.opposite(h), back))
     return {};

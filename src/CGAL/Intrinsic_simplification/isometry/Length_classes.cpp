@@ -98,7 +98,7 @@ private:
       ~Count() { left -= before - field.words_left(); }
     } const count{words_left_, most, *field_};
     const auto value = [&](const Length& l) {
-      return exact_[l.surface](l.id) * Number(times_power_of_two(Gmpq(1), exponent(l)));
+      return exact_[l.surface](l.id) * Number(scaled_by_power_of_two(Gmpq(1), exponent(l)));
     };
     return (value(x) - value(y)).is_zero() ? Equality::equal : Equality::different;
   }

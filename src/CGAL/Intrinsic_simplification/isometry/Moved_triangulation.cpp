@@ -83,7 +83,7 @@ Diamond_values<double> Moved_triangulation::approximate(Halfedge h) const {
   return {at(0), at(1), at(2), at(3), at(4), at(5), at(6)};
 }
 
-Laid_out_face Moved_triangulation::lay_out(Halfedge h) const {
+Moved_face Moved_triangulation::lay_out(Halfedge h) const {
   const Gluing_map& m = mesh();
   const Halfedge n = m.next(h), l = m.next(n);
   const auto squared = [&](Halfedge x) { return approximate(length_[x.index / 2]); };
@@ -95,7 +95,7 @@ Laid_out_face Moved_triangulation::lay_out(Halfedge h) const {
 namespace {
 
 // the face on the other side of the first side of a face, in the same plane
-Laid_out_face turned_over(Laid_out_face g, const Laid_out_face& f) {
+Moved_face turned_over(Moved_face g, const Moved_face& f) {
   for (Plane_vector<double>& p : g.corners) p = f.corners[1] - p;
   return g;
 }
@@ -106,10 +106,10 @@ void Moved_triangulation::flip(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge o = Gluing_map::opposite(h), jk = m.next(h), ki = m.next(jk), im = m.next(o),
                  mj = m.next(im);
-  const Laid_out_face f = lay_out(h), g = turned_over(lay_out(o), f);
+  const Moved_face f = lay_out(h), g = turned_over(lay_out(o), f);
   const auto &i = f.corners[0], &j = f.corners[1], &k = f.corners[2], &apex = g.corners[2];
   const auto [km, left, right] = recipes_.flip(diamond(h));
-  const Laid_out_face new_f{f.face, {h.index, mj.index, jk.index}, {{k, apex, j}}},
+  const Moved_face new_f{f.face, {h.index, mj.index, jk.index}, {{k, apex, j}}},
       new_g{g.face, {o.index, ki.index, im.index}, {{apex, k, i}}};
   moves_.push_back(Repartition{{f, g}, {new_f, new_g}});
   length_[h.index / 2] = km;
@@ -124,13 +124,13 @@ void Moved_triangulation::remove_inner_vertex(Halfedge h) {
                  pj = m.next(kp), ki = m.next(Gluing_map::opposite(kp)), ip = m.next(ki),
                  pk = m.next(ip);
   const std::uint32_t f = m.face(h).index, g = m.face(jk).index, e = m.face(ki).index;
-  const Laid_out_face first = lay_out(h);
+  const Moved_face first = lay_out(h);
   area_[f] = recipes_.sum_of_areas(area_[f], area_[g], area_[e]);
   const auto squared = [&](Halfedge x) { return approximate(length_[x.index / 2]); };
   const auto &i = first.corners[0], &j = first.corners[1], &p = first.corners[2];
   const double ij = squared(h), area = approximate(area_[f]);
   const Plane_vector<double> k{(ij + squared(ki) - squared(jk)) / (2 * j.x), area / (2 * j.x)};
-  const Laid_out_face second{g, {jk.index, kp.index, pj.index}, {{j, k, p}}},
+  const Moved_face second{g, {jk.index, kp.index, pj.index}, {{j, k, p}}},
       third{e, {ki.index, ip.index, pk.index}, {{k, i, p}}},
       whole{f, {h.index, jk.index, ki.index}, {{i, j, k}}};
   moves_.push_back(Repartition{{first, second, third}, {whole}});
@@ -141,10 +141,10 @@ void Moved_triangulation::remove_border_vertex(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge pk = m.next(h), kp = Gluing_map::opposite(pk), ki = m.next(pk), pj = m.next(kp),
                  jk = m.next(pj);
-  const Laid_out_face f = lay_out(pk), g = turned_over(lay_out(kp), f);
+  const Moved_face f = lay_out(pk), g = turned_over(lay_out(kp), f);
   const auto &k = f.corners[1], &i = f.corners[2], &j = g.corners[2];
   const auto [length, area] = recipes_.straighten(diamond(pk));
-  const Laid_out_face whole{f.face, {h.index, jk.index, ki.index}, {{i, j, k}}};
+  const Moved_face whole{f.face, {h.index, jk.index, ki.index}, {{i, j, k}}};
   moves_.push_back(Repartition{{f, g}, {whole}});
   length_[h.index / 2] = length;
   area_[f.face] = area;

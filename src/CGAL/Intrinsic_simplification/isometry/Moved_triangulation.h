@@ -70,7 +70,7 @@ public:
   double nearest(Id id) const;
 
   // the face, with its first side on an axis, in doubles
-  Laid_out_face lay_out(Halfedge h) const;
+  Moved_face lay_out(Halfedge h) const;
   // whether both sides of the edge have faces, not the same one
   bool has_diamond(Halfedge h) const {
     const Gluing_map& m = mesh();

@@ -17,7 +17,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face, laid out in the plane.
-struct Laid_out_face {
+struct Moved_face {
   std::uint32_t face;
   std::array<std::uint32_t, 3> sides;          // its halfedges
   std::array<Plane_vector<double>, 3> corners; // where each of them starts
@@ -41,12 +41,12 @@ struct Laid_out_face {
 
 // The point of the faces at a place in the plane; of the face that contains it
 // best.
-inline Surface_point point_at(std::span<const Laid_out_face> faces, const Plane_vector<double>& z,
+inline Surface_point point_at(std::span<const Moved_face> faces, const Plane_vector<double>& z,
                               std::uint32_t* its_face = nullptr) {
   double best = -1;
   Surface_point result;
   bool is_first = true;
-  for (const Laid_out_face& f : faces) {
+  for (const Moved_face& f : faces) {
     std::array<double, 3> w = f.weights(z);
     const double least = *std::min_element(w.begin(), w.end());
     if (!is_first && !(least > best)) continue;
@@ -63,7 +63,7 @@ inline Surface_point point_at(std::span<const Laid_out_face> faces, const Plane_
 
 // A move: some faces of the plane become others, on the same region.
 struct Repartition {
-  std::vector<Laid_out_face> before, after;
+  std::vector<Moved_face> before, after;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

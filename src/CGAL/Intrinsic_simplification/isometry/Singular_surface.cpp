@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,7 +48,7 @@ void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size
     in_face[mesh.face(Halfedge{points[i].halfedge}).index].push_back(i);
   for (const Repartition& move : moves) {
     std::vector<std::pair<std::uint32_t, std::size_t>> moved;
-    for (const Laid_out_face& f : before(move)) {
+    for (const Moved_face& f : before(move)) {
       for (const std::size_t i : in_face[f.face]) {
         std::uint32_t face = 0;
         points[i] = point_at(after(move), f.place(points[i]), &face);
@@ -168,7 +167,13 @@ Singular_surface::from_input(std::span<const Surface_point> points) const {
 
 std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result(points.begin(), points.end());
-  const auto back = std::span(moved_.moves()) | std::views::reverse;
+  struct Backwards { // clang 14 cannot reverse a span
+    std::span<const Repartition> moves;
+    bool empty() const { return moves.empty(); }
+    auto begin() const { return moves.rbegin(); }
+    auto end() const { return moves.rend(); }
+  };
+  const Backwards back{moved_.moves()};
   carry(
       result, moved_.mesh(), delaunay_.mesh().number_of_faces(), back,
       [](const Repartition& m) -> const auto& { return m.after; },

@@ -65,7 +65,7 @@ private:
 };
 
 // the number times 2^exponent
-inline Gmpq times_power_of_two(const Gmpq& x, int exponent) {
+inline Gmpq scaled_by_power_of_two(const Gmpq& x, int exponent) {
   Gmpq result;
   if (exponent >= 0)
     mpq_mul_2exp(result.mpq(), x.mpq(), static_cast<mp_bitcnt_t>(exponent));

@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 std::uint32_t Strip_names::name_of_length(const Input_metric& m, Face_side s, int exponent) {
-  const Gmpq x = times_power_of_two(m.squared_length<Gmpq>(s.face, s.slot), exponent);
+  const Gmpq x = scaled_by_power_of_two(m.squared_length<Gmpq>(s.face, s.slot), exponent);
   return lengths_.emplace(x, static_cast<std::uint32_t>(lengths_.size())).first->second;
 }
 

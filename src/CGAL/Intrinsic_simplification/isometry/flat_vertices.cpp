@@ -183,7 +183,7 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
   const Gluing_map& mesh = t.mesh();
   std::vector<std::uint32_t> stack;
   for (std::size_t n = first_move; n < t.moves().size(); ++n)
-    for (const Laid_out_face& f : t.moves()[n].after)
+    for (const Moved_face& f : t.moves()[n].after)
       for (const std::uint32_t h : f.sides)
         if (!mesh.is_removed(Halfedge{h})) stack.push_back(h / 2);
   while (!stack.empty()) {

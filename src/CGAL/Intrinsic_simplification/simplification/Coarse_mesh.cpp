@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <span>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -188,10 +187,13 @@ void Coarse_mesh::begin() {
 }
 
 void Coarse_mesh::take_back() {
-  for (const auto& [f, face] : std::views::reverse(changed_faces_)) faces_[f] = face;
-  for (const auto& [f, forms] : std::views::reverse(changed_forms_)) forms_[f] = forms;
-  for (const auto& [v, h] : std::views::reverse(changed_outgoing_)) outgoing_[v] = h;
-  for (const auto& [v, point] : std::views::reverse(changed_points_)) points_[v] = point;
+  const auto put_back = [](const auto& changes, auto& values) { // the last change first
+    for (auto c = changes.rbegin(); c != changes.rend(); ++c) values[c->first] = c->second;
+  };
+  put_back(changed_faces_, faces_);
+  put_back(changed_forms_, forms_);
+  put_back(changed_outgoing_, outgoing_);
+  put_back(changed_points_, points_);
   begin();
 }
 

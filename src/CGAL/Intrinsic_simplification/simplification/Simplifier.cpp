@@ -235,7 +235,7 @@ void Simplifier::restore_delaunay() {
 bool Simplifier::is_within_bounds() {
   touched_ = mesh_.changed();
   std::ranges::sort(touched_);
-  touched_.erase(std::ranges::unique(touched_).begin(), touched_.end());
+  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
   const double most = options_.stretch * options_.stretch * (1 - 1e-9);
   for (const std::uint32_t f : touched_) {
     const Coarse_face& face = mesh_.face(f);

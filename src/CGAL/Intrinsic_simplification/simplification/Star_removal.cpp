@@ -11,7 +11,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr Exact_point centre{0, 0};
+constexpr Exact_point middle_of_star{0, 0};
 
 double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }
 double squared_norm(const Exact_point& p) { return p.x * p.x + p.y * p.y; }
@@ -36,7 +36,8 @@ bool Star_removal::lay_out(const Vertex_star& star) {
   }
   if (star.is_on_border()) points_.back() = {-std::sqrt(star.spoke(star.size())), 0};
   for (std::size_t k = 0; k < star.size(); ++k)
-    if (!is_proven_left_turn(centre, points_[k], points_[(k + 1) % points_.size()])) return false;
+    if (!is_proven_left_turn(middle_of_star, points_[k], points_[(k + 1) % points_.size()]))
+      return false;
   return true;
 }
 
@@ -139,7 +140,7 @@ bool Star_removal::has_proven_lengths() const {
 }
 
 Plane_triangle Star_removal::old_triangle(std::size_t k) const {
-  return {centre, points_[k], points_[(k + 1) % points_.size()]};
+  return {middle_of_star, points_[k], points_[(k + 1) % points_.size()]};
 }
 
 Plane_triangle Star_removal::new_triangle(const New_triangle& t) const {
@@ -150,7 +151,7 @@ Plane_triangle Star_removal::new_triangle(const New_triangle& t) const {
 // ends.
 bool Star_removal::may_overlap(const New_triangle& t, std::size_t k) const {
   constexpr std::uint32_t middle = Gluing::none;
-  const auto at = [&](std::uint32_t i) { return i == middle ? centre : points_[i]; };
+  const auto at = [&](std::uint32_t i) { return i == middle ? middle_of_star : points_[i]; };
   const std::array<std::uint32_t, 3> star{middle, static_cast<std::uint32_t>(k),
                                           static_cast<std::uint32_t>((k + 1) % points_.size())};
   const auto separates = [&](const std::array<std::uint32_t, 3>& x,
@@ -222,7 +223,7 @@ void Star_removal::take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::u
       places_.push_back(place_in(old_triangle(k), mesh.point(moving_[n]).weights, star.side(k)));
   }
   moving_.push_back(v);
-  places_.push_back(centre);
+  places_.push_back(middle_of_star);
   // rim edges that are glued to each other
   for (std::uint32_t& outside : outside_)
     for (std::size_t k = 0; k < star.size(); ++k)
