@@ -173,19 +173,27 @@ Space_points lay_out_pyramids(const Glued_pyramids& p) {
   return Pyramid_layout(p).from(first);
 }
 
-double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h) {
+std::array<Eigen::Vector3d, 3> diamond_from(const Metric_triangles& t, const Space_points& points,
+                                            std::uint32_t h) {
   const Eigen::Vector3d& i = points[t.source(h)];
-  const Eigen::Vector3d j = points[t.target(h)] - i,
-                        k = points[t.source(Metric_triangles::previous(h))] - i,
-                        m = points[t.source(Metric_triangles::previous(t.opposite(h)))] - i;
+  return {points[t.target(h)] - i, points[t.source(Metric_triangles::previous(h))] - i,
+          points[t.source(Metric_triangles::previous(t.opposite(h)))] - i};
+}
+
+double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h) {
+  const auto [j, k, m] = diamond_from(t, points, h);
   const Eigen::Vector3d normal = j.cross(k);
   return normal.dot(m) / normal.norm();
 }
 
-double extent_of(const Space_points& points) {
+Eigen::Vector3d centre_of(const Space_points& points) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) centre += p;
-  centre /= static_cast<double>(points.size());
+  return centre / static_cast<double>(points.size());
+}
+
+double extent_of(const Space_points& points) {
+  const Eigen::Vector3d centre = centre_of(points);
   double result = 0;
   for (const Eigen::Vector3d& p : points) result = std::max(result, (p - centre).norm());
   return 2 * result;

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,8 +27,16 @@ Space_points lay_out_pyramids(const Glued_pyramids& p);
 // \return whether the lengths are right and no edge is concave
 bool fit_lengths(Metric_triangles& t, Space_points& points, double within, std::size_t& steps);
 
+// The other corners of the two triangles at h, as seen from its source: its target, the apex of its
+// face, and that of the face across.
+std::array<Eigen::Vector3d, 3> diamond_from(const Metric_triangles& t, const Space_points& points,
+                                            std::uint32_t h);
+
 // The height of the next vertex across h over the face of h; positive if the edge is concave.
 double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h);
+
+// the mean of the points
+Eigen::Vector3d centre_of(const Space_points& points);
 
 // the greatest distance from the centre to a point, twice: between the diameter and twice of it
 double extent_of(const Space_points& points);

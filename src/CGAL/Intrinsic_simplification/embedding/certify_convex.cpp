@@ -121,10 +121,7 @@ std::optional<double> distance_to_solution(const Metric_triangles& t, const Spac
 // How far the height over the face of h changes if points move by up to 1: the sum of absolute
 // weights of the four points, to first order.
 double lever(const Metric_triangles& t, const Space_points& points, std::uint32_t h) {
-  const Eigen::Vector3d& i = points[t.source(h)];
-  const Eigen::Vector3d j = points[t.target(h)] - i,
-                        k = points[t.source(Metric_triangles::previous(h))] - i,
-                        m = points[t.source(Metric_triangles::previous(t.opposite(h)))] - i;
+  const auto [j, k, m] = diamond_from(t, points, h);
   const Eigen::Vector3d normal = j.cross(k);
   const double squared = normal.squaredNorm(), of_j = normal.dot(m.cross(k)) / squared,
                of_k = normal.dot(j.cross(m)) / squared;
@@ -133,9 +130,7 @@ double lever(const Metric_triangles& t, const Space_points& points, std::uint32_
 
 // The sum of the solid angles of all faces is one full sphere, and all are positive.
 bool encloses_centre(const Metric_triangles& t, const Space_points& points) {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) centre += p;
-  centre /= static_cast<double>(points.size());
+  const Eigen::Vector3d centre = centre_of(points);
   double sum = 0;
   for (std::uint32_t f = 0; f < t.number_of_faces(); ++f) {
     const Eigen::Vector3d a = points[t.source(3 * f)] - centre,
