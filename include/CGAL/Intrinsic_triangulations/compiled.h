@@ -22,26 +22,26 @@ sources of the library, see `src/instances/`.
 /// \cond
 // calls a macro with a prefix and each of the usual triangulations that are not exact.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(instances, prefix)                               \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
-                                            No_correspondence>);                                   \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
-                                            Integer_coordinates>)
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, No_correspondence>);     \
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>)
 // calls a macro with a prefix and each of the usual exact triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(instances, prefix)                                 \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
-                                            No_correspondence>);                                   \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
-                                            Integer_coordinates>)
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, No_correspondence>);       \
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>)
 // calls a macro with a prefix and each of the usual triangulations with a correspondence.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_INTEGERS(instances, prefix)                              \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
-                                            Integer_coordinates>);                                 \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>,                  \
-                                            Integer_coordinates>)
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Integer_coordinates>);     \
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Euclidean_traits<double>, Integer_coordinates>)
 // calls a macro with a prefix and each exact triangulation with another correspondence.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FOR_MODELS(instances, prefix)                                \
-  instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits,                    \
-                                            Explicit_crossings>);                                  \
+  instances(prefix,                                                                                \
+            Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Explicit_crossings>);      \
   instances(prefix, Intrinsic_triangulation<Gluing_map, Exact_euclidean_traits, Signposts>)
 
 // instantiates a triangulation.
@@ -89,8 +89,8 @@ sources of the library, see `src/instances/`.
   CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, Euclidean_metric<double>);                        \
   prefix class Unfolded_face<double>;                                                              \
   prefix class Unfolded_face<Interval_nt<false>>;                                                  \
-  prefix class Unfolded_face<Ball<Double_double>>;                                                 \
-  prefix class Unfolded_face<Ball<Mpfr_number>>
+  prefix class Unfolded_face<Short_ball>;                                                          \
+  prefix class Unfolded_face<Long_ball>
 // instantiates the usual functions on the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(prefix)                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);       \

@@ -117,7 +117,7 @@ public:
   }
 
 private:
-  using Precise = Ball<Double_double>;
+  using Precise = Short_ball;
   static constexpr bool is_exact = requires(Triangulation & t, std::uint32_t e) {
     t.decider().sharpen(e);
   };

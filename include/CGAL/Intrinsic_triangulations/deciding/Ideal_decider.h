@@ -120,8 +120,7 @@ private:
   // decides what nearly is a tie because input lengths were rounded
   Uncertain<Sign> precise_sign(const std::array<std::uint32_t, 5>& edges, double by) const {
     const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-    return Ideal_delaunay_expression()(multiplied(exact_values<Ball<Double_double>>(edges), by))
-        .sign();
+    return Ideal_delaunay_expression()(multiplied(exact_values<Short_ball>(edges), by)).sign();
   }
   template <class Number>
   Ideal_diamond_values<Number> exact_values(const std::array<std::uint32_t, 5>& edges) const {

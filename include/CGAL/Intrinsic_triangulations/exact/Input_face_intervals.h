@@ -84,7 +84,7 @@ public:
   static Face face(const Input_metric& input, std::uint32_t f);
 
 private:
-  static constexpr std::size_t maximal_faces = std::is_same_v<FT, Ball<Mpfr_number>>
+  static constexpr std::size_t maximal_faces = std::is_same_v<FT, Long_ball>
                                                    ? thresholds::remembered_faces
                                                    : std::numeric_limits<std::size_t>::max();
 

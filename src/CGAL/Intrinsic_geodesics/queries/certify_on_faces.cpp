@@ -45,16 +45,14 @@ namespace internal {
 
 namespace {
 
-using Long_number = Ball<Mpfr_number>;
-
-bool has_sign(const Long_number& x, Sign sign) {
+bool has_sign(const Long_ball& x, Sign sign) {
   const Uncertain<Sign> s = x.sign();
   return s.is_certain() && s.make_certain() == sign;
 }
 
 // At most the argument of a complex number whose imaginary part is not negative. The margin is that
 // of conversions and of `atan2`, which errs by less than two units, and of the sums of such angles.
-double least_angle(const Plane_vector<Long_number>& z) {
+double least_angle(const Plane_vector<Long_ball>& z) {
   const double s = std::max(0.0, z.y.to_double()), c = z.x.to_double(),
                size = std::max(s, std::abs(c));
   const auto error = static_cast<double>(z.y.radius() + z.x.radius());
@@ -67,9 +65,9 @@ class Long_values {
 public:
   explicit Long_values(const Input_metric& input) : input_(input) {}
 
-  const Input_face_intervals<Long_number>::Face& operator()(std::uint32_t f) {
+  const Input_face_intervals<Long_ball>::Face& operator()(std::uint32_t f) {
     const auto [place, is_new] = values_.try_emplace(f);
-    if (is_new) place->second = Input_face_intervals<Long_number>::face(input_, f);
+    if (is_new) place->second = Input_face_intervals<Long_ball>::face(input_, f);
     have_area = have_area && has_sign(place->second.second, POSITIVE);
     return place->second;
   }
@@ -77,7 +75,7 @@ public:
 
 private:
   const Input_metric& input_;
-  std::map<std::uint32_t, Input_face_intervals<Long_number>::Face> values_;
+  std::map<std::uint32_t, Input_face_intervals<Long_ball>::Face> values_;
 };
 
 // The same in the field of the areas.
@@ -104,7 +102,7 @@ using Rays = std::array<Ray_at_corner<Number>, 2>;
 // The faces at a vertex where a path comes from one and goes on into another one.
 class Vertex_on_path {
 public:
-  Vertex_on_path(const Input& input, std::uint32_t row, const Rays<Long_number>& rays,
+  Vertex_on_path(const Input& input, std::uint32_t row, const Rays<Long_ball>& rays,
                  Long_values& values)
       : input_(input), row_(row) {
     for (const std::uint32_t end : {come, go})
@@ -139,7 +137,7 @@ public:
         return expression(std::span<const Face_values<Number>>(v));
       };
       const Uncertain<Sign> s =
-          value.template operator()<Long_number>([](const Angle& a) { return a.z; }).sign();
+          value.template operator()<Long_ball>([](const Angle& a) { return a.z; }).sign();
       if (s.is_certain()) return s.make_certain();
       if (!rays) rays = rays_in_field(values);
       if (!value
@@ -165,8 +163,8 @@ private:
     std::uint32_t from, to;
     std::uint32_t face; // none if it is a part
     bool is_mirrored = false;
-    Plane_vector<Long_number> z{}; // its argument is the angle
-    double least = 0;              // at most the angle
+    Plane_vector<Long_ball> z{}; // its argument is the angle
+    double least = 0;            // at most the angle
 
     std::uint32_t other(std::uint32_t end) const { return end == from ? to : from; }
   };
@@ -185,7 +183,7 @@ private:
     return scaled_corner(l[k], l[(k + 1) % 3], l[(k + 2) % 3], area);
   }
 
-  void add(Angle a, const Rays<Long_number>& rays, Long_values& values) {
+  void add(Angle a, const Rays<Long_ball>& rays, Long_values& values) {
     a.z = argument(a, rays, values);
     a.is_mirrored = a.z.y.to_double() < 0;
     if (a.is_mirrored) a.z.y = -a.z.y;
@@ -236,7 +234,7 @@ private:
   Wedge wedge(const std::vector<std::uint32_t>& way) const {
     Wedge result;
     for (const std::uint32_t i : way) {
-      const Plane_vector<Long_number>& z = angles_[i].z;
+      const Plane_vector<Long_ball>& z = angles_[i].z;
       result.add({i, {}}, Face_values<double>{{z.x.to_double(), 0, 0}, z.y.to_double()});
     }
     return result;
@@ -262,7 +260,7 @@ public:
       return unproven("rounding has led the path astray");
     for (std::size_t before = 0, first = 0, last = 1; first + 1 < n;
          before = first, first = last++) {
-      const Ray_at_corner<Long_number> end = std::move(piece_.end);
+      const Ray_at_corner<Long_ball> end = std::move(piece_.end);
       while (last + 1 < n && !row_at(path_.points[last])) ++last;
       if (!is_straight(first, last))
         return unproven("a vertex is within rounding of the path, or a face has no area");
@@ -291,7 +289,7 @@ private:
   bool is_straight(std::size_t first, std::size_t last) {
     if (!piece_.unfold(first, last) || !values_.have_area) return false;
     const auto is_on_side = [this](Sign side) {
-      return [this, side](const Plane_vector<Long_number>& v) {
+      return [this, side](const Plane_vector<Long_ball>& v) {
         return has_sign(cross(piece_.begin.direction, v - piece_.start), side);
       };
     };
@@ -300,8 +298,8 @@ private:
   }
 
   void add_length() {
-    const Plane_vector<Long_number>& line = piece_.begin.direction;
-    const Long_number length = sqrt(dot(line, line) * values_(piece_.begin.face.face).first[0]);
+    const Plane_vector<Long_ball>& line = piece_.begin.direction;
+    const Long_ball length = sqrt(dot(line, line) * values_(piece_.begin.face.face).first[0]);
     const double l = length.to_double(),
                  error = static_cast<double>(length.radius()) * (1 + 0x1p-40) + l * 0x1p-51;
     const double unit = std::ldexp(1.0, -input_.scale_exponent());
@@ -310,7 +308,7 @@ private:
 
   // Whether all ways around a vertex, between the pieces before and after it, are at least pi.
   bool turns_by_pi(std::size_t before, std::size_t at, std::size_t after,
-                   const Rays<Long_number>& rays) {
+                   const Rays<Long_ball>& rays) {
     if (rays[0].face.face == rays[1].face.face) return false;
     const auto rays_in_field = [&](Field_values& values) {
       Path_unfolder<Multiquadratic_number, Field_values> piece(input_, path_, values);
@@ -333,7 +331,7 @@ private:
   const Traced_curve& path_;
   Mpfr_precision precision_;
   Long_values values_;
-  Path_unfolder<Long_number, Long_values> piece_;
+  Path_unfolder<Long_ball, Long_values> piece_;
   std::string obstacle_;
   Interval_nt<> length_{0};
 };

@@ -34,8 +34,6 @@ int exponent_to_units_of(const Singular_surface& from, const Singular_surface& t
 
 namespace {
 
-using Short_ball = Ball<Double_double>;
-
 // A squared length, in the units of the first surface.
 struct Length {
   std::uint32_t surface;
@@ -103,9 +101,9 @@ private:
     return (value(x) - value(y)).is_zero() ? Equality::equal : Equality::different;
   }
 
-  Ball<Mpfr_number> long_value(const Length& x) const {
-    Value_recipes::Evaluation<Ball<Mpfr_number>> values(recipes(x));
-    return values(x.id) * Ball<Mpfr_number>(std::ldexp(1.0, exponent(x)));
+  Long_ball long_value(const Length& x) const {
+    Value_recipes::Evaluation<Long_ball> values(recipes(x));
+    return values(x.id) * Long_ball(std::ldexp(1.0, exponent(x)));
   }
 
   void start_field() {

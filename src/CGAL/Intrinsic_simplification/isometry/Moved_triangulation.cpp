@@ -35,7 +35,7 @@ void Moved_triangulation::start_field() const {
                                                                                   field_.get());
 }
 
-Moved_triangulation::Short_ball Moved_triangulation::narrow_enclosure(Id id) const {
+Short_ball Moved_triangulation::narrow_enclosure(Id id) const {
   constexpr double narrow = 0x1p-90;
   const auto is_narrow = [](const auto& x) {
     return x.radius() <= narrow * std::abs(x.center().magnitude());

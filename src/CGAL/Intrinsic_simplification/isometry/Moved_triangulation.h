@@ -41,7 +41,6 @@ public:
   using Halfedge = Gluing_map::Halfedge;
   using Id = Value_recipes::Id;
   using Diamond_ids = Value_recipes::Diamond_ids;
-  using Short_ball = Ball<Double_double>;
 
   // \param t must outlive this object, and stay as it is
   explicit Moved_triangulation(const Corresponding_triangulation& t);
@@ -98,8 +97,6 @@ public:
   void remove_border_vertex(Halfedge h);
 
 private:
-  using Long_ball = Ball<Mpfr_number>;
-
   template <class Expression>
   Sign exact_sign(const Diamond_ids& d, const Expression& expression) const {
     const auto certain = [](const Long_ball& x) -> std::optional<Sign> {

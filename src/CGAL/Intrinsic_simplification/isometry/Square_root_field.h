@@ -75,9 +75,8 @@ inline Gmpq scaled_by_power_of_two(const Gmpq& x, int exponent) {
 }
 
 // Encloses a number of the field, with the current precision.
-inline Ball<Mpfr_number> enclosure_of(const Square_root_field::Number& x) {
+inline Long_ball enclosure_of(const Square_root_field::Number& x) {
   return x.value([](const Gmpq& q) {
-    using Long_ball = Ball<Mpfr_number>;
     const Mpfr_number center = Mpfr_number::nearest(q);
     return Long_ball::around(center, std::abs(center.magnitude()) * Mpfr_number::rounding());
   });

@@ -128,14 +128,14 @@ void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
 
 void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_faces& faces,
                                       unsigned bits, const Visit& visit) {
-  if (bits <= 106) return internal::replay_in_intervals<Ball<Double_double>>(input, faces, visit);
+  if (bits <= 106) return internal::replay_in_intervals<Short_ball>(input, faces, visit);
   const Mpfr_precision precision(bits);
-  internal::replay_in_intervals<Ball<Mpfr_number>>(input, faces, visit);
+  internal::replay_in_intervals<Long_ball>(input, faces, visit);
 }
 
 std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& input,
                                                          const Replayed_faces& faces) {
-  using Number = Ball<Double_double>;
+  using Number = Short_ball;
   std::vector<std::optional<double>> result;
   std::optional<Face_values<Number>> left;
   internal::replay<Number>(input, faces, [&](const Face_values<Number>& f) {

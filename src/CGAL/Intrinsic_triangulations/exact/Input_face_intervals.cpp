@@ -26,8 +26,6 @@ namespace internal {
 
 namespace {
 
-using Short_ball = Ball<Double_double>;
-using Long_ball = Ball<Mpfr_number>;
 using Double_vector = std::array<double, 3>;
 using Long_vector = std::array<Double_double, 3>;
 
@@ -95,8 +93,7 @@ template <FieldNumber FT>
 FT Input_side_values<FT>::squared_length(Face_side s) const {
   if constexpr (std::is_same_v<FT, internal::Short_ball>)
     if (is_plain_ && !input_.has_excess(s.face))
-      if (const auto u =
-              internal::vector_in_doubles(input_, s.face, s.slot, (s.slot + 1) % 3))
+      if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, (s.slot + 1) % 3))
         return internal::enclosed(internal::long_squared_norm(*u));
   return input_.squared_length<FT>(s.face, s.slot);
 }
@@ -109,14 +106,13 @@ FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
           v = internal::vector_in_doubles(input_, f, 0, 2);
           u && v)
         return internal::enclosed(
-            Double_double(4) *
-            internal::long_squared_norm(internal::long_cross_product(*u, *v)));
+            Double_double(4) * internal::long_squared_norm(internal::long_cross_product(*u, *v)));
   return input_.is_embedded() ? internal::Embedded_area<FT>(input_, f).squared
                               : input_.squared_quadruple_area<FT>(f);
 }
 
 template class Input_side_values<internal::Short_ball>;
-template class Input_side_values<internal::Long_ball>;
+template class Input_side_values<Long_ball>;
 
 template <FieldNumber FT>
 typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Input_metric& input,
@@ -126,7 +122,7 @@ typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Inp
              input.squared_length<FT>(f, 2)},
             internal::narrow_area(input, f)};
   else {
-    if constexpr (std::is_same_v<FT, internal::Long_ball>)
+    if constexpr (std::is_same_v<FT, Long_ball>)
       // beyond the 256 bits of a thread at first
       if (Mpfr_number::rounding() < 0x1p-254) return internal::wide_face(input, f);
     const Input_side_values<FT> values(input);
@@ -140,7 +136,7 @@ template Input_face_intervals<Interval_nt<false>>::Face
 Input_face_intervals<Interval_nt<false>>::face(const Input_metric&, std::uint32_t);
 template Input_face_intervals<internal::Short_ball>::Face
 Input_face_intervals<internal::Short_ball>::face(const Input_metric&, std::uint32_t);
-template Input_face_intervals<internal::Long_ball>::Face
-Input_face_intervals<internal::Long_ball>::face(const Input_metric&, std::uint32_t);
+template Input_face_intervals<Long_ball>::Face
+Input_face_intervals<Long_ball>::face(const Input_metric&, std::uint32_t);
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -94,8 +94,8 @@ struct Exact_ladder::Memory {
 
   std::optional<double> steps_left;
   Input_face_intervals<Interval_nt<false>> doubles;
-  Input_face_intervals<Ball<Double_double>> short_balls;
-  std::map<unsigned, Input_face_intervals<Ball<Mpfr_number>>> long_balls; // by precision
+  Input_face_intervals<Short_ball> short_balls;
+  std::map<unsigned, Input_face_intervals<Long_ball>> long_balls; // by precision
 
   // Decides a sign in numbers of so many bits; see `Exact_ladder::sign()`.
   template <class Values>

@@ -129,6 +129,11 @@ private:
   Magnitude radius_ = 0;
 };
 
+/// A ball of double-doubles.
+using Short_ball = Ball<Double_double>;
+/// A ball of as many bits as `Mpfr_precision` sets.
+using Long_ball = Ball<Mpfr_number>;
+
 namespace internal {
 
 // Calls a function with rounding to the nearest.
@@ -231,7 +236,7 @@ public:
     const Magnitude error = Parts::radius(x, p) + Parts::radius(y, q);
     const Magnitude size = std::max(internal::magnitude(p), internal::magnitude(q)) * (1 - slack);
     const Magnitude error_d = Parts::radius(d, c),
-                 least = internal::magnitude(c) * (1 - slack) - error_d;
+                    least = internal::magnitude(c) * (1 - slack) - error_d;
     radius_ = least > 0 ? product(error / size, error_d / least) : infinity;
     check();
   }

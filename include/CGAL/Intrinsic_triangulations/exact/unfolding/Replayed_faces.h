@@ -36,8 +36,7 @@ product has |u| r_v + |v| r_u + r_u r_v and e |u v|; the quotient of s by L has
 product. The terms with e^2 and the rounding of radii are left out below: they are smaller than the
 excess of e over the errors of operations.
 */
-inline Flipped_values<Ball<Double_double>>
-flipped(const Diamond_values<Ball<Double_double>>& d) {
+inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d) {
   using Number = Double_double;
   constexpr double e = Number::rounding(), tiny = 0x1p-1000; // what underflows
   const auto size = [](const Number& x) { return std::abs(x.magnitude()); };
@@ -55,11 +54,10 @@ flipped(const Diamond_values<Ball<Double_double>>& d) {
     return u.radius() + v.radius() + e * (size(u.center()) + size(v.center()));
   };
   const double r_m = radius_of_sum(d.mj, d.im), r_k = radius_of_sum(d.jk, d.ki),
-               r_x = r_m + r_k + e * (size(m) + size(k)), 
-               r_y = radius_of_sum(d.area_f, d.area_g);
+               r_x = r_m + r_k + e * (size(m) + size(k)), r_y = radius_of_sum(d.area_f, d.area_g);
   const double r_s = (2 * size(x) + r_x) * r_x + (2 * size(y) + r_y) * r_y + 2 * e * size(s),
-               r_n = size(f) * r_m + (size(m) + r_m) * r_f + size(g) * r_k +
-                     (size(k) + r_k) * r_g + 2 * e * (size(f) * size(m) + size(g) * size(k));
+               r_n = size(f) * r_m + (size(m) + r_m) * r_f + size(g) * r_k + (size(k) + r_k) * r_g +
+                     2 * e * (size(f) * size(m) + size(g) * size(k));
   const double r_km = (0.25 * r_s + size(km) * r_l + tiny) / least + 2 * e * size(km),
                r_w = (0.5 * r_n + size(w) * r_l + tiny) / least + 2 * e * size(w),
                r_area = 0.5 * r_y + r_w + e * (size(half) + size(w));
