@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations_sources.h>
 #ifdef DOWNSTREAM_HAS_operators
 #include <CGAL/Intrinsic_simplification_sources.h> // those of all packages
+// after the sources: headers must not use names that these have
+#include <CGAL/Intrinsic_simplification.h>
 #endif
 #endif
 

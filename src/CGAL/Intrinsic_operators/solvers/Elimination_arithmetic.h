@@ -138,9 +138,9 @@ public:
     const double pivot = column[0][0];
     inverse = 1 / pivot;
     factor_.pivot[row_number(place)] = pivot;
-    using Column = Eigen::Array<double, parts, Eigen::Dynamic>;
-    Eigen::Map<Column>(factor_.column(place), parts, below) =
-        Eigen::Map<const Column>(column->data() + parts, parts, below) * inverse;
+    using Entries = Eigen::Array<double, parts, Eigen::Dynamic>;
+    Eigen::Map<Entries>(factor_.column(place), parts, below) =
+        Eigen::Map<const Entries>(column->data() + parts, parts, below) * inverse;
     // Smaller pivots are rounding of zero: some roundings for each of the few entries of a row.
     return pivot > 64 * std::numeric_limits<double>::epsilon() * diagonal_[row];
   }

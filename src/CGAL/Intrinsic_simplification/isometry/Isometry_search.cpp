@@ -31,8 +31,6 @@ constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
 constexpr const char* too_wide = "lengths are enclosed too widely to be compared";
 
-using Halfedge = Gluing_map::Halfedge;
-
 std::string both(const std::string& x, const std::string& y) {
   return x.empty() || x == y ? y : y.empty() ? x : x + "; " + y;
 }
@@ -160,7 +158,7 @@ Isometry Isometry_search::own(std::size_t n) const {
 bool Isometry_search::respects_vertices(const Isometry& map) const {
   const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
   const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
-    return s.triangulation().mesh().source(Halfedge{halfedge}).index;
+    return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
   };
   std::vector<std::uint32_t> from(b_->delaunay().input().number_of_vertices(), Dart_complex::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
@@ -234,7 +232,7 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
     const std::uint32_t e = image[d] - shift;
     result.image_.push_back(e);
     const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
-      return s.triangulation().mesh().source(Halfedge{halfedge}).index;
+      return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
     };
     result.vertices_[source(*a_, first_->darts.halfedge[d])] =
         source(*b_, to.halfedge[result.is_mirrored(d) ? to.next[e] : e]);
@@ -245,12 +243,13 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
 // on an axis.
 std::vector<Moved_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
                                                  std::uint32_t halfedge) const {
-  std::vector<Moved_face> all{s.triangulation().lay_out(Halfedge{halfedge})};
+  std::vector<Moved_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Moved_face f = all[i];
     for (std::size_t k = i == 0 ? 0 : 1; k < 3; ++k) {
       if (t.ties[f.sides[k] / 2] == 0) continue;
-      Moved_face g = s.triangulation().lay_out(Gluing_map::opposite(Halfedge{f.sides[k]}));
+      Moved_face g =
+          s.triangulation().lay_out(Gluing_map::opposite(Gluing_map::Halfedge{f.sides[k]}));
       const Plane_vector<double> from = f.corners[(k + 1) % 3], to = f.corners[k];
       const double length = g.corners[1].x;
       for (Plane_vector<double>& p : g.corners) p = from + (to - from) * p / length;
@@ -268,7 +267,7 @@ Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p
       if (dart == Dart_complex::none) continue;
       // where the point is relative to the dart
       const Plane_vector<double> side = f.corners[(k + 1) % 3] - f.corners[k];
-      const Moved_face own = a_->triangulation().lay_out(Halfedge{p.halfedge});
+      const Moved_face own = a_->triangulation().lay_out(Gluing_map::Halfedge{p.halfedge});
       Plane_vector<double> z = in_frame(side, own.place(p) - f.corners[k]) / dot(side, side);
       if (map.is_mirrored(dart)) z.x = 1 - z.x;
       const std::vector<Moved_face> faces =

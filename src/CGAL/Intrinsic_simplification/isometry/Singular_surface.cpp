@@ -23,8 +23,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using Halfedge = Gluing_map::Halfedge;
-
 Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t) {
   flip_to_delaunay(t);
   return t;
@@ -34,7 +32,7 @@ Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t) {
 std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
   return joined_sets(mesh.number_of_vertices(), [&](const auto& join) {
     for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
-      join(mesh.source(Halfedge{h}).index, mesh.target(Halfedge{h}).index);
+      join(mesh.source(Gluing_map::Halfedge{h}).index, mesh.target(Gluing_map::Halfedge{h}).index);
   });
 }
 
@@ -45,7 +43,7 @@ void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size
   if (moves.empty()) return;
   std::vector<std::vector<std::size_t>> in_face(faces);
   for (std::size_t i = 0; i < points.size(); ++i)
-    in_face[mesh.face(Halfedge{points[i].halfedge}).index].push_back(i);
+    in_face[mesh.face(Gluing_map::Halfedge{points[i].halfedge}).index].push_back(i);
   for (const Repartition& move : moves) {
     std::vector<std::pair<std::uint32_t, std::size_t>> moved;
     for (const Moved_face& f : before(move)) {
@@ -87,9 +85,10 @@ void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
   const Gluing_map& mesh = delaunay_.mesh();
   std::vector<char> is_done(mesh.number_of_halfedges(), 0);
   for (std::uint32_t first = 0; first < is_done.size(); ++first) {
-    if (is_done[first] != 0 || mesh.face(Halfedge{first}).index != Gluing::none) continue;
+    if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
+      continue;
     bool has_corner = false;
-    Halfedge h{first};
+    Gluing_map::Halfedge h{first};
     do {
       is_done[h.index] = 1;
       has_corner = has_corner || are_removed[mesh.target(h).index] == 0;
@@ -120,7 +119,7 @@ void Singular_surface::find_ties() {
   {
     const Corresponding_triangulation::Const_session session(delaunay_);
     for (std::uint32_t e = 0; e < ties_.size(); ++e) {
-      const Halfedge h{2 * e};
+      const Gluing_map::Halfedge h{2 * e};
       if (mesh.is_removed(h) || !moved_.has_diamond(h)) continue;
       if (moved_.is_original(mesh.face(h).index) &&
           moved_.is_original(mesh.face(Gluing_map::opposite(h)).index))
@@ -130,7 +129,9 @@ void Singular_surface::find_ties() {
     }
   }
   for (const std::uint32_t e : moved)
-    ties_[e] = moved_.sign(moved_.diamond(Halfedge{2 * e}), Delaunay_expression()) == ZERO ? 1 : 0;
+    ties_[e] =
+        moved_.sign(moved_.diamond(Gluing_map::Halfedge{2 * e}), Delaunay_expression()) == ZERO ? 1
+                                                                                                : 0;
 }
 
 std::vector<char> Singular_surface::ties_within(double error) const {
@@ -138,13 +139,13 @@ std::vector<char> Singular_surface::ties_within(double error) const {
   std::vector<char> result = ties_;
   // polygons stay disks: an edge is left out only between two of them
   Joined_numbers polygon(mesh.number_of_faces());
-  const auto join = [&](Halfedge h) {
+  const auto join = [&](Gluing_map::Halfedge h) {
     return polygon.join(mesh.face(h).index, mesh.face(Gluing_map::opposite(h)).index);
   };
   for (std::uint32_t e = 0; e < result.size(); ++e)
-    if (result[e] != 0) join(Halfedge{2 * e});
+    if (result[e] != 0) join(Gluing_map::Halfedge{2 * e});
   for (std::uint32_t e = 0; e < result.size(); ++e) {
-    const Halfedge h{2 * e};
+    const Gluing_map::Halfedge h{2 * e};
     if (result[e] != 0 || mesh.is_removed(h) || !moved_.has_diamond(h)) continue;
     const Diamond_values<double> d = moved_.approximate(h);
     const double size = std::abs(left_cotangent_numerator(d)) * d.area_g +

@@ -30,10 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using Halfedge = Gluing_map::Halfedge;
-using Vertex = Gluing_map::Vertex;
-
-bool is_on_border(const Gluing_map& mesh, Vertex v) {
+bool is_on_border(const Gluing_map& mesh, Gluing_map::Vertex v) {
   return mesh.face(mesh.halfedge(v)).index == Gluing::none;
 }
 
@@ -64,13 +61,13 @@ bool is_sum_of_half_turns(std::size_t corners, std::size_t needed, const Sine& s
 }
 
 bool is_flat(const Corresponding_triangulation& t,
-             const Corresponding_triangulation::Const_session&, Vertex v) {
+             const Corresponding_triangulation::Const_session&, Gluing_map::Vertex v) {
   const Gluing_map& mesh = t.mesh();
   Wedge wedge;
   Angle_enclosure angle;
-  for_each_outgoing(v, mesh, [&](Halfedge h) {
+  for_each_outgoing(v, mesh, [&](Gluing_map::Halfedge h) {
     if (mesh.face(h).index == Gluing::none) return;
-    const Halfedge n = mesh.next(h), l = mesh.next(n);
+    const Gluing_map::Halfedge n = mesh.next(h), l = mesh.next(n);
     const Indexed_face f{mesh.face(h).index, {h.index / 2, n.index / 2, l.index / 2}};
     wedge.add(f, approximate_values(t.metric(), f));
     const auto length = [&](std::size_t k) { return t.metric().squared_length(f.edges[k]); };
@@ -90,6 +87,9 @@ bool is_flat(const Corresponding_triangulation& t,
 // Flips edges away from one vertex, and removes it.
 class One_vertex_remover {
 public:
+  using Halfedge = Gluing_map::Halfedge;
+  using Vertex = Gluing_map::Vertex;
+
   One_vertex_remover(Moved_triangulation& t, Vertex v) : t_(t), mesh_(t.mesh()), v_(v) {}
 
   // \return whether the vertex is gone; otherwise other vertices have to be
@@ -185,34 +185,36 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
   for (std::size_t n = first_move; n < t.moves().size(); ++n)
     for (const Moved_face& f : t.moves()[n].after)
       for (const std::uint32_t h : f.sides)
-        if (!mesh.is_removed(Halfedge{h})) stack.push_back(h / 2);
+        if (!mesh.is_removed(Gluing_map::Halfedge{h})) stack.push_back(h / 2);
   while (!stack.empty()) {
-    const Halfedge h{2 * stack.back()};
+    const Gluing_map::Halfedge h{2 * stack.back()};
     stack.pop_back();
     if (!t.has_diamond(h) || t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
     t.flip(h);
-    for (const Halfedge s : {h, Gluing_map::opposite(h)})
-      for (Halfedge n = mesh.next(s); n != s; n = mesh.next(n)) stack.push_back(n.index / 2);
+    for (const Gluing_map::Halfedge s : {h, Gluing_map::opposite(h)})
+      for (Gluing_map::Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
+        stack.push_back(n.index / 2);
   }
 }
 
 // The vertices that edges join to one, among those to be removed; none of them
 // is found again.
-std::vector<Vertex> cluster_of(Vertex v, const Gluing_map& mesh, std::vector<char>& are_left) {
-  std::vector<Vertex> cluster{v};
+std::vector<Gluing_map::Vertex> cluster_of(Gluing_map::Vertex v, const Gluing_map& mesh,
+                                           std::vector<char>& are_left) {
+  std::vector<Gluing_map::Vertex> cluster{v};
   are_left[v.index] = 0;
   for (std::size_t i = 0; i < cluster.size(); ++i)
-    for_each_outgoing(cluster[i], mesh, [&](Halfedge h) {
-      const Vertex w = mesh.target(h);
+    for_each_outgoing(cluster[i], mesh, [&](Gluing_map::Halfedge h) {
+      const Gluing_map::Vertex w = mesh.target(h);
       if (std::exchange(are_left[w.index], 0) != 0) cluster.push_back(w);
     });
   return cluster;
 }
 
 // \return whether a vertex was removed
-bool remove_some(Moved_triangulation& t, std::vector<Vertex>& vertices) {
+bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertices) {
   const std::size_t before = vertices.size();
-  std::erase_if(vertices, [&](Vertex v) { return One_vertex_remover(t, v).remove(); });
+  std::erase_if(vertices, [&](Gluing_map::Vertex v) { return One_vertex_remover(t, v).remove(); });
   return vertices.size() != before;
 }
 
@@ -221,12 +223,12 @@ bool remove_some(Moved_triangulation& t, std::vector<Vertex>& vertices) {
 std::vector<char> pinched_vertices(const Gluing_map& mesh) {
   std::vector<std::uint32_t> corners(mesh.number_of_vertices(), 0);
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
-    ++corners[mesh.source(Halfedge{h}).index];
+    ++corners[mesh.source(Gluing_map::Halfedge{h}).index];
   std::vector<char> result(corners.size(), 0);
   for (std::uint32_t v = 0; v < result.size(); ++v) {
     if (corners[v] == 0) continue;
     std::uint32_t reached = 0;
-    for_each_outgoing(Vertex{v}, mesh, [&](Halfedge) { ++reached; });
+    for_each_outgoing(Gluing_map::Vertex{v}, mesh, [&](Gluing_map::Halfedge) { ++reached; });
     result[v] = reached != corners[v] ? 1 : 0;
   }
   return result;
@@ -237,8 +239,8 @@ std::vector<char> flat_vertices(const Corresponding_triangulation& t) {
   const Corresponding_triangulation::Const_session session(t);
   std::vector<char> result(t.mesh().number_of_vertices(), 1);
   for (std::uint32_t v = 0; v < result.size(); ++v)
-    if (t.mesh().halfedge(Vertex{v}).index != Gluing::none)
-      result[v] = is_pinched[v] == 0 && is_flat(t, session, Vertex{v}) ? 1 : 0;
+    if (t.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none)
+      result[v] = is_pinched[v] == 0 && is_flat(t, session, Gluing_map::Vertex{v}) ? 1 : 0;
   return result;
 }
 
@@ -246,11 +248,12 @@ std::vector<char> flat_vertices(const Corresponding_triangulation& t) {
 // at a time. In random order, values follow from each other in few steps.
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
   std::vector<char> are_left = are_removed;
-  std::vector<Vertex> others;
+  std::vector<Gluing_map::Vertex> others;
   std::mt19937 random;
   for (std::uint32_t v = 0; v < are_left.size(); ++v) {
-    if (are_left[v] == 0 || t.mesh().halfedge(Vertex{v}).index == Gluing::none) continue;
-    std::vector<Vertex> cluster = cluster_of(Vertex{v}, t.mesh(), are_left);
+    if (are_left[v] == 0 || t.mesh().halfedge(Gluing_map::Vertex{v}).index == Gluing::none)
+      continue;
+    std::vector<Gluing_map::Vertex> cluster = cluster_of(Gluing_map::Vertex{v}, t.mesh(), are_left);
     std::shuffle(cluster.begin(), cluster.end(), random);
     const std::size_t first_move = t.moves().size();
     while (!cluster.empty() && remove_some(t, cluster)) {

@@ -91,7 +91,7 @@ Interval_nt<false> narrow_area(const Input_metric& input, std::uint32_t f) {
 
 template <FieldNumber FT>
 FT Input_side_values<FT>::squared_length(Face_side s) const {
-  if constexpr (std::is_same_v<FT, internal::Short_ball>)
+  if constexpr (std::is_same_v<FT, Short_ball>)
     if (is_plain_ && !input_.has_excess(s.face))
       if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, (s.slot + 1) % 3))
         return internal::enclosed(internal::long_squared_norm(*u));
@@ -100,7 +100,7 @@ FT Input_side_values<FT>::squared_length(Face_side s) const {
 
 template <FieldNumber FT>
 FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
-  if constexpr (std::is_same_v<FT, internal::Short_ball>)
+  if constexpr (std::is_same_v<FT, Short_ball>)
     if (is_plain_ && !input_.has_excess(f))
       if (const auto u = internal::vector_in_doubles(input_, f, 0, 1),
           v = internal::vector_in_doubles(input_, f, 0, 2);
@@ -111,7 +111,7 @@ FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
                               : input_.squared_quadruple_area<FT>(f);
 }
 
-template class Input_side_values<internal::Short_ball>;
+template class Input_side_values<Short_ball>;
 template class Input_side_values<Long_ball>;
 
 template <FieldNumber FT>
@@ -134,8 +134,8 @@ typename Input_face_intervals<FT>::Face Input_face_intervals<FT>::face(const Inp
 
 template Input_face_intervals<Interval_nt<false>>::Face
 Input_face_intervals<Interval_nt<false>>::face(const Input_metric&, std::uint32_t);
-template Input_face_intervals<internal::Short_ball>::Face
-Input_face_intervals<internal::Short_ball>::face(const Input_metric&, std::uint32_t);
+template Input_face_intervals<Short_ball>::Face
+Input_face_intervals<Short_ball>::face(const Input_metric&, std::uint32_t);
 template Input_face_intervals<Long_ball>::Face
 Input_face_intervals<Long_ball>::face(const Input_metric&, std::uint32_t);
 
