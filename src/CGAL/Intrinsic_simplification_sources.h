@@ -31,9 +31,9 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/Strip_names.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Value_recipes.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.cpp>
-#include <CGAL/Intrinsic_simplification/isometry/flat_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/remove_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Removal_costs.cpp>
@@ -41,6 +41,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/coarse_surface.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/flat_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

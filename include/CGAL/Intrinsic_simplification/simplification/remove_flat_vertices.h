@@ -24,17 +24,17 @@ Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>
 /*!
 \brief removes vertices at which the surface is flat, or the border straight.
 
-With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly: the
-ladder decides, no tolerance. Then the surface stays the same, and the proven stretch differs from 1
+With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly. That is
+decided in integers, on the faces of the input, for all traits: no tolerance. Then the surface stays the same, and the proven stretch differs from 1
 only by the rounding of new lengths. Few vertices of rounded CAD parts are flat; `within` 1e-6
 or so removes the others as `simplify()` does.
-\tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric and a session that
-  compares angles with pi
+\tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric
 \param t the triangulation, Delaunay
 \param within by how much the angles may differ from the straight ones, in radians; not negative
-\param options bounds, and what is kept; `vertices` is ignored if it has no value
+\param options bounds, and what is kept; without a number of vertices, all flat ones go
 \return the coarse surface; its status is `done` if all such vertices are gone
-\throws Invalid_input as `simplify()`, and if `within` is out of range
+\throws Invalid_input as `simplify()`, if `within` is out of range, or if `t` has neither
+  correspondence nor points
 \complexity O(n log n) for n vertices of bounded degree
 */
 template <NumberedTriangulation Triangulation>

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.h>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.h>
+#include <CGAL/Intrinsic_simplification/simplification/flat_vertices.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/as_gluing.h>
@@ -114,10 +115,10 @@ void expect_convex(const Input& surface, const Metric_triangles& t,
 // What removed vertices lose if they have curvature, more than rounding: a vertex with the
 // curvature c may be higher than its face by the square root of c, times the diameter.
 double lost_curvature(const Metric_triangles& t, const std::vector<double>& curvature,
-                      const std::vector<double>& rounding) {
+                      const std::vector<double>& rounding, const std::vector<char>& is_flat) {
   double lost = 0;
   for (const Removed_vertex& r : t.removed())
-    if (std::abs(curvature[r.vertex]) > 4 * rounding[r.vertex])
+    if (is_flat[r.vertex] == 0 && std::abs(curvature[r.vertex]) > 4 * rounding[r.vertex])
       lost += std::abs(curvature[r.vertex]);
   return lost;
 }
@@ -196,8 +197,11 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   expect_sphere(surface);
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);
-  const std::vector<double> flat = flat_curvatures(t, options.flat_within);
+  const std::vector<char> is_flat = flat_vertices(surface);
   const std::vector<double> rounding = flat_curvatures(t, 0), curvature = t.curvatures();
+  std::vector<double> flat = flat_curvatures(t, options.flat_within);
+  for (std::uint32_t v = 0; v < flat.size(); ++v)
+    if (is_flat[v] != 0) flat[v] = std::max(flat[v], std::abs(curvature[v]));
   flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
   expect_convex(surface, t, flat);
   Convex_polyhedron result;
@@ -209,7 +213,7 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   const Polyhedron_search found = find_points(t, options, result);
   if (found.points.empty()) return result;
   result.largest_error = greatest_error(found.triangles, found.points) / extent_of(found.points);
-  if (const double lost = lost_curvature(t, curvature, rounding); lost > 0) {
+  if (const double lost = lost_curvature(t, curvature, rounding, is_flat); lost > 0) {
     Convexity_certificate& c = result.certificate;
     c.is_proven = false;
     c.within = std::max(c.within, std::sqrt(lost) * extent_of(found.points));

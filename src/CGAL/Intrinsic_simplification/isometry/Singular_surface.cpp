@@ -5,7 +5,8 @@
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
-#include <CGAL/Intrinsic_simplification/isometry/flat_vertices.h>
+#include <CGAL/Intrinsic_simplification/isometry/remove_vertices.h>
+#include <CGAL/Intrinsic_simplification/simplification/flat_vertices.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
@@ -26,6 +27,16 @@ namespace {
 Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t) {
   flip_to_delaunay(t);
   return t;
+}
+
+// Whether the surface is the same without the vertex. Moves do not change angles at vertices, and
+// inserted ones are in faces or on edges of the input.
+std::vector<char> flat_or_isolated_vertices(const Corresponding_triangulation& t) {
+  const std::vector<char> is_flat = flat_vertices(t.input());
+  std::vector<char> result(t.mesh().number_of_vertices(), 1);
+  for (std::uint32_t v = 0; v < is_flat.size(); ++v)
+    if (t.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none) result[v] = is_flat[v];
+  return result;
 }
 
 // Numbers sets of vertices that are joined by edges.
@@ -64,7 +75,7 @@ Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_v
     : delaunay_(flipped_to_delaunay(std::move(t))), moved_(delaunay_) {
   try {
     if (vertices == Tessellation_vertices::not_flat) {
-      std::vector<char> are_removed = flat_vertices(delaunay_);
+      std::vector<char> are_removed = flat_or_isolated_vertices(delaunay_);
       choose_vertices(are_removed);
       remove_vertices(moved_, are_removed);
     }

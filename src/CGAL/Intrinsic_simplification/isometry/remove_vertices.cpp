@@ -4,24 +4,18 @@
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
-#include <CGAL/Intrinsic_simplification/isometry/flat_vertices.h>
+#include <CGAL/Intrinsic_simplification/isometry/remove_vertices.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
-#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
-#include <CGAL/Intrinsic_triangulations/metric/wedge_angle.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -32,56 +26,6 @@ namespace {
 
 bool is_on_border(const Gluing_map& mesh, Gluing_map::Vertex v) {
   return mesh.face(mesh.halfedge(v)).index == Gluing::none;
-}
-
-// A sum of angles, and a bound of its error.
-struct Angle_enclosure {
-  double sum = 0, error = 0;
-
-  // \param p, a the angle is that of p + i a
-  void add(const Interval_nt<false>& p, const Interval_nt<false>& a) {
-    const double x = (p.inf() + p.sup()) / 2, y = (a.inf() + a.sup()) / 2;
-    const double radius = (p.sup() - p.inf()) + (a.sup() - a.inf()), size = std::hypot(x, y);
-    sum += std::atan2(y, x);
-    error += radius < size / 2 ? 2 * radius / size + 1e-12 : 100;
-  }
-};
-
-// Whether the sines of all corners at a vertex show that their angles sum to so many half turns.
-// The sine of the sum is zero iff that is a multiple of pi. Which one follows from the signs of the
-// sines of the sums before: each corner adds less than pi.
-template <class Sine>
-bool is_sum_of_half_turns(std::size_t corners, std::size_t needed, const Sine& sine) {
-  std::size_t count = 0;
-  for (std::size_t m = 2; m < corners && count <= needed; ++m) {
-    const Sign s = sine(m);
-    if (s == ZERO || (s == NEGATIVE) != (count % 2 == 1)) ++count;
-  }
-  return count + 1 == needed && sine(corners) == ZERO;
-}
-
-bool is_flat(const Corresponding_triangulation& t,
-             const Corresponding_triangulation::Const_session&, Gluing_map::Vertex v) {
-  const Gluing_map& mesh = t.mesh();
-  Wedge wedge;
-  Angle_enclosure angle;
-  for_each_outgoing(v, mesh, [&](Gluing_map::Halfedge h) {
-    if (mesh.face(h).index == Gluing::none) return;
-    const Gluing_map::Halfedge n = mesh.next(h), l = mesh.next(n);
-    const Indexed_face f{mesh.face(h).index, {h.index / 2, n.index / 2, l.index / 2}};
-    wedge.add(f, approximate_values(t.metric(), f));
-    const auto length = [&](std::size_t k) { return t.metric().squared_length(f.edges[k]); };
-    angle.add(length(0) + length(2) - length(1), t.metric().quadruple_area(f.face));
-  });
-  const std::size_t corners = wedge.faces.size(), needed = is_on_border(mesh, v) ? 1 : 2;
-  if (corners < 2) return corners == 0;
-  const auto sine = [&](std::size_t m) {
-    return t.sign(wedge.all_faces().first(m), Wedge_sine_expression{wedge.all_scales().first(m)});
-  };
-  // intervals tell most vertices from flat ones, and which multiple of pi is near
-  if (angle.error > 0.5) return is_sum_of_half_turns(corners, needed, sine);
-  const double difference = std::abs(angle.sum - static_cast<double>(needed) * std::numbers::pi);
-  return difference <= angle.error && sine(corners) == ZERO;
 }
 
 // Flips edges away from one vertex, and removes it.
@@ -219,30 +163,6 @@ bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertic
 }
 
 } // namespace
-
-std::vector<char> pinched_vertices(const Gluing_map& mesh) {
-  std::vector<std::uint32_t> corners(mesh.number_of_vertices(), 0);
-  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
-    ++corners[mesh.source(Gluing_map::Halfedge{h}).index];
-  std::vector<char> result(corners.size(), 0);
-  for (std::uint32_t v = 0; v < result.size(); ++v) {
-    if (corners[v] == 0) continue;
-    std::uint32_t reached = 0;
-    for_each_outgoing(Gluing_map::Vertex{v}, mesh, [&](Gluing_map::Halfedge) { ++reached; });
-    result[v] = reached != corners[v] ? 1 : 0;
-  }
-  return result;
-}
-
-std::vector<char> flat_vertices(const Corresponding_triangulation& t) {
-  const std::vector<char> is_pinched = pinched_vertices(t.mesh());
-  const Corresponding_triangulation::Const_session session(t);
-  std::vector<char> result(t.mesh().number_of_vertices(), 1);
-  for (std::uint32_t v = 0; v < result.size(); ++v)
-    if (t.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none)
-      result[v] = is_pinched[v] == 0 && is_flat(t, session, Gluing_map::Vertex{v}) ? 1 : 0;
-  return result;
-}
 
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.

@@ -1,24 +1,14 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_FLAT_VERTICES_H
-#define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_FLAT_VERTICES_H
-
-#include <CGAL/Corresponding_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_REMOVE_VERTICES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_REMOVE_VERTICES_H
 
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 class Moved_triangulation;
-
-// For each vertex, whether several fans of faces meet there.
-std::vector<char> pinched_vertices(const Gluing_map& mesh);
-
-// For each vertex, whether its angles sum to exactly two pi, or pi on the
-// border. Isolated vertices count as flat, pinched ones never.
-std::vector<char> flat_vertices(const Corresponding_triangulation& t);
 
 /*
 Removes vertices by flips until they have three edges, or one inner edge on the
@@ -35,4 +25,4 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_FLAT_VERTICES_H
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_REMOVE_VERTICES_H
