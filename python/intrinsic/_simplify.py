@@ -59,8 +59,8 @@ class _Simplification:
                 returns its cost. A vertex whose cost is not finite stays.
             progress: see `delaunay()`.
         """
-        return _simplified(self, _wanted(vertices, self.number_of_vertices), stretch, None, keep,
-                           cost, progress)
+        [found] = _simplified(self, _wanted(vertices), None, stretch, None, keep, cost, progress)
+        return found
 
     def remove_flat_vertices(self, within: float = 0, *, keep: ArrayLike | None = None,
                              progress: Progress = None) -> CoarseSurface:
@@ -75,34 +75,33 @@ class _Simplification:
             keep, progress: see `simplify()`.
         """
         within = _options.number(within, "within")
-        return _simplified(self, None, None, within, keep, "stretch", progress)
+        [found] = _simplified(self, (None, None), None, None, within, keep, "stretch", progress)
+        return found
 
-    def hierarchy(self, levels: int = 3, *, ratio: float = .25,
+    def hierarchy(self, levels: int = 3, *, ratio: float = .25, keep: ArrayLike | None = None,
                   progress: Progress = None) -> list[CoarseSurface]:
-        """Returns coarser and coarser surfaces, each of the one before.
+        """Returns coarser and coarser surfaces, in one run of `simplify()`.
+
+        The vertices of a level are among those of the levels before. `kept`, `fine_places`,
+        `stretch` and `prolongation` of each level are about this surface. The matrix from level b to
+        the level a before it is `b.prolongation[a.kept]`.
 
         Parameters:
             levels: how many at most; fewer where no other vertex can be removed.
             ratio: the part of the vertices that stays at each level.
+            keep: what stays at all levels, see `simplify()`.
             progress: see `delaunay()`.
         """
         levels = _arrays.whole(levels, "levels", least=0)
         ratio = _arrays.number(ratio, "ratio", "a number between 0 and 1", lambda x: 0 < x < 1)
-        found: list[CoarseSurface] = []
-        finer: Any = self
-        while len(found) < levels:
-            wanted = max(1, int(ratio * finer.number_of_vertices))
-            next_one = finer.simplify(wanted, progress=progress)
-            if next_one.number_of_vertices == finer.number_of_vertices:
-                break
-            finer = next_one
-            found.append(finer)
-        return found
+        return _simplified(self, (None, None), (levels, ratio), None, None, keep, "stretch",
+                           progress)
 
 
-def _wanted(vertices, count):
+def _wanted(vertices):
+    """Returns a number of vertices, and a part of them: at least one is None."""
     if vertices is None:
-        return None
+        return None, None
     remedy = "a number of vertices, or a part such as \"10%\""
     if isinstance(vertices, str):
         try:
@@ -111,8 +110,8 @@ def _wanted(vertices, count):
             part = np.nan
         if not 0 < part <= 1:
             raise ValueError(f"vertices is {vertices!r}; give {remedy}")
-        return max(1, int(part * count))
-    return _arrays.whole(vertices, "vertices", remedy, least=1)
+        return None, part
+    return _arrays.whole(vertices, "vertices", remedy, least=1), None
 
 
 def _split(keep, count):
@@ -152,7 +151,7 @@ def _cost(cost):
     return "stretch", of_candidate
 
 
-def _simplified(surface, wanted, stretch, within, keep, cost, progress):
+def _simplified(surface, wanted, levels, stretch, within, keep, cost, progress):
     from ._coarse import CoarseSurface
 
     if stretch is not None:
@@ -162,7 +161,7 @@ def _simplified(surface, wanted, stretch, within, keep, cost, progress):
     fine = surface._flipped() if keep is None or len(vertices) else _core.delaunay(
         surface._core, ends, angle, None)
     positions = None if fine.points is None else _core.positions(fine)
-    core, found = _core.simplify(
-        fine, wanted, np.inf if stretch is None else stretch, within,
+    found = _core.simplify(
+        fine, *wanted, levels, np.inf if stretch is None else stretch, within,
         word, own, vertices, ends, angle, positions, progress)
-    return CoarseSurface._of_simplification(core, found)
+    return [CoarseSurface._of_simplification(core, facts) for core, facts in found]

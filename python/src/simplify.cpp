@@ -6,6 +6,7 @@
 #include "kept_edges.h"
 
 #include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
+#include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
@@ -98,15 +99,18 @@ std::shared_ptr<Surface> coarse_surface(const Surface& fine, const IT::Simplific
   return result;
 }
 
+// \param levels with the ratio between them: a hierarchy; else one surface
 // \param flat_within only vertices that are so flat are removed; none: others, too
-py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stretch,
-                   std::optional<double> flat_within, const std::string& order,
-                   const py::object& cost, const Integers& kept_vertices,
-                   const std::optional<Integers>& keep, std::optional<double> sharp_angle,
-                   const std::optional<Doubles>& positions, Watch& watch) {
+py::list simplify(Surface& s, std::optional<std::size_t> vertices, std::optional<double> part,
+                  std::optional<std::pair<std::size_t, double>> levels, double stretch,
+                  std::optional<double> flat_within, const std::string& order,
+                  const py::object& cost, const Integers& kept_vertices,
+                  const std::optional<Integers>& keep, std::optional<double> sharp_angle,
+                  const std::optional<Doubles>& positions, Watch& watch) {
   const Kept kept_edges = kept(s, keep, sharp_angle);
   IT::Simplify_options options;
   options.vertices = vertices;
+  options.part = part;
   options.stretch = stretch;
   options.order = order_of(order);
   if (!cost.is_none())
@@ -116,15 +120,21 @@ py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stret
     return watch("simplifying", p.removed, p.removed + p.left);
   };
   const std::vector<Point> points = positions ? points_of(*positions) : std::vector<Point>();
-  const IT::Simplification found = with_triangulation(s, watch, [&](auto& t) {
+  const auto found = with_triangulation(s, watch, [&](auto& t) {
     const auto labels = IT::labelled_input_edges(t, marks_of(t.input(), kept_edges));
     for (const auto e : edges(t.mesh()))
       if (get(labels, e)) options.kept_edges.push_back(t.index(e));
-    return flat_within ? IT::remove_flat_vertices(t, *flat_within, options)
-                       : IT::simplify(t, options);
+    if (levels) return IT::hierarchy(t, levels->first, levels->second, options);
+    std::vector<IT::Simplification> one;
+    one.push_back(flat_within ? IT::remove_flat_vertices(t, *flat_within, options)
+                              : IT::simplify(t, options));
+    return one;
   });
-  return py::make_tuple(coarse_surface(s, found, points, s.triangulation.index() == 0),
-                        dict_of_simplification(found));
+  py::list result;
+  for (const IT::Simplification& f : found)
+    result.append(py::make_tuple(coarse_surface(s, f, points, s.triangulation.index() == 0),
+                                 dict_of_simplification(f)));
+  return result;
 }
 
 } // namespace

@@ -92,8 +92,16 @@ class Coarse(unittest.TestCase):
         levels = s.hierarchy(3)
         sizes = [640, *(t.number_of_vertices for t in levels)]
         self.assertEqual(sizes, [640, 160, 40, 10])
-        for finer, t in zip(sizes, levels):
-            self.assertEqual(t.prolongation.shape, (finer, t.number_of_vertices))
+        for t in levels:
+            self.assertEqual(t.prolongation.shape, (640, t.number_of_vertices))
+            np.testing.assert_array_equal(t.kept, s.simplify(t.number_of_vertices).kept)
+        for finer, t in zip(levels, levels[1:]):
+            step = t.prolongation[finer.kept]
+            self.assertEqual(step.shape, (finer.number_of_vertices, t.number_of_vertices))
+            product = finer.prolongation @ step
+            self.assertEqual(abs(product - t.prolongation)[finer.kept].max(), 0)
+        for t in s.hierarchy(2, keep=[3, 99]):
+            self.assertLessEqual({3, 99}, set(t.kept))
 
     def test_it_is_a_surface_as_any_other(self):
         t = it.Surface(*torus()).simplify(60)

@@ -123,6 +123,18 @@ class Simplify(Cli_test):
         self.assertEqual(run.code, 0, run.err)
         self.assertIn("cover", run.err)
 
+    def test_parts_of_covers_count_copies_as_the_default_does(self):
+        points, faces = grid(8)
+        points += [(i + .5, 4, 1) for i in range(8)]  # a third face at each edge of a line
+        faces += [(9 * i + 4, 9 * i + 13, 81 + i) for i in range(8)]
+        mesh = self.write_off("g.off", points, faces)
+        default = self.stats("simplify", mesh)["simplify"]
+        tenth = self.stats("simplify", mesh, "--vertices", "10%")["simplify"]
+        self.assertEqual(default["vertices"], tenth["vertices"])
+        self.assertEqual(default["removed"], tenth["removed"])
+        half = self.stats("simplify", mesh, "--vertices", "50%")["simplify"]
+        self.assertAlmostEqual(half["vertices"] / (half["vertices"] + half["removed"]), .5, delta=.02)
+
     def test_bad_options_are_refused(self):
         mesh = self.write_off("s.off", *icosphere(1))
         for options in (["--vertices", "x"], ["--vertices", "0"], ["--vertices", "200%"],

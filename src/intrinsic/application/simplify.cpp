@@ -30,10 +30,12 @@ namespace {
 // ---- What is asked for -------------------------------------------------------------------------
 
 // A number of vertices, or a percentage of all.
-std::size_t wanted_vertices(const std::string& word, std::size_t all) {
-  if (word.back() != '%') return std::stoul(word);
-  return std::max<std::size_t>(
-      1, static_cast<std::size_t>(std::stod(word) / 100 * static_cast<double>(all)));
+void ask_for_vertices(const std::string& word, IT::Simplify_options& asked) {
+  if (word.empty()) return;
+  if (word.back() == '%')
+    asked.part = std::stod(word) / 100;
+  else
+    asked.vertices = std::stoul(word);
 }
 
 std::vector<std::uint32_t> listed_vertices(const Options& options, std::uint32_t vertices) {
@@ -53,8 +55,7 @@ IT::Simplify_options asked_options(const Loaded<Triangulation>& loaded, const Op
   const Triangulation& t = loaded.triangulation;
   IT::Simplify_options asked;
   const Simplify_command& given = options.simplify;
-  if (!given.vertices.empty())
-    asked.vertices = wanted_vertices(given.vertices, t.number_of_vertices());
+  ask_for_vertices(given.vertices, asked);
   if (given.stretch) asked.stretch = *given.stretch;
   asked.order = given.cost == "curvature" ? IT::Removal_cost::curvature
                 : given.cost == "area"    ? IT::Removal_cost::area

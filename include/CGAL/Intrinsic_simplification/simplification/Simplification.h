@@ -41,9 +41,12 @@ struct Simplify_progress {
 
 /// What `simplify()` is asked for. It stops at what is reached first.
 struct Simplify_options {
-  /// How many vertices are wanted; nothing: as few as possible. With neither this nor another bound
-  /// below, a tenth of the vertices is wanted.
+  /// How many vertices are wanted; nothing: as few as possible. On a cover, each copy of a vertex
+  /// counts.
   std::optional<std::size_t> vertices;
+  /// The same as a part of the vertices that have faces, above 0 and at most 1: at least one vertex.
+  /// With neither this nor another bound, a tenth is wanted.
+  std::optional<double> part;
   /// No length of a curve is multiplied by more than this, or by less than its inverse; at least 1.
   /// A vertex whose removal would break this stays.
   double stretch = std::numeric_limits<double>::infinity();

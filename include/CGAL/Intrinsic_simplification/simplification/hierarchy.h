@@ -4,9 +4,8 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_HIERARCHY_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_HIERARCHY_H
 
-#include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
-#include <CGAL/Intrinsic_simplification/simplification/simplify.h>
-#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_triangulation.h>
+#include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
+#include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstddef>
@@ -14,38 +13,35 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// \throws Invalid_input if an option is out of range
+std::vector<Simplification> hierarchy(const Fine_surface& fine, std::size_t levels, double ratio,
+                                      const Simplify_options& options);
+
+} // namespace internal
+
 /*!
-\brief makes coarser and coarser surfaces, each of the one before.
+\brief makes coarser and coarser surfaces, in one run of `simplify()`.
+
+Each level is what `simplify()` gives for its number of vertices, and the next one goes on from it:
+the vertices of a level are among those of the levels before, and what is kept stays at all levels.
+Each element says where the vertices of `t` are, and how far it is stretched from `t`. Vertices of
+one level are on the next one where `prolongation(finer, coarser)` says.
 \tparam Triangulation see `simplify()`
 \param t the triangulation, Delaunay
 \param levels how many at most
-\param ratio the part of the vertices that stays at each level, below 1
-\param options bounds and costs of each level; `vertices` is replaced, and what is kept refers to
-  `t`
-\return the coarse surfaces, the finest first; fewer where no other vertex can be removed. The
-  matrix from level i + 1 to i is `prolongation()` of element i + 1, where level 0 is `t`
-\throws Invalid_input as `simplify()`
+\param ratio the part of the vertices that stays at each level, between 0 and 1
+\param options bounds, costs, and what is kept, at all levels; numbers of vertices are ignored
+\return the coarse surfaces, the finest first; fewer where no other vertex can be removed, or it was
+  cancelled
+\throws Invalid_input as `simplify()`, and if the ratio is out of range
+\complexity that of `simplify()`, and linear in the fine surface for each level
 */
 template <NumberedTriangulation Triangulation>
 std::vector<Simplification> hierarchy(const Triangulation& t, std::size_t levels,
-                                      double ratio = 0.25, Simplify_options options = {}) {
-  std::vector<Simplification> result;
-  const auto wanted = [ratio](std::size_t n) {
-    return static_cast<std::size_t>(ratio * static_cast<double>(n));
-  };
-  options.vertices = wanted(t.number_of_vertices());
-  while (result.size() < levels) {
-    Simplification next = result.empty()
-                              ? simplify(t, options)
-                              : simplify(delaunay_triangulation(result.back().surface), options);
-    if (next.removed == 0) break;
-    options.vertices = wanted(next.kept.size());
-    options.kept_vertices.clear();
-    options.kept_edges.clear();
-    result.push_back(std::move(next));
-    if (result.back().status != Status::done) break;
-  }
-  return result;
+                                      double ratio = 0.25, const Simplify_options& options = {}) {
+  return internal::hierarchy(internal::fine_surface(t), levels, ratio, options);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

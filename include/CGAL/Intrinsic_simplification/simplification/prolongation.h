@@ -20,6 +20,20 @@ the coarse faces.
 */
 Eigen::SparseMatrix<double> prolongation(const Simplification& s);
 
+/*!
+\brief returns the matrix that takes functions from the vertices of one coarse surface to those of a
+finer one of the same run, see `hierarchy()`.
+
+It contains the rows of `prolongation(coarser)` of the vertices that the finer surface has: so
+`prolongation(finer) * prolongation(finer, coarser)` equals `prolongation(coarser)` in these rows.
+In others it is linear in the faces of the finer surface in place of those of the coarser one.
+\param finer, coarser elements of what `hierarchy()` returns
+\return the vertices of the finer by those of the coarser surface
+\complexity linear
+*/
+Eigen::SparseMatrix<double> prolongation(const Simplification& finer,
+                                         const Simplification& coarser);
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_PROLONGATION_H

@@ -8,10 +8,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
+
+// Above what proofs add to the spread of flat faces, and far below any that users can ask for: it
+// is no reason to try another vertex first.
+constexpr double negligible_spread = 1e-9;
 
 // Sums of angles this near to a flat one are flat up to rounding.
 double angle_tolerance(const Vertex_star& star) {
@@ -64,43 +69,73 @@ void Simplifier::mark_kept(const std::vector<char>& may_go) {
     }
 }
 
-// A closed component of genus g keeps more vertices than its Euler characteristic, 2 - 2g: with
-// fewer no angles would be left for them.
+// By Gauss and Bonnet, curvatures sum to 2 pi times the Euler characteristic of a component. They are
+// below 2 pi inside and below pi on the border: twice the vertices inside and those on the border
+// are more than twice the characteristic. A loop of the border needs a vertex, too.
 void Simplifier::count_components() {
   const Gluing& g = fine_.gluing;
   component_ = joined_sets(g.number_of_vertices, [&](const auto& join) {
     for (std::uint32_t h = 0; h < g.origin.size(); ++h) join(g.origin[h], g.origin[g.next(h)]);
   });
-  left_.assign(fate_.size(), 0);
-  least_.assign(fate_.size(), 1);
-  std::vector<std::ptrdiff_t> twice_euler(fate_.size(), 0);
-  std::vector<char> has_border(fate_.size(), 0);
-  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
-    ++left_[component_[v]];
-    twice_euler[component_[v]] += 2;
-  }
+  loop_ = joined_sets(g.number_of_vertices, [&](const auto& join) {
+    for (std::uint32_t h = 0; h < g.origin.size(); ++h)
+      if (g.glue[h] == Gluing::none) join(g.origin[h], g.origin[g.next(h)]);
+  });
+  is_on_border_.assign(fate_.size(), 0);
+  weight_.assign(fate_.size(), 0);
+  least_weight_.assign(fate_.size(), 0);
+  left_on_loop_.assign(fate_.size(), 0);
   for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
-    const std::uint32_t c = component_[g.origin[h]];
-    twice_euler[c] += (h % 3 == 0 ? 2 : 0) - 1;
-    if (g.glue[h] == Gluing::none) has_border[c] = 1;
+    if (g.glue[h] == Gluing::none) is_on_border_[g.origin[h]] = 1;
+    // an edge between two faces has two sides
+    least_weight_[component_[g.origin[h]]] -=
+        (g.glue[h] == Gluing::none ? 2 : 1) - (h % 3 == 0 ? 2 : 0);
   }
-  for (std::uint32_t c = 0; c < fate_.size(); ++c)
-    if (has_border[c] == 0 && twice_euler[c] > 0)
-      least_[c] = static_cast<std::size_t>(twice_euler[c] / 2 + 1);
+  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
+    least_weight_[component_[v]] += 2;
+    weight_[component_[v]] += weight(v);
+    ++left_on_loop_[loop_[v]];
+  }
+  for (std::ptrdiff_t& w : least_weight_) w = std::max<std::ptrdiff_t>(w, 0) + 1;
 }
 
 bool Simplifier::is_last(std::uint32_t v) const {
-  return left_[component_[v]] <= least_[component_[v]];
+  return weight_[component_[v]] - weight(v) < least_weight_[component_[v]] ||
+         (is_on_border_[v] != 0 && left_on_loop_[loop_[v]] == 1);
+}
+
+// Finds what it costs to remove a vertex, and whether that is allowed; its star is in `neighbour_`.
+bool Simplifier::find_cost(std::uint32_t v, double& cost) {
+  neighbour_.find(mesh_, v);
+  cost = costs_.cost(mesh_, neighbour_, v);
+  const bool is_allowed = std::isfinite(cost) && cost <= costs_.bound();
+  fate_[v] = is_allowed ? Fate::open : Fate::bound;
+  is_cost_old_[v] = 0;
+  return is_allowed;
 }
 
 void Simplifier::push(std::uint32_t v) {
   if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
-  neighbour_.find(mesh_, v);
-  const double c = costs_.cost(mesh_, neighbour_, v);
-  const bool is_allowed = std::isfinite(c) && c <= costs_.bound();
-  fate_[v] = is_allowed ? Fate::open : Fate::bound;
-  is_cost_old_[v] = 0;
-  if (is_allowed) queue_.push({c, v});
+  if (double cost = 0; find_cost(v, cost)) queue_.push({cost, v});
+}
+
+// Takes the cheapest vertex out of the queue, or none; its star is in `star_`.
+Simplifier::Entry Simplifier::pop() {
+  while (!queue_.empty()) {
+    Entry e = queue_.top();
+    queue_.pop();
+    if (is_cost_old_[e.vertex] == 0) {
+      star_.find(mesh_, e.vertex);
+      return e;
+    }
+    if (!find_cost(e.vertex, e.cost)) continue;
+    if (queue_.empty() || queue_.top() > e) {
+      std::swap(star_, neighbour_);
+      return e;
+    }
+    queue_.push(e);
+  }
+  return {0, Gluing::none};
 }
 
 // Whether the angles at a bound are not flat yet, or just so.
@@ -142,10 +177,34 @@ double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, do
   return u;
 }
 
-// Multiplies the edges at a vertex by a factor until it is flat; edges are flipped on the way.
+// At a bound, a face becomes straight: its longest side cannot be flipped. If that is on the border,
+// no other face needs its length: it becomes that of a face with a right angle, which allows other
+// factors. Where the border is all around, similar faces would come again for ever.
+bool Simplifier::bend_straight_face(const Vertex_star::Bound& bound, bool grows) {
+  if (bound.face == Gluing::none) return false;
+  const std::uint32_t h = star_.side(bound.face), n = Coarse_mesh::next(h),
+                      l = Coarse_mesh::previous(h);
+  const std::uint32_t longest = !grows ? n : mesh_.length(h) > mesh_.length(l) ? h : l;
+  const auto is_free = [&](std::uint32_t s) {
+    return mesh_.glued(s) == Gluing::none && !mesh_.is_kept_side(s);
+  };
+  if (!is_free(longest)) return false;
+  if (!grows && std::ranges::all_of(star_.sides(), [&](std::uint32_t s) {
+        return mesh_.glued(Coarse_mesh::next(s)) == Gluing::none;
+      }))
+    return false;
+  star_.scale(mesh_, bound.factor);
+  mesh_.change(h / 3);
+  mesh_.set_length(longest, mesh_.length(Coarse_mesh::next(longest)) +
+                                mesh_.length(Coarse_mesh::previous(longest)));
+  return true;
+}
+
+// Multiplies the edges at a vertex, whose star is known, by a factor until it is flat; edges are
+// flipped on the way.
 Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   for (std::size_t events = 0; events < 1000; ++events) {
-    if (!star_.find(mesh_, v)) return Fate::failed;
+    if (events > 0 && !star_.find(mesh_, v)) return Fate::failed;
     double rest = star_.angles(mesh_, 1).sum - star_.flat_angle();
     if (std::abs(rest) <= angle_tolerance(star_)) return Fate::open;
     const bool grows = rest > 0;
@@ -155,7 +214,10 @@ Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
       star_.scale(mesh_, std::exp(u));
       return Fate::open;
     }
-    if (bound.side == Gluing::none) return Fate::blocked;
+    if (bound.side == Gluing::none) {
+      if (!bend_straight_face(bound, grows)) return Fate::blocked;
+      continue;
+    }
     star_.scale(mesh_, bound.factor);
     if (!mesh_.flip(bound.side)) return Fate::failed;
     ++step_.ptolemy_flips;
@@ -199,7 +261,7 @@ bool Simplifier::lower_degree_in_two(std::uint32_t v) {
 
 // Flips edges until none is from a flat vertex to itself: the degree falls, so that this ends.
 bool Simplifier::open_loops(std::uint32_t v) {
-  while (star_.find(mesh_, v) && !star_.is_proper()) {
+  while (!star_.is_proper() && star_.find(mesh_, v) && !star_.is_proper()) {
     const std::size_t degree = star_.size();
     if (!lower_degree(v) && !lower_degree_in_two(v)) return false;
     ++step_.flips;
@@ -264,17 +326,18 @@ Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   return costs_.are_stretches() && step_.spread > costs_.bound() ? Fate::bound : Fate::removed;
 }
 
+// Removes a vertex whose star is known.
 // \return `open`: it would stretch the surface much more than expected, and others less
 Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
   step_ = {};
-  star_.find(mesh_, v);
   if (has_fixed_loop(v)) return Fate::blocked;
   if (costs_.moves_mass()) costs_.remember(mesh_, star_);
   Fate fate = flatten(v);
   if (fate == Fate::open) fate = replace_star(v);
-  if (fate == Fate::removed && costs_.are_stretches() && step_.spread > 1.25 * expected &&
-      !queue_.empty() && step_.spread > queue_.top().cost)
+  if (fate == Fate::removed && costs_.are_stretches() &&
+      step_.spread > 1.25 * expected + negligible_spread && !queue_.empty() &&
+      step_.spread > queue_.top().cost)
     fate = Fate::open;
   counts_.newton_steps += step_.newton_steps;
   if (fate != Fate::removed) {
@@ -301,16 +364,12 @@ void Simplifier::renew_costs() {
 }
 
 void Simplifier::run(std::size_t wanted) {
-  std::size_t removed = 0, tried = 0;
   status_ = number_left_ <= wanted ? Status::done : Status::stalled;
-  while (number_left_ > wanted && !queue_.empty()) {
-    const auto [expected, v] = queue_.top();
-    queue_.pop();
-    if (is_cost_old_[v] != 0) {
-      push(v);
-      continue;
-    }
-    if (++tried % 256 == 0 && options_.progress && !options_.progress({removed, number_left_})) {
+  while (number_left_ > wanted) {
+    const auto [expected, v] = pop();
+    if (v == Gluing::none) return;
+    if (++number_tried_ % 256 == 0 && options_.progress &&
+        !options_.progress({number_removed_, number_left_})) {
       status_ = Status::cancelled;
       return;
     }
@@ -318,9 +377,10 @@ void Simplifier::run(std::size_t wanted) {
     if (fate_[v] == Fate::open) queue_.push({step_.spread, v});
     if (fate_[v] != Fate::removed) continue;
     --number_left_;
-    --left_[component_[v]];
+    ++number_removed_;
+    weight_[component_[v]] -= weight(v);
+    --left_on_loop_[loop_[v]];
     if (number_left_ <= wanted) status_ = Status::done;
-    ++removed;
     renew_costs();
   }
 }

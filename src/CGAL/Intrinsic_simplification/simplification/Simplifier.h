@@ -26,12 +26,13 @@ public:
   Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
              const Simplify_options& options);
 
-  // Removes vertices until so many are left.
+  // Removes vertices until so many are left; goes on where it has stopped before.
   void run(std::size_t wanted);
+  // Vertices with faces.
+  std::size_t number_left() const { return number_left_; }
 
-  // What has been found, but for its status.
+  // What has been found.
   Simplification take_result() const;
-  Status status() const { return status_; }
 
 private:
   enum class Fate : std::uint8_t { open, removed, stays, blocked, failed, bound };
@@ -49,11 +50,15 @@ private:
 
   void mark_kept(const std::vector<char>& may_go);
   void count_components();
+  std::ptrdiff_t weight(std::uint32_t v) const { return is_on_border_[v] != 0 ? 1 : 2; }
   bool is_last(std::uint32_t v) const;
+  bool find_cost(std::uint32_t v, double& cost);
   void push(std::uint32_t v);
+  Entry pop();
   Fate remove(std::uint32_t v, double expected);
   Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
+  bool bend_straight_face(const Vertex_star::Bound& bound, bool grows);
   bool is_reached(const Vertex_star::Bound& bound, bool grows) const;
   double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
   bool has_fixed_loop(std::uint32_t v) const;
@@ -72,15 +77,17 @@ private:
   const Simplify_options& options_;
   Coarse_mesh mesh_;
   std::vector<Fate> fate_;
-  std::vector<char> is_cost_old_;         // of each vertex in the queue: its star has changed
-  std::vector<std::uint32_t> component_;  // of each vertex
-  std::vector<std::size_t> left_, least_; // vertices of each component; how many must stay
+  std::vector<char> is_cost_old_;               // of each vertex in the queue: its star has changed
+  std::vector<std::uint32_t> component_, loop_; // of each vertex, and of the border
+  std::vector<char> is_on_border_;              // each vertex
+  std::vector<std::ptrdiff_t> weight_, least_weight_; // of the vertices of each component
+  std::vector<std::size_t> left_on_loop_;             // vertices of each loop of the border
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   Vertex_star star_, neighbour_;
   Star_removal removal_;
   Removal_costs costs_;
   std::vector<std::uint32_t> stack_, touched_;
-  std::size_t number_left_ = 0;
+  std::size_t number_left_ = 0, number_removed_ = 0, number_tried_ = 0;
   Counts counts_, step_;
   unsigned most_newton_steps_ = 0;
   Status status_ = Status::done;

@@ -21,15 +21,16 @@ bool Vertex_star::find(const Coarse_mesh& mesh, std::uint32_t v) {
   is_proper_ = true;
   if (first == Gluing::none) return false;
   for (std::uint32_t h = first;;) {
+    const Coarse_face& f = mesh.face(h / 3);
+    const std::uint32_t k = h % 3, n = Gluing::next(k), l = Gluing::next(n);
     sides_.push_back(h);
-    spoke_.push_back(mesh.length(h));
-    rim_.push_back(mesh.length(Coarse_mesh::next(h)));
-    const std::uint32_t last = Coarse_mesh::previous(h);
-    is_proper_ = is_proper_ && mesh.origin(Coarse_mesh::next(h)) != v && mesh.origin(last) != v;
-    h = mesh.glued(last);
+    spoke_.push_back(f.length[k]);
+    rim_.push_back(f.length[n]);
+    is_proper_ = is_proper_ && f.origin[n] != v && f.origin[l] != v;
+    h = f.glue[l];
     if (h == Gluing::none) {
       is_on_border_ = true;
-      spoke_.push_back(mesh.length(last));
+      spoke_.push_back(f.length[l]);
       break;
     }
     if (h == first) break;
@@ -73,7 +74,8 @@ Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
   const std::size_t n = rim_.size();
   for (std::size_t k = 0; k < n; ++k) {
     const double a = spoke_[k], b = spoke_[after(k)], d = std::sqrt(a) - std::sqrt(b);
-    if (d != 0) result.factor = std::min(result.factor, rim_[k] / (d * d));
+    if (d == 0 || !(rim_[k] / (d * d) < result.factor)) continue;
+    result = {rim_[k] / (d * d), Gluing::none, static_cast<std::uint32_t>(k)};
   }
   for (std::size_t k = is_on_border_ ? 1 : 0; k < n; ++k) {
     if (!mesh.is_flippable(sides_[k])) continue;
@@ -95,7 +97,8 @@ Vertex_star::Bound Vertex_star::bound_below(const Coarse_mesh& mesh) const {
   Bound result{0, Gluing::none};
   for (std::size_t k = 0; k < rim_.size(); ++k) {
     const double c = std::sqrt(spoke_[k]) + std::sqrt(spoke_[after(k)]);
-    result.factor = std::max(result.factor, rim_[k] / (c * c));
+    if (rim_[k] / (c * c) > result.factor)
+      result = {rim_[k] / (c * c), Gluing::none, static_cast<std::uint32_t>(k)};
   }
   for (std::size_t k = 0; k < rim_.size(); ++k) {
     const std::uint32_t h = Coarse_mesh::next(sides_[k]);

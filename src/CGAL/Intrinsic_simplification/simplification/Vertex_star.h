@@ -26,6 +26,8 @@ public:
   struct Bound {
     double factor;
     std::uint32_t side; // of the edge; none: a face
+    std::uint32_t face =
+        Gluing::none; // its number in the star, if there is no edge and it is known
   };
 
   // Finds the faces. Returns whether there are any.

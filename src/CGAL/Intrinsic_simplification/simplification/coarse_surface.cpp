@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
+#include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -83,6 +84,22 @@ void expect_range(const Simplify_options& options) {
   if (!(options.stretch >= 1))
     throw Invalid_input(Element_kind::none, 0,
                         "the stretch is at least 1, not " + std::to_string(options.stretch));
+  if (options.part && !(*options.part > 0 && *options.part <= 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the part of the vertices that is wanted is above 0 and at most 1, not " +
+                            std::to_string(*options.part));
+}
+
+// A part of a number of vertices: one at least.
+std::size_t part_of(double part, std::size_t vertices) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(part * static_cast<double>(vertices)));
+}
+
+// How many vertices are wanted, if none of the bounds is reached before.
+std::size_t wanted_vertices(const Simplify_options& options, std::size_t vertices) {
+  const bool is_bounded = std::isfinite(options.stretch) || std::isfinite(options.cost);
+  const double part = options.part.value_or(options.vertices || is_bounded ? 0 : 0.1);
+  return std::max(options.vertices.value_or(0), part > 0 ? part_of(part, vertices) : 0);
 }
 
 } // namespace
@@ -139,7 +156,7 @@ Simplification Simplifier::take_result() const {
   write_surface(s, vertex, face);
   write_places(s, vertex, face);
   const auto count = [&](Fate f) { return static_cast<std::size_t>(std::ranges::count(fate_, f)); };
-  s.removed = count(Fate::removed);
+  s.removed = number_removed_;
   s.blocked_by_border = count(Fate::blocked);
   s.not_flattened = count(Fate::failed);
   s.kept_by_bound = count(Fate::bound);
@@ -153,21 +170,38 @@ Simplification Simplifier::take_result() const {
 
 Simplification simplify(const Fine_surface& fine, const Simplify_options& options) {
   expect_range(options);
-  const bool is_bounded = std::isfinite(options.stretch) || std::isfinite(options.cost);
-  const std::size_t wanted =
-      options.vertices.value_or(is_bounded ? 0 : fine.gluing.number_of_vertices / 10);
   Simplifier simplifier(fine, {}, options);
-  simplifier.run(wanted);
+  simplifier.run(wanted_vertices(options, simplifier.number_left()));
   return simplifier.take_result();
+}
+
+std::vector<Simplification> hierarchy(const Fine_surface& fine, std::size_t levels, double ratio,
+                                      const Simplify_options& options) {
+  expect_range(options);
+  if (!(ratio > 0 && ratio < 1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the ratio of the vertices of two levels is above 0 and below 1, not " +
+                            std::to_string(ratio));
+  std::vector<Simplification> result;
+  Simplifier simplifier(fine, {}, options);
+  while (result.size() < levels) {
+    const std::size_t before = simplifier.number_left();
+    simplifier.run(part_of(ratio, before));
+    if (simplifier.number_left() == before) break;
+    result.push_back(simplifier.take_result());
+    if (result.back().status != Status::done) break;
+  }
+  return result;
 }
 
 Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>& may_go,
                                const Simplify_options& options) {
   expect_range(options);
   Simplifier simplifier(fine, may_go, options);
-  simplifier.run(options.vertices.value_or(0));
+  const bool is_bounded = options.vertices || options.part;
+  simplifier.run(is_bounded ? wanted_vertices(options, simplifier.number_left()) : 0);
   Simplification s = simplifier.take_result();
-  if (s.status == Status::stalled && !options.vertices &&
+  if (s.status == Status::stalled && !is_bounded &&
       s.blocked_by_border + s.not_flattened + s.kept_by_bound == 0)
     s.status = Status::done; // all are gone that may go
   return s;
