@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
@@ -152,6 +153,141 @@ TEST(Simplify, stops_where_the_stretch_would_leave_its_bound) {
   }
 }
 
+// The same surface with vertex v named `name[v]`, faces in another order, and moved points.
+template <class Move>
+Shape renamed(const Shape& shape, const std::vector<std::uint32_t>& name, const Move& move) {
+  Shape result;
+  result.points.resize(shape.points.size());
+  for (std::uint32_t v = 0; v < name.size(); ++v) result.points[name[v]] = move(shape.points[v]);
+  for (auto t = shape.triangles.rbegin(); t != shape.triangles.rend(); ++t)
+    result.triangles.push_back({name[(*t)[1]], name[(*t)[2]], name[(*t)[0]]});
+  return result;
+}
+
+// Up to rounding, since costs order the vertices; this surface has no ties.
+TEST(Simplify, gives_the_same_for_turned_renumbered_and_scaled_surfaces) {
+  const Shape shape = rough_torus(14, .3, 5);
+  const auto n = static_cast<std::uint32_t>(shape.points.size());
+  const auto place = [](const std::array<double, 3>& p) { return p; };
+  const auto turned = [](const std::array<double, 3>& p) {
+    return std::array<double, 3>{.6 * p[0] - .8 * p[1], .8 * p[0] + .6 * p[1], p[2]};
+  };
+  const auto large = [&](const std::array<double, 3>& p) {
+    return std::array<double, 3>{3e20 * p[0], 3e20 * p[1], 3e20 * p[2]};
+  };
+  std::vector<std::uint32_t> same(n), other(n);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    same[v] = v;
+    other[v] = (v * 101 + 7) % n; // 101 and n = 196 have no common divisor
+  }
+  const IT::Simplification first = IT::simplify(delaunay(shape), to(20));
+  const auto expect_same = [&](const Shape& s, const std::vector<std::uint32_t>& name,
+                               double scale) {
+    const IT::Simplification found = IT::simplify(delaunay(s), to(20));
+    std::vector<std::uint32_t> names;
+    for (const std::uint32_t v : first.kept) names.push_back(name[v]);
+    std::vector<std::uint32_t> kept = found.kept;
+    std::ranges::sort(names);
+    std::ranges::sort(kept);
+    EXPECT_EQ(kept, names);
+    EXPECT_NEAR(found.stretch.lower, first.stretch.lower, 1e-7);
+    EXPECT_NEAR(found.stretch.upper, first.stretch.upper, 1e-7);
+    EXPECT_NEAR(found.stretch.mean_upper, first.stretch.mean_upper, 1e-7);
+    std::vector<double> a = first.surface.squared_lengths, b = found.surface.squared_lengths;
+    std::ranges::sort(a);
+    std::ranges::sort(b);
+    for (std::size_t e = 0; e < a.size(); ++e) EXPECT_NEAR(b[e] / (a[e] * scale * scale), 1, 1e-7);
+  };
+  expect_same(renamed(shape, other, place), other, 1);
+  expect_same(renamed(shape, same, turned), same, 1);
+  expect_same(renamed(shape, same, large), same, 3e20);
+  expect_same(renamed(shape, other, turned), other, 1);
+}
+
+// Distances from kept vertices to the place of each vertex, on both surfaces by the exact search.
+TEST(Simplify, knows_the_places_of_vertices_that_are_gone) {
+  const auto distances_at = [](const T& coarse, const IT::Simplification& s, std::uint32_t from) {
+    IT::Polyhedral_distance<T> d(coarse);
+    d.search(IT::vertex_of_row(coarse, from));
+    std::vector<double> result;
+    for (const IT::Place& p : s.places)
+      result.push_back(d.distance(IT::point_on_input(coarse.input(), p)));
+    return result;
+  };
+  { // vertices in the sides of a cube, and on its edges: nothing changes
+    const T fine = delaunay(cube_of_grids(4));
+    const IT::Simplification s = IT::remove_flat_vertices(fine);
+    const T coarse(s.surface);
+    IT::Polyhedral_distance<T> on_fine(fine);
+    for (const std::uint32_t c : {0U, 3U, 6U}) {
+      on_fine.search(IT::vertex_of_row(fine, s.kept[c]));
+      const std::vector<double> expected = on_fine.distances(), found = distances_at(coarse, s, c);
+      for (std::size_t v = 0; v < expected.size(); ++v) EXPECT_NEAR(found[v], expected[v], 1e-9);
+    }
+  }
+  const T fine = delaunay(rough_torus(16, .05, 1));
+  IT::Simplify_options options;
+  options.stretch = 1.05;
+  const IT::Simplification s = IT::simplify(fine, options);
+  ASSERT_GT(s.removed, 50U);
+  const T coarse(s.surface);
+  IT::Polyhedral_distance<T> on_fine(fine);
+  for (const std::uint32_t c : {0U, 7U, 20U}) {
+    on_fine.search(IT::vertex_of_row(fine, s.kept[c]));
+    const std::vector<double> expected = on_fine.distances(), found = distances_at(coarse, s, c);
+    for (std::size_t v = 0; v < expected.size(); ++v) {
+      EXPECT_GE(found[v], expected[v] * s.stretch.lower * (1 - 1e-12));
+      EXPECT_LE(found[v], expected[v] * s.stretch.upper * (1 + 1e-12));
+    }
+  }
+}
+
+// Inside disks, two vertices are left: one of them on the border, as Gauss and Bonnet ask for; or
+// three on the border. Border edges take the lengths that let others become flat.
+TEST(Simplify, is_not_blocked_by_borders) {
+  Shape open_cube = cube();
+  std::erase_if(open_cube.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return open_cube.points[v][2] == 1; });
+  });
+  Shape star = grid(6); // with deep bays, whose vertices have angles above pi
+  std::erase_if(star.triangles, [&](const auto& t) {
+    double x = 0, y = 0;
+    for (const std::uint32_t v : t) {
+      x += star.points[v][0] / 3;
+      y += star.points[v][1] / 3;
+    }
+    return (x < 2 && y > 2 && y < 4) || (y < 2 && x > 3 && x < 4) || (x > 4 && y > 3 && y < 4);
+  });
+  for (std::size_t v = 0; v < star.points.size(); ++v)
+    star.points[v][2] = .7 * std::sin(static_cast<double>(7 * v));
+  for (const Shape& shape : {open_cube, star, rough_grid(9, .3, .6, 4)}) {
+    const T fine = delaunay(shape);
+    const IT::Simplification least = IT::simplify(fine, to(1));
+    EXPECT_EQ(least.blocked_by_border, 0U);
+    EXPECT_EQ(least.not_flattened, 0U);
+    EXPECT_LE(least.kept.size(), 3U + (fine.number_of_vertices() - num_vertices(fine.mesh())));
+    for (const std::size_t vertices : {4, 7}) {
+      const IT::Simplification s = IT::simplify(fine, to(vertices));
+      EXPECT_EQ(s.kept.size(), vertices);
+      expect_distances_within(fine, s);
+    }
+  }
+}
+
+TEST(Simplify, takes_a_part_of_the_vertices) {
+  const T fine = delaunay(rough_torus(10, .3, 1));
+  IT::Simplify_options options;
+  EXPECT_EQ(IT::simplify(fine, options).kept.size(), 10U);
+  options.part = .37;
+  EXPECT_EQ(IT::simplify(fine, options).kept.size(), 37U);
+  options.vertices = 50; // the first that is reached
+  EXPECT_EQ(IT::simplify(fine, options).kept.size(), 50U);
+  for (const double part : {0., -1., 1.5, std::numeric_limits<double>::quiet_NaN()}) {
+    options.part = part;
+    EXPECT_THROW(IT::simplify(fine, options), IT::Invalid_input);
+  }
+}
+
 TEST(Simplify, reproduces_linear_functions_on_a_flat_surface) {
   const Shape shape = rough_grid(12, .3, 0, 2);
   const T fine = delaunay(shape);
@@ -280,7 +416,9 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
   };
   IT::Simplification s = IT::simplify(fine, options);
   ASSERT_EQ(s.kept.size(), 100U);
-  EXPECT_LT(std::ranges::max(s.kept), 110U);
+  // but for those whose removal cannot be proven
+  EXPECT_LE(std::ranges::count_if(s.kept, [](std::uint32_t v) { return v >= 110; }),
+            static_cast<std::ptrdiff_t>(s.not_flattened));
   options.vertices = 1;
   s = IT::simplify(fine, options); // in this order some removals cannot be proven
   EXPECT_EQ(s.kept.size(), 50U + s.not_flattened);
@@ -412,17 +550,92 @@ TEST(Remove_flat_vertices, reads_the_input_whatever_was_done_to_the_triangulatio
   EXPECT_THROW(IT::remove_flat_vertices(lengths), IT::Invalid_input);
 }
 
-TEST(Hierarchy, has_a_quarter_of_the_vertices_at_each_level) {
+TEST(Hierarchy, has_the_surfaces_that_simplify_makes) {
+  const T fine = delaunay(rough_torus(16, .2, 3));
+  IT::Simplify_options options;
+  options.kept_vertices = {7, 200};
+  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3, .25, options);
+  ASSERT_EQ(levels.size(), 3U);
+  std::size_t wanted = 256;
+  for (const IT::Simplification& level : levels) {
+    wanted /= 4;
+    options.vertices = wanted;
+    const IT::Simplification alone = IT::simplify(fine, options);
+    EXPECT_EQ(level.kept.size(), wanted);
+    EXPECT_EQ(level.kept, alone.kept);
+    EXPECT_EQ(level.surface.squared_lengths, alone.surface.squared_lengths);
+    EXPECT_EQ(level.stretch.upper, alone.stretch.upper);
+    EXPECT_EQ(level.removed, alone.removed);
+    for (const std::uint32_t v : {7U, 200U}) EXPECT_EQ(std::ranges::count(level.kept, v), 1);
+    expect_surface(fine, level);
+    expect_distances_within(fine, level);
+  }
+}
+
+TEST(Hierarchy, has_prolongations_that_compose) {
   const T fine = delaunay(rough_torus(16, .2, 3));
   const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3);
   ASSERT_EQ(levels.size(), 3U);
-  EXPECT_EQ(levels[0].kept.size(), 64U);
-  EXPECT_EQ(levels[1].kept.size(), 16U);
-  EXPECT_EQ(levels[2].kept.size(), 4U);
-  const Eigen::SparseMatrix<double> p = IT::prolongation(levels[0]) * IT::prolongation(levels[1]);
-  EXPECT_EQ(p.rows(), 256);
-  EXPECT_LT((p * Eigen::VectorXd::Ones(16) - Eigen::VectorXd::Ones(256)).cwiseAbs().maxCoeff(),
-            1e-14);
+  Eigen::SparseMatrix<double> product = IT::prolongation(levels[0]);
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    const Eigen::SparseMatrix<double> step = IT::prolongation(levels[i - 1], levels[i]);
+    ASSERT_EQ(step.rows(), static_cast<Eigen::Index>(levels[i - 1].kept.size()));
+    product = product * step;
+    const Eigen::MatrixXd direct = IT::prolongation(levels[i]), found = product;
+    // a vertex that all levels but the last have has the place there that the last level knows
+    for (const std::uint32_t v : levels[i - 1].kept)
+      EXPECT_EQ((found - direct).row(static_cast<Eigen::Index>(v)).cwiseAbs().maxCoeff(), 0);
+    EXPECT_GE(found.minCoeff(), 0);
+    EXPECT_LT((found.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14);
+  }
+}
+
+// Where the maps are isometries, linear functions stay linear at all levels: the product of the
+// steps takes them to the same as the direct matrix.
+TEST(Hierarchy, takes_linear_functions_through_all_levels) {
+  const Shape shape = rough_grid(20, .3, 0, 2);
+  const T fine = delaunay(shape);
+  IT::Simplify_options options; // the corners of the square stay; other border vertices are flat
+  options.kept_vertices = {0, 20, 420, 440};
+  for (const auto h : halfedges(fine.mesh()))
+    if (CGAL::is_border(h, fine.mesh()))
+      options.kept_vertices.push_back(fine.input_vertex(target(h, fine.mesh())));
+  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3, .6, options);
+  ASSERT_EQ(levels.size(), 3U);
+  const auto function = [&](std::uint32_t v) {
+    return 3 * shape.points[v][0] - 2 * shape.points[v][1] + 1;
+  };
+  const std::vector<std::uint32_t>& last = levels.back().kept;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(last.size()));
+  for (std::size_t c = 0; c < last.size(); ++c)
+    values[static_cast<Eigen::Index>(c)] = function(last[c]);
+  const Eigen::VectorXd direct = IT::prolongation(levels[2]) * values;
+  const Eigen::VectorXd in_steps =
+      IT::prolongation(levels[0]) *
+      (IT::prolongation(levels[0], levels[1]) * (IT::prolongation(levels[1], levels[2]) * values));
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
+    EXPECT_NEAR(direct[static_cast<Eigen::Index>(v)], function(v), 1e-10);
+    EXPECT_NEAR(in_steps[static_cast<Eigen::Index>(v)], function(v), 1e-10);
+  }
+}
+
+TEST(Hierarchy, refuses_ratios_out_of_range_and_stops_when_asked) {
+  const T fine = delaunay(rough_torus(20, .2, 3));
+  for (const double ratio : {0., 1., -1., 2., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(IT::hierarchy(fine, 2, ratio), IT::Invalid_input);
+  EXPECT_TRUE(IT::hierarchy(fine, 0).empty());
+  IT::Simplify_options options;
+  std::size_t calls = 0;
+  options.progress = [&](const IT::Simplify_progress& p) {
+    ++calls;
+    EXPECT_EQ(p.removed + p.left, 400U);
+    return false;
+  };
+  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 9, .5, options);
+  ASSERT_EQ(levels.size(), 2U); // tries are counted through all levels
+  EXPECT_EQ(calls, 1U);
+  EXPECT_EQ(levels[0].status, IT::Status::done);
+  EXPECT_EQ(levels[1].status, IT::Status::cancelled);
 }
 
 } // namespace

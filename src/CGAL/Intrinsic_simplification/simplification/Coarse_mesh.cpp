@@ -86,12 +86,13 @@ std::optional<std::array<Face_forms, 2>> flipped_forms(const Plane_diamond& d,
   const std::array<const Enclosed_form*, 2> above{&f, &g}, below{&f_below, &g_below};
   const Form upper = join(middle_of(f), middle_of(g)),
              lower = meet(middle_of(f_below), middle_of(g_below));
-  const std::array<Plane_triangle, 2> faces{d.new_left(), d.new_right()};
+  const std::array<Measured_triangle, 2> faces{Measured_triangle(d.new_left()),
+                                               Measured_triangle(d.new_right())};
   std::array<Face_forms, 2> result;
   for (const std::size_t k : {0U, 1U}) {
-    const std::optional<Side_values> proven = proven_above(upper, faces[k], above);
+    const std::optional<Proven_form> proven = proven_above(upper, faces[k], above);
     if (!proven) return std::nullopt;
-    result[k] = {*proven, proven_below(lower, faces[k], below)};
+    result[k] = {proven->values, proven_below(lower, faces[k], below).values};
   }
   return result;
 }

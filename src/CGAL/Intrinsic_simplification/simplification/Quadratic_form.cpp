@@ -19,8 +19,6 @@ double value(const Form& m, double x, double y) {
   return m.xx * x * x + 2 * (m.xy * x * y) + m.yy * y * y;
 }
 
-double determinant(const Form& m) { return m.xx * m.yy - m.xy * m.xy; }
-
 Form sum(const Form& a, double c, const Form& b) {
   return {a.xx + c * b.xx, a.xy + c * b.xy, a.yy + c * b.yy};
 }
@@ -105,28 +103,28 @@ bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& up
   return is_nowhere_negative(difference(0), difference(1), difference(2));
 }
 
-std::optional<Side_values> proven_above(const Form& near, const Plane_triangle& p,
+std::optional<Proven_form> proven_above(const Form& near, const Measured_triangle& t,
                                         std::span<const Enclosed_form* const> forms) {
-  const Form_of_sides<Interval> matrix(p);
-  const Side_values q = side_values(near, p);
+  const Side_values q = side_values(near, t.points);
   double margin = first_margin;
   for (int i = 0; i < margins; ++i, margin *= 4) {
     const Side_values larger = times(1 + margin, q);
-    if (is_above_all(matrix(larger), forms)) return larger;
+    const Enclosed_form matrix = t.matrix(larger);
+    if (is_above_all(matrix, forms)) return Proven_form{larger, matrix};
   }
   return std::nullopt;
 }
 
-Side_values proven_below(const Form& near, const Plane_triangle& p,
+Proven_form proven_below(const Form& near, const Measured_triangle& t,
                          std::span<const Enclosed_form* const> forms) {
-  const Form_of_sides<Interval> matrix(p);
-  const Side_values q = side_values(near, p);
+  const Side_values q = side_values(near, t.points);
   double margin = first_margin;
   for (int i = 0; i < margins; ++i, margin *= 4) {
     const Side_values smaller = times(1 / (1 + margin), q);
-    if (is_below_all(matrix(smaller), forms)) return smaller;
+    const Enclosed_form matrix = t.matrix(smaller);
+    if (is_below_all(matrix, forms)) return {smaller, matrix};
   }
-  return {0, 0, 0};
+  return {{0, 0, 0}, {0, 0, 0}};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -44,26 +44,31 @@ using Form = Symmetric_matrix<double>;
 // A matrix that contains the form.
 using Enclosed_form = Symmetric_matrix<Interval>;
 
-// The matrix of the form with values on the sides of a triangle that is known by two of its sides.
+// The matrix of the form with values on the sides of a triangle that is known by two of its sides:
+// each entry is linear in the three values.
 template <class FT>
 class Form_of_sides {
 public:
-  explicit Form_of_sides(const Plane_triangle& p)
-      : x_(FT(p[1].x) - FT(p[0].x)), y_(FT(p[1].y) - FT(p[0].y)), u_(FT(p[2].x) - FT(p[0].x)),
-        w_(FT(p[2].y) - FT(p[0].y)) {
-    const FT d = x_ * w_ - y_ * u_;
-    inverse_ = FT(1) / (d * d);
+  explicit Form_of_sides(const Plane_triangle& p) {
+    const FT x = FT(p[1].x) - FT(p[0].x), y = FT(p[1].y) - FT(p[0].y), u = FT(p[2].x) - FT(p[0].x),
+             w = FT(p[2].y) - FT(p[0].y), d = x * w - y * u, inverse = FT(1) / (d * d);
+    xx_ = {w * (w - y) * inverse, w * y * inverse, y * (y - w) * inverse};
+    yy_ = {u * (u - x) * inverse, u * x * inverse, x * (x - u) * inverse};
+    const FT uw = u * w, xy = x * y, half = (u * y + x * w) * FT(0.5);
+    xy_ = {(half - uw) * inverse, -half * inverse, (half - xy) * inverse};
   }
   Symmetric_matrix<FT> operator()(const Side_values& q) const {
-    const FT a(q[0]), c(q[2]), b = (a + c - FT(q[1])) * FT(0.5);
-    return {(w_ * w_ * a - (w_ + w_) * y_ * b + y_ * y_ * c) * inverse_,
-            ((u_ * y_ + x_ * w_) * b - u_ * w_ * a - x_ * y_ * c) * inverse_,
-            (u_ * u_ * a - (u_ + u_) * x_ * b + x_ * x_ * c) * inverse_};
+    const auto entry = [&](const std::array<FT, 3>& c) {
+      return q[0] * c[0] + q[1] * c[1] + q[2] * c[2];
+    };
+    return {entry(xx_), entry(xy_), entry(yy_)};
   }
 
 private:
-  FT x_, y_, u_, w_, inverse_;
+  std::array<FT, 3> xx_, xy_, yy_; // factors of the values
 };
+
+inline double determinant(const Form& m) { return m.xx * m.yy - m.xy * m.xy; }
 
 inline Form middle_of(const Enclosed_form& m) {
   const auto middle = [](const Interval& i) { return (i.inf() + i.sup()) / 2; };
@@ -92,13 +97,26 @@ bool is_proven_above(const Side_values& upper, const Interval& factor,
 // Certainly the values are those of a form that is nowhere above the other one.
 bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& upper);
 
-// Values on the sides of a triangle, of a form that is proven to be above all given ones; nothing
-// if the triangle has no area in intervals. \param near such a form, up to rounding
-std::optional<Side_values> proven_above(const Form& near, const Plane_triangle& p,
+// A form by its values on the sides of a triangle, and a matrix that contains it.
+struct Proven_form {
+  Side_values values;
+  Enclosed_form matrix;
+};
+
+// A triangle in the plane, and what makes matrices of values on its sides.
+struct Measured_triangle {
+  explicit Measured_triangle(const Plane_triangle& p) : points(p), matrix(p) {}
+  Plane_triangle points;
+  Form_of_sides<Interval> matrix;
+};
+
+// A form that is proven to be above all given ones; nothing if the triangle has no area in
+// intervals. \param near such a form, up to rounding
+std::optional<Proven_form> proven_above(const Form& near, const Measured_triangle& t,
                                         std::span<const Enclosed_form* const> forms);
 
 // A form that is proven to be below all; zero if none is found.
-Side_values proven_below(const Form& near, const Plane_triangle& p,
+Proven_form proven_below(const Form& near, const Measured_triangle& t,
                          std::span<const Enclosed_form* const> forms);
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -52,12 +53,12 @@ void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& sta
     polygon_.push_back(k);
     if (k == star.size()) { // along the border
       polygon_sides_.push_back(
-          {k, Gluing::none, squared_norm(minus(points_[k], points_[0])), false});
+          {k, Gluing::none, Gluing::none, squared_norm(minus(points_[k], points_[0])), false});
       corners_.push_back(mesh.origin(Coarse_mesh::previous(star.side(k - 1))));
       outside_.push_back(Gluing::none);
     } else {
       const std::uint32_t h = Coarse_mesh::next(star.side(k));
-      polygon_sides_.push_back({k, mesh.glued(h), star.rim(k), mesh.is_kept_side(h)});
+      polygon_sides_.push_back({k, Gluing::none, mesh.glued(h), star.rim(k), mesh.is_kept_side(h)});
       corners_.push_back(mesh.origin(h));
       outside_.push_back(mesh.glued(h));
     }
@@ -72,6 +73,8 @@ bool Star_removal::is_ear(std::size_t at) const {
     return cross(minus(points_[q], points_[p]), minus(points_[r], points_[p]));
   };
   if (!is_proven_left_turn(points_[a], points_[b], points_[c])) return false;
+  // about the centre, points are in order: only the tip is between the others
+  if (is_proven_left_turn(points_[a], points_[c], middle_of_star)) return true;
   return std::ranges::none_of(polygon_, [&](std::uint32_t p) {
     return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
            turn(c, a, p) >= 0;
@@ -91,10 +94,6 @@ double Star_removal::ear_rank(std::size_t at) const {
          area;
 }
 
-std::size_t Star_removal::triangle_of(std::uint32_t face) const {
-  return static_cast<std::size_t>(std::ranges::find(new_faces_, face) - new_faces_.begin());
-}
-
 void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
   const std::size_t n = polygon_.size(), before = (at + n - 1) % n, after = (at + 1) % n;
   new_faces_.push_back(face);
@@ -104,31 +103,39 @@ void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
   if (n == 3)
     t.sides[2] = polygon_sides_[after];
   else
-    t.sides[2] = {Gluing::none, Gluing::none, squared_norm(minus(a, c)), false};
+    t.sides[2] = {Gluing::none, Gluing::none, Gluing::none, squared_norm(minus(a, c)), false};
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Rim_side& s = t.sides[k];
     if (s.rim != Gluing::none)
       side_of_rim_[s.rim] = 3 * face + k;
-    else if (s.glued != Gluing::none) // the triangle of the other side comes before this one
-      triangles_[triangle_of(s.glued / 3)].sides[s.glued % 3].glued = 3 * face + k;
+    else if (s.triangle != Gluing::none) // comes before this one
+      triangles_[s.triangle].sides[2].glued = 3 * face + k;
   }
+  polygon_sides_[before] = {Gluing::none, static_cast<std::uint32_t>(triangles_.size()),
+                            3 * face + 2, t.sides[2].length, false};
   triangles_.push_back(t);
-  polygon_sides_[before] = {Gluing::none, 3 * face + 2, t.sides[2].length, false};
   polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(at));
   polygon_sides_.erase(polygon_sides_.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
 bool Star_removal::cut_ears(const Vertex_star& star) {
+  ranks_.clear();
+  for (std::size_t at = 0; at < polygon_.size(); ++at) ranks_.push_back(ear_rank(at));
   while (polygon_.size() >= 3) {
     std::size_t best = polygon_.size();
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t at = 0; at < polygon_.size(); ++at)
-      if (const double rank = ear_rank(at); rank < least && is_ear(at)) {
-        least = rank;
+      if (ranks_[at] < least && is_ear(at)) {
+        least = ranks_[at];
         best = at;
       }
     if (best == polygon_.size()) return false;
     cut_ear(best, star.side(triangles_.size()) / 3);
+    ranks_.erase(ranks_.begin() + static_cast<std::ptrdiff_t>(best));
+    if (polygon_.size() < 3) break;
+    for (const std::size_t at :
+         {best % polygon_.size(), (best + polygon_.size() - 1) % polygon_.size()})
+      ranks_[at] = ear_rank(at);
   }
   return true;
 }
@@ -147,25 +154,63 @@ Plane_triangle Star_removal::new_triangle(const New_triangle& t) const {
   return {points_[t.corners[0]], points_[t.corners[1]], points_[t.corners[2]]};
 }
 
-// Whether no side of either triangle separates them: by proof, or since the triangles share its
-// ends.
-bool Star_removal::may_overlap(const New_triangle& t, std::size_t k) const {
-  constexpr std::uint32_t middle = Gluing::none;
-  const auto at = [&](std::uint32_t i) { return i == middle ? middle_of_star : points_[i]; };
-  const std::array<std::uint32_t, 3> star{middle, static_cast<std::uint32_t>(k),
-                                          static_cast<std::uint32_t>((k + 1) % points_.size())};
-  const auto separates = [&](const std::array<std::uint32_t, 3>& x,
-                             const std::array<std::uint32_t, 3>& y) {
-    for (std::size_t s = 0; s < 3; ++s) {
-      const std::uint32_t p = x[s], q = x[(s + 1) % 3];
-      if (std::ranges::all_of(y, [&](std::uint32_t r) {
-            return r == p || r == q || is_proven_left_turn(at(q), at(p), at(r));
-          }))
-        return true;
-    }
-    return false;
+// The side that certainly has the centre on its right; 3: none has.
+std::uint32_t Star_removal::far_side(const New_triangle& t) const {
+  for (std::uint32_t s = 0; s < 3; ++s)
+    if (is_proven_left_turn(points_[t.corners[(s + 1) % 3]], points_[t.corners[s]], middle_of_star))
+      return s;
+  return 3;
+}
+
+void Star_removal::overlap(const Enclosed_form& above, const Enclosed_form& below) {
+  overlapped_above_.push_back(&above);
+  overlapped_below_.push_back(&below);
+}
+
+// A form about what bounds all of several. Pairs are joined in an order that does not depend on
+// where a star begins: the result does, so that the surface would depend on its numbering.
+template <class Join>
+Form Star_removal::join_all(std::vector<const Enclosed_form*>& forms, const Join& join) {
+  if (forms.size() > 2)
+    std::ranges::sort(forms, {}, [](const Enclosed_form* f) { return determinant(middle_of(*f)); });
+  Form result = middle_of(*forms.front());
+  for (std::size_t i = 1; i < forms.size(); ++i) result = join(result, middle_of(*forms[i]));
+  return result;
+}
+
+// Finds forms that bound those of all faces of the star that a new triangle overlaps. About the
+// centre, the points of the rim are in the order of their numbers. So a triangle with the centre on
+// the right of its side from p to q overlaps the faces from q to p, which are those under its other
+// sides. Where those are new, too, the triangle behind has forms for all: so time is linear.
+void Star_removal::find_overlapped(std::size_t number, const Vertex_star& star) {
+  overlapped_above_.clear();
+  overlapped_below_.clear();
+  const New_triangle& t = triangles_[number];
+  const std::uint32_t far = far_side(t);
+  covers_.push_back(far >= 2 ? 1 : 0);
+  const bool is_last = number + 1 == triangles_.size();
+  const auto is_known = [&](std::uint32_t s) {
+    const Rim_side& side = t.sides[s];
+    return s == far || side.rim != Gluing::none ||
+           (s < 2 || is_last ? covers_[side.triangle] != 0 : false);
   };
-  return !separates(star, t.corners) && !separates(t.corners, star);
+  if (is_known(0) && is_known(1) && is_known(2)) {
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      const Rim_side& side = t.sides[s];
+      if (s == far) continue;
+      if (side.rim == Gluing::none)
+        overlap(above_[side.triangle].matrix, below_[side.triangle].matrix);
+      else if (side.rim < star.size())
+        overlap(old_above_[side.rim], old_below_[side.rim]);
+    }
+    return;
+  }
+  const std::uint32_t to = far == 3 ? 0 : t.corners[far];
+  std::uint32_t k = far == 3 ? 0 : t.corners[(far + 1) % 3];
+  do {
+    if (k < star.size()) overlap(old_above_[k], old_below_[k]);
+    k = k + 1 == points_.size() ? 0 : k + 1;
+  } while (k != to);
 }
 
 bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) {
@@ -174,29 +219,21 @@ bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) 
   old_below_.clear();
   above_.clear();
   below_.clear();
+  covers_.clear();
   for (std::size_t k = 0; k < star.size(); ++k) {
     const Form_of_sides<Interval> matrix(old_triangle(k));
     const Face_forms& f = mesh.forms(star.side(k) / 3);
     old_above_.push_back(matrix(begun_at(f.above, star.side(k))));
     old_below_.push_back(matrix(begun_at(f.below, star.side(k))));
   }
-  for (const New_triangle& t : triangles_) {
-    overlapped_above_.clear();
-    overlapped_below_.clear();
-    Form upper{}, lower{};
-    for (std::size_t k = 0; k < star.size(); ++k) {
-      if (!may_overlap(t, k)) continue;
-      const bool is_first = overlapped_above_.empty();
-      const Form above = middle_of(old_above_[k]), below = middle_of(old_below_[k]);
-      upper = is_first ? above : join(upper, above);
-      lower = is_first ? below : meet(lower, below);
-      overlapped_above_.push_back(&old_above_[k]);
-      overlapped_below_.push_back(&old_below_[k]);
-    }
-    const auto above = proven_above(upper, new_triangle(t), overlapped_above_);
+  for (std::size_t n = 0; n < triangles_.size(); ++n) {
+    find_overlapped(n, star);
+    const Measured_triangle triangle(new_triangle(triangles_[n]));
+    const Form upper = join_all(overlapped_above_, join), lower = join_all(overlapped_below_, meet);
+    const std::optional<Proven_form> above = proven_above(upper, triangle, overlapped_above_);
     if (!above) return false;
     above_.push_back(*above);
-    below_.push_back(proven_below(lower, new_triangle(t), overlapped_below_));
+    below_.push_back(proven_below(lower, triangle, overlapped_below_));
   }
   return true;
 }
@@ -243,7 +280,7 @@ void Star_removal::put_triangles(Coarse_mesh& mesh, std::uint32_t v) {
       f.length[k] = triangles_[i].sides[k].length;
       if (triangles_[i].sides[k].is_kept) mesh.keep_side(3 * new_faces_[i] + k);
     }
-    mesh.change_forms(new_faces_[i]) = {above_[i], below_[i]};
+    mesh.change_forms(new_faces_[i]) = {above_[i].values, below_[i].values};
   }
   glue_sides(mesh);
   mesh.set_outgoing(v, Gluing::none);

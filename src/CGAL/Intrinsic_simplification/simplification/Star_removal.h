@@ -27,9 +27,10 @@ public:
   const std::vector<std::uint32_t>& new_faces() const { return new_faces_; }
 
 private:
-  struct Rim_side {      // of the polygon that is left
-    std::uint32_t rim;   // the number of the rim edge; none: a side of a new triangle
-    std::uint32_t glued; // a side outside, or of a new triangle; none: the border
+  struct Rim_side {         // of the polygon that is left
+    std::uint32_t rim;      // the number of the rim edge; none: a side of a new triangle
+    std::uint32_t triangle; // the number of that
+    std::uint32_t glued;    // a side outside, or of a new triangle; none: the border
     double length;
     bool is_kept;
   };
@@ -41,7 +42,6 @@ private:
   bool lay_out(const Vertex_star& star);
   bool cut_ears(const Vertex_star& star);
   void cut_ear(std::size_t at, std::uint32_t face);
-  std::size_t triangle_of(std::uint32_t face) const;
   bool has_proven_lengths() const;
   bool find_forms(const Coarse_mesh& mesh, const Vertex_star& star);
   void take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
@@ -53,18 +53,24 @@ private:
   void glue_sides(Coarse_mesh& mesh);
   Plane_triangle old_triangle(std::size_t k) const;
   Plane_triangle new_triangle(const New_triangle& t) const;
-  bool may_overlap(const New_triangle& t, std::size_t k) const;
+  std::uint32_t far_side(const New_triangle& t) const;
+  void find_overlapped(std::size_t number, const Vertex_star& star);
+  void overlap(const Enclosed_form& above, const Enclosed_form& below);
+  template <class Join>
+  static Form join_all(std::vector<const Enclosed_form*>& forms, const Join& join);
 
   std::vector<Exact_point> points_;     // of the rim
   std::vector<std::uint32_t> polygon_;  // points that are left
   std::vector<Rim_side> polygon_sides_; // from each of them
+  std::vector<double> ranks_;           // of ears at them
   std::vector<New_triangle> triangles_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<std::uint32_t> side_of_rim_;           // the new side at each rim edge
   std::vector<std::uint32_t> outside_;               // what was glued to each rim edge
   std::vector<std::uint32_t> corners_;               // the vertices of the points
-  std::vector<Side_values> above_, below_;           // of the new triangles
+  std::vector<Proven_form> above_, below_;           // of the new triangles
   std::vector<Enclosed_form> old_above_, old_below_; // of the faces of the star
+  std::vector<char> covers_; // of each new triangle: its forms bound those under its last side
   std::vector<const Enclosed_form*> overlapped_above_, overlapped_below_;
   std::vector<std::uint32_t> moving_;
   std::vector<Exact_point> places_;

@@ -126,7 +126,8 @@ public:
     for (; numbers_.size() > 1; multiply_pairs()) {
     }
     const auto& [x, y] = numbers_.front();
-    return x.sign() == ZERO || y.sign() == ZERO || (d_ == Gmpz(1) && mpz_cmpabs(x.mpz(), y.mpz()) == 0);
+    return x.sign() == ZERO || y.sign() == ZERO ||
+           (d_ == Gmpz(1) && mpz_cmpabs(x.mpz(), y.mpz()) == 0);
   }
 
 private:
