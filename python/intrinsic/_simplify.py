@@ -83,8 +83,8 @@ class _Simplification:
         """Returns coarser and coarser surfaces, in one run of `simplify()`.
 
         The vertices of a level are among those of the levels before. `kept`, `fine_places`,
-        `stretch` and `prolongation` of each level are about this surface. The matrix from level b to
-        the level a before it is `b.prolongation[a.kept]`.
+        `stretch` and `prolongation` of each level are about this surface. The matrix from a level
+        b to the level a before it is `b.prolongation[a.kept]`.
 
         Parameters:
             levels: how many at most; fewer where no other vertex can be removed.

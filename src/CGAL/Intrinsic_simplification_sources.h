@@ -42,6 +42,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/coarse_surface.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/flat_vertices.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/flatten.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

@@ -44,8 +44,8 @@ struct Simplify_options {
   /// How many vertices are wanted; nothing: as few as possible. On a cover, each copy of a vertex
   /// counts.
   std::optional<std::size_t> vertices;
-  /// The same as a part of the vertices that have faces, above 0 and at most 1: at least one vertex.
-  /// With neither this nor another bound, a tenth is wanted.
+  /// The same as a part of the vertices that have faces, above 0 and at most 1; at least one is
+  /// wanted. With neither this nor another bound, it is a tenth.
   std::optional<double> part;
   /// No length of a curve is multiplied by more than this, or by less than its inverse; at least 1.
   /// A vertex whose removal would break this stays.

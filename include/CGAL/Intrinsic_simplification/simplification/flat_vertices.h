@@ -38,13 +38,13 @@ for d = 1 of pi / 4, and all together to a multiple of pi.
 Proof. For a class j let u_j be the product of its z, divided by the conjugate number: its argument
 is twice the sum of the angles, and its norm is 1. Let the product of all u_j be 1. A symmetry s of
 the field of all sqrt(-d_j) takes u_j to itself or its conjugate 1 / u_j, by the sign c_j(s) of what
-it makes of sqrt(-d_j). So the product of all u_j to the power c_j(s) is 1, too. To the power c_i(s),
-and multiplied over all s, it is u_i to the number of symmetries, a power of 2: the classes differ,
-and so do the characters c_j, which are orthogonal. So u_i is a root of unity in a field of one
-imaginary square root, whose order is a power of 2: 1, -1, or if d_i = 1 also i, -i. []
+it makes of sqrt(-d_j). So the product of all u_j to the power c_j(s) is 1, too. To the power
+c_i(s), and multiplied over all s, it is u_i to the number of symmetries, a power of 2: the classes
+differ, and so do the characters c_j, which are orthogonal. So u_i is a root of unity in a field of
+one imaginary square root, whose order is a power of 2: 1, -1, or if d_i = 1 also i, -i. []
 
-Angles are positive, so that a flat vertex has at most four classes beside d = 1, on the border two;
-an accurate sum of the angles in doubles tells which multiple of pi / 4 is theirs. So the time is
+Angles are positive, so that a flat vertex has at most four classes beside d = 1, on the border
+two; an accurate sum of the angles in doubles tells which multiple of pi / 4 is theirs. So the time is
 nearly linear in the degree.
 */
 // \param corners the vertex at the source of each side of each face

@@ -25,9 +25,9 @@ Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>
 \brief removes vertices at which the surface is flat, or the border straight.
 
 With `within` zero, the angles at a vertex must sum to 2 pi, on the border to pi, exactly. That is
-decided in integers, on the faces of the input, for all traits: no tolerance. Then the surface stays the same, and the proven stretch differs from 1
-only by the rounding of new lengths. Few vertices of rounded CAD parts are flat; `within` 1e-6
-or so removes the others as `simplify()` does.
+decided in integers, on the faces of the input, for all traits: no tolerance. Then the surface stays
+the same, and the proven stretch differs from 1 only by the rounding of new lengths. Few vertices of
+rounded CAD parts are flat; `within` 1e-6 or so removes the others as `simplify()` does.
 \tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric
 \param t the triangulation, Delaunay
 \param within by how much the angles may differ from the straight ones, in radians; not negative
