@@ -44,8 +44,8 @@ differ, and so do the characters c_j, which are orthogonal. So u_i is a root of 
 one imaginary square root, whose order is a power of 2: 1, -1, or if d_i = 1 also i, -i. []
 
 Angles are positive, so that a flat vertex has at most four classes beside d = 1, on the border
-two; an accurate sum of the angles in doubles tells which multiple of pi / 4 is theirs. So the time is
-nearly linear in the degree.
+two; an accurate sum of the angles in doubles tells which multiple of pi / 4 is theirs. So the time
+is nearly linear in the degree.
 */
 // \param corners the vertex at the source of each side of each face
 // \param half_turns for each vertex, the multiple of pi that makes it flat; 0: nothing does
