@@ -222,8 +222,10 @@ private:
     }
   }
 
+  // Both numbers are for rounded metrics alone: an exact one decides by signs, without tolerance.
   // Relative area that a face with a straight angle has by rounding after many moves: areas are
-  // roots, and that of 2^-52 is 1.5e-8.
+  // roots, and that of 2^-52 is 1.5e-8. A face that is thinner in truth goes as a straight one: the
+  // lengths of the rim stay, and only the area that the face had is lost.
   static constexpr double straight_tolerance = 1e-7;
   // Area by squared side of a face that may be such a one. If it is none, `straight_edge()` finds
   // no straight angle, and only time is lost.
