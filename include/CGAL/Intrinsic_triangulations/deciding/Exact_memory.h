@@ -122,6 +122,8 @@ struct Exact_memory : No_correspondence {
   bool are_sharp = false;       // all faces, since the last move
   bool are_weighed = false;     // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
+  // faces with wide intervals then, and the narrower ones that the same pass found
+  std::vector<std::pair<Indexed_face, Face_values<Interval_nt<false>>>> enclosures;
 
   // follows moves: forgets what queries stored, so that they cannot change later results
   template <class Triangulation>

@@ -73,6 +73,34 @@ TEST(Kept_crossings, of_spikes_are_those_of_curves_through_all_moves) {
   expect_crossings_of_curves(t);
 }
 
+/// A strip below a row of points that is nearly straight, and above the row a fan of slivers from
+/// its first point, which are thinner than the strip by millions.
+IT::Intrinsic_input slivers(std::uint32_t n) {
+  meshes::Mesh mesh;
+  const double width = n - 1;
+  for (std::uint32_t k = 0; k < n; ++k)
+    mesh.points.push_back({double(k), k * (k - width) * 0x1p-40, 0});
+  for (std::uint32_t k = 0; k < n; ++k) mesh.points.push_back({double(k), -1, 0});
+  mesh.points.push_back({width / 2, width / 2, 0});
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    mesh.triangles.push_back({n + k, n + k + 1, k + 1});
+    mesh.triangles.push_back({n + k, k + 1, k});
+    if (k > 0) mesh.triangles.push_back({0, k, k + 1});
+  }
+  mesh.triangles.push_back({0, n - 1, 2 * n});
+  return mesh.input();
+}
+
+TEST(Kept_crossings, of_slivers_are_kept_though_edges_cross_hundreds) {
+  Exact<IT::Integer_coordinates> t(slivers(1200));
+  EXPECT_EQ(IT::delaunay_refine(t, IT::parameters::minimum_angle(20)).status, IT::Status::done);
+  std::size_t crossings = 0;
+  for (std::uint32_t e = 0; e < t.correspondence().number_of_edges(); ++e)
+    crossings += static_cast<std::size_t>(IT::crossings(t.correspondence().normal_coordinate(e)));
+  EXPECT_GT(crossings, 140 * num_edges(t.mesh()));
+  expect_crossings_of_curves(t);
+}
+
 TEST(Kept_crossings, change_nothing_but_time) {
   // without correspondence and with signposts, coordinates of their own serve
   Exact<IT::Integer_coordinates> t(spikes(1e7));
