@@ -94,6 +94,7 @@ public:
   // the same for the interval of the squared length of the first side of a face
   void sharpen_length(const Indexed_face& face) const {
     if (asks_for_faces()) sharpen_all();
+    refine_by_weights({face});
     const std::uint32_t e = face.edges[0];
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (metric().is_narrow(e)) return true;
@@ -139,8 +140,9 @@ private:
         return known->sign;
       }
     const std::uint64_t before = probable;
+    const std::optional<Sign> turned = this->turned_sign(d, expression);
     Diamond_values<FT> better = metric().enclosure(d);
-    const Sign s = this->exact_sign(d, expression, better);
+    const Sign s = turned ? *turned : this->exact_sign(d, expression, better);
     metric().refine(d, better);
     if (is_remembered) metric().remembered_signs().remember(d.ij, {s, probable != before});
     return s;
@@ -168,9 +170,11 @@ private:
       metric().statistics().sharpenings[bits] += wide.size();
     };
     if (are_narrow()) return;
-    if (repeats_flips(wide)) {
+    if (refine_by_weights(wide)) {
       count(106);
-      if (!refine_by_weights(wide)) repeat_flips(wide, 106, refine);
+    } else if (repeats_flips(wide)) {
+      count(106);
+      repeat_flips(wide, 106, refine);
     }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (are_narrow()) return true;
@@ -210,8 +214,10 @@ private:
   // or from the input triangles under each: there may be thousands
   template <class Visit>
   void unfold(std::span<const Indexed_face> faces, unsigned bits, const Visit& visit) const {
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      visit(i, enclosure(this->unfolded(faces.subspan(i, 1)), bits));
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const std::optional<Face_values<FT>> turned = this->turned_values(faces[i], bits);
+      visit(i, turned ? *turned : enclosure(this->unfolded(faces.subspan(i, 1)), bits));
+    }
   }
   void sharpen_all() const {
     std::vector<Indexed_face> wide = wide_faces();

@@ -107,8 +107,8 @@ public:
          double error = 0, unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
   /*!
-  \brief returns the same where 106 bits tell it, for many diamonds, and encloses the values of other
-  faces in the same pass.
+  \brief returns the same where 106 bits tell it, for many diamonds, and encloses the values of
+  other faces in the same pass.
   \param input see `sign()`
   \param faces two per diamond, joined along the first side of each, and then the others
   \param count number of diamonds

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -44,6 +45,7 @@ public:
     input_ = &input;
     fans_ = &fans;
     values_ = std::move(values);
+    unit_ = values_(triangles[0].side).squared_lengths[0];
     z_.assign({{FT(0), FT(0)}, {FT(1), FT(0)}});
     turns_.clear();
     std::uint32_t skipped = 0;
@@ -73,8 +75,18 @@ public:
     if (point < turn.last) return placed(turn, point - turn.first + 1);
     return z_[point - turn.skipped];
   }
-  /// returns the points that are computed: all between which there are short turns.
-  const std::vector<Point>& computed() const { return z_; }
+  /// returns the squared length of the unit of the plane, the first side of the first triangle.
+  const FT& unit() const { return unit_; }
+  /// tells whether errors of points are too large for the middles of their intervals.
+  /// \tparam Interval the number type: others have no bounds
+  template <class Interval>
+  bool is_vague() const {
+    const auto is_wide = [](const Interval& x) {
+      return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
+    };
+    return std::any_of(z_.begin(), z_.end(),
+                       [&](const Point& p) { return is_wide(p.x) || is_wide(p.y); });
+  }
 
   /// returns the input of the last development.
   const Input& input() const { return *input_; }
@@ -140,6 +152,7 @@ private:
   const Input* input_ = nullptr;
   const Vertex_fans* fans_ = nullptr;
   Values values_;
+  FT unit_{};
   std::vector<Point> z_;    // of the points that are computed, in order
   std::vector<Turn> turns_; // long ones, in order
   mutable Turn_products<FT> products_;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
@@ -59,13 +60,13 @@ public:
   void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
               const Input_values& values) {
     face_.unfold(complex, coordinates, h);
-    develop(coordinates.input(), coordinates.fans(), values);
+    z_.develop(face_.triangles(), coordinates.input(), coordinates.fans(), values);
   }
   /// unfolds a face that was unfolded in other numbers.
   template <FieldNumber Other, class Input_values>
   void unfold(const Unfolded_face<Other>& face, const Input_values& values) {
     face_ = face.development();
-    develop(face.positions().input(), face.positions().fans(), values);
+    z_.develop(face_.triangles(), face.positions().input(), face.positions().fans(), values);
   }
 
   /// returns the triangles under the face, and how they were found.
@@ -139,11 +140,7 @@ public:
   /// tells whether errors of points are too large for the middles of their intervals.
   template <class Interval = FT> // other numbers have no bounds
   bool is_vague() const {
-    const auto is_vague = [](const Interval& x) {
-      return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
-    };
-    return std::any_of(z_.computed().begin(), z_.computed().end(),
-                       [&](const Point& p) { return is_vague(p.x) || is_vague(p.y); });
+    return z_.template is_vague<Interval>();
   }
 
   /*!
@@ -154,13 +151,23 @@ public:
   Vertex_move_values<FT> values(const Place& p) const {
     std::array<Point, 3> to;
     Vertex_move_values<FT> result;
+    const FT unit = z_.unit();
     for (unsigned k = 0; k < 3; ++k) {
       to[k] = to_corner(p, k);
-      result.squared_lengths[k] = unit_ * dot(to[k], to[k]);
+      result.squared_lengths[k] = unit * dot(to[k], to[k]);
     }
     for (unsigned k = 0; k < 3; ++k)
-      result.quadruple_areas[k] = (unit_ + unit_) * cross(to[k], to[(k + 1) % 3]);
+      result.quadruple_areas[k] = (unit + unit) * cross(to[k], to[(k + 1) % 3]);
     return result;
+  }
+
+  /// returns the values of the face, from its first side on.
+  Face_values<FT> face_values() const {
+    const Point i = position(face_.corner(0)), ij = position(face_.corner(1)) - i,
+                ik = position(face_.corner(2)) - i, jk = ik - ij;
+    const FT unit = z_.unit();
+    return {{unit * dot(ij, ij), unit * dot(jk, jk), unit * dot(ik, ik)},
+            (unit + unit) * cross(ij, ik)};
   }
 
   /// returns the corner that is farthest from a place: its direction is the most accurate one.
@@ -196,12 +203,6 @@ public:
 private:
   using Corner = Face_development::Corner;
   using Rounded = Plane_vector<double>;
-
-  template <class Input_values>
-  void develop(const Input& input, const Vertex_fans& fans, const Input_values& values) {
-    unit_ = values(halfedge(0)).squared_lengths[0];
-    z_.develop(face_.triangles(), input, fans, values);
-  }
 
   std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].side; }
   Point point(std::uint32_t t, std::size_t k) const { return z_[face_.triangles()[t].point[k]]; }
@@ -342,7 +343,6 @@ private:
 
   Face_development face_;
   internal::Turned_positions<FT> z_;
-  FT unit_{}; // squared length of the first side of the first triangle
 };
 
 } // namespace CGAL::Intrinsic_triangulations
