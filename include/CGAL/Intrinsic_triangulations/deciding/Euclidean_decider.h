@@ -94,7 +94,6 @@ public:
   // the same for the interval of the squared length of the first side of a face
   void sharpen_length(const Indexed_face& face) const {
     if (asks_for_faces()) sharpen_all();
-    refine_by_weights({face});
     const std::uint32_t e = face.edges[0];
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (metric().is_narrow(e)) return true;
@@ -170,11 +169,9 @@ private:
       metric().statistics().sharpenings[bits] += wide.size();
     };
     if (are_narrow()) return;
-    if (refine_by_weights(wide)) {
+    if (repeats_flips(wide)) {
       count(106);
-    } else if (repeats_flips(wide)) {
-      count(106);
-      repeat_flips(wide, 106, refine);
+      if (!refine_by_weights(wide)) repeat_flips(wide, 106, refine);
     }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (are_narrow()) return true;

@@ -126,11 +126,13 @@ protected:
     return result;
   }
 
-  // Intervals that contain the values of a face, in 53 or 106 bits, by turns about input vertices,
-  // where it crosses so many triangles that these are usually long. \pre it can be unfolded
+  // Intervals that contain the values of a face, in 53 or 106 bits, by turns about input vertices:
+  // after insertions, where it crosses so many triangles that turns are usually long.
   std::optional<Face_values<FT>> turned_values(const Indexed_face& f, unsigned bits) const {
     constexpr std::size_t many = 256;
-    if (bits > 106 || number_of_crossings(*places_.coordinates(t_), f) < many) return std::nullopt;
+    if (bits > 106 || places_.flips() != nullptr ||
+        number_of_crossings(*places_.coordinates(t_), f) < many)
+      return std::nullopt;
     const Integer_coordinates& c = coordinates();
     const Face_values<FT> result =
         memory_.turned_faces.values(view_, c, view_.halfedge(f.face, f.edges[0], f.edges[1]), bits);
@@ -144,7 +146,6 @@ protected:
   // open, or no face of the diamond has long turns.
   std::optional<Sign> turned_sign(const Diamond& d,
                                   const Recorded_diamond_expression& expression) const {
-    if (!can_unfold(d)) return std::nullopt;
     bool are_turned = false;
     for (const Indexed_face& f : faces_of(d))
       if (const auto values = turned_values(f, 53)) {
