@@ -101,22 +101,6 @@ TEST(Exact_values, weights_are_zero_or_have_the_right_sign_and_repeat) {
     }
 }
 
-// Weights are found together with narrow intervals of all faces: neither may depend on the other.
-TEST(Exact_values, are_the_same_in_whatever_order_they_are_asked_for) {
-  Exact t(stretched(1e6).input());
-  EXPECT_GT(IT::flip_to_delaunay(t).flips, 100U);
-  const Exact alone = t;
-  const auto weights = IT::cotangent_laplacian(t);
-  const auto& unfolded = t.metric().statistics().sharpenings;
-  for (const auto f : faces(t.mesh())) EXPECT_EQ(t.area(f), alone.area(f));
-  for (const auto e : edges(t.mesh())) EXPECT_EQ(t.length(e), alone.length(e));
-  EXPECT_GT(unfolded.at(106), 100U);
-  const auto later = IT::cotangent_laplacian(t);
-  for (int k = 0; k < weights.outerSize(); ++k)
-    for (decltype(IT::cotangent_laplacian(t))::InnerIterator i(weights, k); i; ++i)
-      EXPECT_NEAR(later.coeff(i.row(), i.col()), i.value(), 1e-12 * std::abs(i.value()));
-}
-
 // where a vertex is in the plane, by the points and places of inserted vertices alone
 template <class T>
 std::array<Gmpq, 2> point(const T& t, std::uint32_t v) {
