@@ -139,8 +139,9 @@ private:
         return known->sign;
       }
     const std::uint64_t before = probable;
+    const std::optional<Sign> turned = this->turned_sign(d, expression);
     Diamond_values<FT> better = metric().enclosure(d);
-    const Sign s = this->exact_sign(d, expression, better);
+    const Sign s = turned ? *turned : this->exact_sign(d, expression, better);
     metric().refine(d, better);
     if (is_remembered) metric().remembered_signs().remember(d.ij, {s, probable != before});
     return s;
@@ -170,7 +171,7 @@ private:
     if (are_narrow()) return;
     if (repeats_flips(wide)) {
       count(106);
-      repeat_flips(wide, 106, refine);
+      if (!refine_by_weights(wide)) repeat_flips(wide, 106, refine);
     }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (are_narrow()) return true;
@@ -185,6 +186,20 @@ private:
     });
   }
 
+  // refines faces by what was found together with all weights, if that was all of them
+  bool refine_by_weights(const std::vector<Indexed_face>& wide) const {
+    if (!memory_.are_weighed) return false;
+    const auto known = [this](const Indexed_face& face) {
+      return std::lower_bound(memory_.enclosures.begin(), memory_.enclosures.end(), face.face,
+                              [](const auto& x, std::uint32_t f) { return x.first.face < f; });
+    };
+    for (const Indexed_face& f : wide)
+      if (const auto i = known(f); i == memory_.enclosures.end() || i->first.face != f.face)
+        return false;
+    for (const Indexed_face& f : wide) metric().refine(known(f)->first, known(f)->second);
+    return true;
+  }
+
   // whether to compute values of faces from flips that are repeated, all at once
   bool repeats_flips(std::span<const Indexed_face> faces) const {
     return (asks_for_faces() && !can_unfold_soon()) || !this->can_unfold(faces);
@@ -196,34 +211,51 @@ private:
   // or from the input triangles under each: there may be thousands
   template <class Visit>
   void unfold(std::span<const Indexed_face> faces, unsigned bits, const Visit& visit) const {
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      visit(i, enclosure(this->unfolded(faces.subspan(i, 1)), bits));
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const std::optional<Face_values<FT>> turned = this->turned_values(faces[i], bits);
+      visit(i, turned ? *turned : enclosure(this->unfolded(faces.subspan(i, 1)), bits));
+    }
   }
   void sharpen_all() const {
-    std::vector<Indexed_face> wide;
-    for (const auto f : faces(t_.mesh()))
-      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face))
-        wide.push_back(face);
+    std::vector<Indexed_face> wide = wide_faces();
     note_crossings();
     narrow(std::move(wide));
+    memory_.enclosures = {};
     memory_.are_sharp = true;
     count_pass();
   }
+  // in the order of their numbers
+  std::vector<Indexed_face> wide_faces() const {
+    std::vector<Indexed_face> result;
+    for (const auto f : faces(t_.mesh()))
+      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face))
+        result.push_back(face);
+    std::sort(result.begin(), result.end(),
+              [](const Indexed_face& f, const Indexed_face& g) { return f.face < g.face; });
+    return result;
+  }
 
   // Finds the weights of all edges whose stored values are too inaccurate, if that takes less time
-  // than one by one.
+  // than one by one. It also finds narrow intervals of all faces, which are usually asked for next,
+  // but leaves the stored ones: weights must not depend on the order in which they are asked for.
   void find_weights() const {
     std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();
     memory_.are_weighed = true;
     count_pass();
     memory_.weights.clear();
+    memory_.enclosures.clear();
     std::vector<Indexed_face> faces;
     faces.reserve(2 * diamonds.size());
     for (const Diamond& d : diamonds)
       for (const Indexed_face& f : this->faces_of(d)) faces.push_back(f);
     if (places_.has_coordinates(t_) && this->can_unfold(faces)) return;
-    const auto all = memory_.ladder.weights(this->input_metric(), this->replayed(faces));
+    const std::vector<Indexed_face> wide = wide_faces();
+    faces.insert(faces.end(), wide.begin(), wide.end());
+    memory_.enclosures.reserve(wide.size());
+    const auto all = memory_.ladder.weights(
+        this->input_metric(), this->replayed(faces), diamonds.size(),
+        [&](std::size_t i, const auto& v) { memory_.enclosures.emplace_back(wide[i], v); });
     for (std::size_t i = 0; i < all.size(); ++i)
       memory_.weights.emplace_back(diamonds[i].ij, all[i]);
   }

@@ -5,6 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DECIDING_EXACT_MEMORY_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
@@ -12,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
@@ -110,10 +113,55 @@ private:
   std::size_t number_of_searches_ = 0;
 };
 
+// Encloses values of faces that cross long turns about input vertices, see `Turned_positions`. A
+// copy starts anew.
+class Turned_faces {
+public:
+  using FT = Interval_nt<false>;
+
+  Turned_faces() = default;
+  Turned_faces(const Turned_faces&) {}
+  Turned_faces(Turned_faces&&) = default;
+  Turned_faces& operator=(const Turned_faces&) {
+    *this = {};
+    return *this;
+  }
+  Turned_faces& operator=(Turned_faces&&) = default;
+  ~Turned_faces() = default;
+
+  // The values of the face of a halfedge, from that on. \param bits 53 or 106
+  template <class View>
+  Face_values<FT> values(const View& view, const Integer_coordinates& c, std::uint32_t h,
+                         unsigned bits) {
+    face_.unfold(view, c, h, values_from(c.input(), input_.of(c.input().metric())));
+    if (bits <= 53) return face_.face_values();
+    const Face_values<Short_ball> v = to_nearest([&] {
+      short_face_.unfold(face_, values_from(c.input(), short_input_.of(c.input().metric())));
+      return short_face_.face_values();
+    });
+    const auto& l = v.squared_lengths;
+    return {{l[0].interval(), l[1].interval(), l[2].interval()}, v.quadruple_area.interval()};
+  }
+
+  // how many steps along curves were taken since the last call of this function
+  std::size_t take_steps() {
+    const std::size_t before = std::exchange(steps_, face_.development().steps());
+    return steps_ - before;
+  }
+
+private:
+  Unfolded_face<FT> face_;
+  Unfolded_face<Short_ball> short_face_;
+  Input_face_intervals<FT> input_;
+  Input_face_intervals<Short_ball> short_input_;
+  std::size_t steps_ = 0;
+};
+
 // The memory of a decider, flat parts included; a copy starts anew where possible.
 struct Exact_memory : No_correspondence {
   Exact_ladder ladder;
   Diamond_unfolder unfolder;
+  Turned_faces turned_faces;
   Input_face_intervals<Interval_nt<false>> input_faces;
   std::optional<Flat_parts> flat_parts;
   std::size_t steps = 0;        // steps for single elements since the last move or pass
@@ -122,6 +170,8 @@ struct Exact_memory : No_correspondence {
   bool are_sharp = false;       // all faces, since the last move
   bool are_weighed = false;     // all edges, since the last move
   std::vector<std::pair<std::uint32_t, std::optional<double>>> weights; // of edges, if so
+  // faces with wide intervals then, and the narrower ones that the same pass found
+  std::vector<std::pair<Indexed_face, Face_values<Interval_nt<false>>>> enclosures;
 
   // follows moves: forgets what queries stored, so that they cannot change later results
   template <class Triangulation>

@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
+#include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
@@ -122,6 +124,44 @@ protected:
       result.faces.push_back(
           memory_.unfolder.face(view_, coordinates(), view_.halfedge(face, e[0], e[1])));
     return result;
+  }
+
+  // Intervals that contain the values of a face, in 53 or 106 bits, by turns about input vertices:
+  // after insertions, where it crosses so many triangles that turns are usually long.
+  std::optional<Face_values<FT>> turned_values(const Indexed_face& f, unsigned bits) const {
+    constexpr std::size_t many = 256;
+    if (bits > 106 || places_.flips() != nullptr ||
+        number_of_crossings(*places_.coordinates(t_), f) < many)
+      return std::nullopt;
+    const Integer_coordinates& c = coordinates();
+    const Face_values<FT> result =
+        memory_.turned_faces.values(view_, c, view_.halfedge(f.face, f.edges[0], f.edges[1]), bits);
+    const std::size_t steps = memory_.turned_faces.take_steps();
+    memory_.steps += steps;
+    if (steps > 0) c.count_steps(t_, steps);
+    return result;
+  }
+
+  // The sign of an expression by these intervals, which the metric takes; nothing where it stays
+  // open, or no face of the diamond has long turns.
+  std::optional<Sign> turned_sign(const Diamond& d,
+                                  const Recorded_diamond_expression& expression) const {
+    bool are_turned = false;
+    for (const Indexed_face& f : faces_of(d))
+      if (const auto values = turned_values(f, 53)) {
+        t_.metric().refine(f, *values);
+        are_turned = true;
+      }
+    if (!are_turned) return std::nullopt;
+    const std::optional<Sign> s = certain_sign(expression(t_.metric().enclosure(d)));
+    Predicate_statistics& statistics = t_.metric().statistics();
+    Rung_statistics& rung = statistics.rungs[static_cast<std::size_t>(Rung::doubles)];
+    ++rung.asked;
+    if (s) {
+      ++rung.decided;
+      ++statistics.escalations[53];
+    }
+    return s;
   }
 
   // Whether the input triangles under edges, or faces, can be unfolded, and it is worth it.

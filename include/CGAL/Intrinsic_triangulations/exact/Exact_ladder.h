@@ -106,10 +106,16 @@ public:
   weight(const Input_metric& input, const Figure& diamond, Predicate_statistics& statistics,
          double error = 0, unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
-  /// returns the same where 106 bits tell it, for many diamonds, each of two faces joined along the
-  /// first side of each.
-  std::vector<std::optional<double>> weights(const Input_metric& input,
-                                             const Replayed_faces& faces);
+  /*!
+  \brief returns the same where 106 bits tell it, for many diamonds, and encloses the values of
+  other faces in the same pass.
+  \param input see `sign()`
+  \param faces two per diamond, joined along the first side of each, and then the others
+  \param count number of diamonds
+  \param visit called with the number of each other face among these
+  */
+  std::vector<std::optional<double>> weights(const Input_metric& input, const Replayed_faces& faces,
+                                             std::size_t count, const Visit& visit);
 
 private:
   struct Memory;

@@ -103,23 +103,36 @@ void replay(const Input_metric& input, const Replayed_faces& faces, const Visit&
       [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); }, visit);
 }
 
+// Hands out intervals of values in portions, for which rounding is changed together.
+template <class Number>
+class Interval_portions {
+public:
+  explicit Interval_portions(const Exact_ladder::Visit& visit) : visit_(visit) {}
+
+  void add(const Face_values<Number>& values) {
+    portion_.push_back(values);
+    if (portion_.size() == most) hand_out();
+  }
+  void hand_out() {
+    const Protect_FPU_rounding<true> upwards;
+    for (const auto& values : portion_) visit_(visited_++, intervals(values));
+    portion_.clear();
+  }
+
+private:
+  static constexpr std::size_t most = 1024; // a megabyte in 256 bits
+
+  const Exact_ladder::Visit& visit_;
+  std::vector<Face_values<Number>> portion_;
+  std::size_t visited_ = 0;
+};
+
 template <class Number>
 void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
                          const Exact_ladder::Visit& visit) {
-  // for which rounding is changed together; a megabyte in 256 bits
-  constexpr std::size_t many = 1024;
-  std::vector<Face_values<Number>> some;
-  std::size_t visited = 0;
-  const auto hand_out = [&] {
-    const Protect_FPU_rounding<true> upwards;
-    for (const auto& values : some) visit(visited++, intervals(values));
-    some.clear();
-  };
-  replay<Number>(input, faces, [&](const Face_values<Number>& values) {
-    some.push_back(values);
-    if (some.size() == many) hand_out();
-  });
-  hand_out();
+  Interval_portions<Number> portions(visit);
+  replay<Number>(input, faces, [&](const Face_values<Number>& values) { portions.add(values); });
+  portions.hand_out();
 }
 
 } // namespace
@@ -134,14 +147,19 @@ void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_
 }
 
 std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& input,
-                                                         const Replayed_faces& faces) {
+                                                         const Replayed_faces& faces,
+                                                         std::size_t count, const Visit& visit) {
   using Number = Short_ball;
   std::vector<std::optional<double>> result;
+  result.reserve(count);
   std::optional<Face_values<Number>> left;
+  internal::Interval_portions<Number> portions(visit);
   internal::replay<Number>(input, faces, [&](const Face_values<Number>& f) {
+    if (result.size() == count) return portions.add(f);
     if (left) result.push_back(nearest_double(cotangent_weight(diamond_values(*left, f))));
     left = left ? std::nullopt : std::optional(f);
   });
+  portions.hand_out();
   return result;
 }
 

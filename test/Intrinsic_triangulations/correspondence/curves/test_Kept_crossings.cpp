@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Session.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,37 @@ TEST(Kept_crossings, of_spikes_are_those_of_curves_through_all_moves) {
   }
   EXPECT_GT(removed, 100U);
   expect_crossings_of_curves(t);
+}
+
+/// A strip below a row of points that is nearly straight, and above the row a fan of slivers from
+/// its first point, which are thinner than the strip by millions.
+IT::Intrinsic_input slivers(std::uint32_t n) {
+  meshes::Mesh mesh;
+  const double width = n - 1;
+  for (std::uint32_t k = 0; k < n; ++k)
+    mesh.points.push_back({double(k), k * (k - width) * 0x1p-40, 0});
+  for (std::uint32_t k = 0; k < n; ++k) mesh.points.push_back({double(k), -1, 0});
+  mesh.points.push_back({width / 2, width / 2, 0});
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    mesh.triangles.push_back({n + k, n + k + 1, k + 1});
+    mesh.triangles.push_back({n + k, k + 1, k});
+    if (k > 0) mesh.triangles.push_back({0, k, k + 1});
+  }
+  mesh.triangles.push_back({0, n - 1, 2 * n});
+  return mesh.input();
+}
+
+TEST(Kept_crossings, of_slivers_are_those_of_curves_and_areas_sum_to_that_of_the_plane) {
+  const std::uint32_t n = 400;
+  Exact<IT::Integer_coordinates> t(slivers(n));
+  EXPECT_EQ(IT::delaunay_refine(t, IT::parameters::minimum_angle(20)).status, IT::Status::done);
+  expect_crossings_of_curves(t);
+  std::size_t across_turns = 0;
+  for (std::uint32_t e = 0; e < t.correspondence().number_of_edges(); ++e)
+    across_turns += t.correspondence().normal_coordinate(e) > 256 ? 1 : 0;
+  EXPECT_GT(across_turns, 100U);
+  const double width = n - 1;
+  EXPECT_NEAR(IT::total_area(t) / (width + width * width / 4), 1, 1e-12);
 }
 
 TEST(Kept_crossings, change_nothing_but_time) {

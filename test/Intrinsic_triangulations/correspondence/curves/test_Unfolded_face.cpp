@@ -94,6 +94,20 @@ public:
             return plane.reposition(v, h, w);
           });
     for (int i = 0; i < 200; ++i) plane.t.flip_edge({mover.halfedge(false)});
+    find_sides();
+  }
+  /// flips the edges from vertex 0 to the vertices `first` to `last`, one after the other.
+  Moved_plane(const meshes::Mesh& m, std::uint32_t first, std::uint32_t last)
+      : plane(m), mover(plane.t, 1) {
+    for (std::uint32_t v = first; v <= last; ++v) {
+      const std::uint32_t h = plane.view().find_halfedge([&](std::uint32_t x) {
+        return plane.view().source(x) == 0 && plane.view().target(x) == v;
+      });
+      EXPECT_TRUE(plane.t.flip_edge({h}) == IT::Move_status::done) << v;
+    }
+    find_sides();
+  }
+  void find_sides() {
     for (std::uint32_t h : places::halfedges_of_faces(plane.t))
       for (unsigned k = 0; k < 3; ++k, h = plane.view().next(h)) sides.push_back(h);
   }
@@ -197,6 +211,51 @@ TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_t
   EXPECT_GT(fans, 20);
   EXPECT_GT(corners, 20);
   EXPECT_GT(strips, 20);
+}
+
+// A fan around vertex 0: n points of a circle, all around or, if a border goes through the vertex,
+// on a half.
+meshes::Mesh wheel(std::uint32_t n, bool is_half) {
+  meshes::Mesh m;
+  m.points.push_back({0, 0, 0});
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const double angle = (is_half ? 1 : 2) * std::numbers::pi * k / n;
+    m.points.push_back(
+        {std::round(0x1p17 * std::cos(angle)), std::round(0x1p17 * std::sin(angle)), 0});
+    if (k + 1 < n || !is_half) m.triangles.push_back({0, k + 1, k + 1 < n ? k + 2 : 1});
+  }
+  return m;
+}
+
+TYPED_TEST(Unfolded_face, turns_about_a_vertex_of_many_edges) {
+  // faces cross up to 46 of them; the fan begins somewhere among them, or on the border
+  using T = Exact<TypeParam>;
+  int long_turns = 0;
+  for (const std::uint32_t first : {2U, 40U, 0U}) {
+    const bool is_half = first == 0;
+    Moved_plane<T> moved(wheel(is_half ? 60 : 96, is_half), std::max(first, 5U),
+                         std::max(first, 5U) + 45);
+    const CGAL::Protect_FPU_rounding<true> upwards;
+    Unfolder<T> unfold(moved.plane.t);
+    for (const std::uint32_t h : moved.sides) {
+      const auto curves = unfold.curves(h);
+      const auto [a, b, c] = curves.cutting;
+      if (std::max({a, b, c}) < 34) continue;
+      ++long_turns;
+      for (int i = 0; i < 3; ++i) { // the last two times with a tree of products
+        const Weights w = moved.mover.weights(false);
+        const auto& face = unfold(h);
+        const auto place = face.place(w);
+        ASSERT_TRUE(place);
+        moved.check(h, curves, *place, face.values(*place));
+        moved.check_direction(h, face, *place);
+        const Position asked = places::combination(moved.plane.view(), h, w, moved.plane.position);
+        EXPECT_LT(places::distance(moved.at(place->location), asked), 0x1p-16);
+        if (this->HasFailure()) return;
+      }
+    }
+  }
+  EXPECT_GT(long_turns, 50);
 }
 
 // barycentric coordinates of a point in a triangle

@@ -19,8 +19,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 /*!
@@ -103,9 +105,9 @@ struct Linked_crossings {
   }
 };
 
-// `edge_crossings()`, also for triangulations whose metric has no values.
-template <class Triangulation, class Coordinates>
-Edge_crossings follow_all_curves(const Triangulation& t, const Coordinates& coordinates) {
+// numbers the crossings along intrinsic edges, and says nothing else of them
+template <class Coordinates>
+Edge_crossings numbered_crossings(const Coordinates& coordinates) {
   Edge_crossings result;
   std::uint64_t count = 0;
   for (std::uint32_t e = 0; e < coordinates.number_of_edges(); ++e) {
@@ -116,7 +118,56 @@ Edge_crossings follow_all_curves(const Triangulation& t, const Coordinates& coor
   }
   result.begin.push_back(static_cast<std::uint32_t>(count));
   result.entered.resize(count, Gluing::none);
-  result.on_curve.reserve(count);
+  return result;
+}
+
+// Finds the input halfedges that each edge crosses, and not their order along curves. Curves that
+// start side by side are followed together, the longest rows first: those over slivers from the
+// vertex that these share, which takes one step where the other ends take hundreds.
+template <class Triangulation, class Coordinates>
+Edge_crossings follow_rows_of_curves(const Triangulation& t, const Coordinates& coordinates) {
+  Edge_crossings result = numbered_crossings(coordinates);
+  const Intrinsic_view<Triangulation> view(t);
+  std::vector<std::pair<Normal_coordinate, std::uint32_t>> rows; // length, and first side of corner
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
+    const auto s = sides_of_face(view, view.halfedge_of_face(t.index(f)));
+    const Corner_coordinates c = corner_coordinates(view, coordinates, s[0]);
+    for (unsigned k = 0; k < 3; ++k)
+      if (c.emanating[k] > 0) rows.emplace_back(c.emanating[k], s[k]);
+  }
+  std::sort(rows.begin(), rows.end(), std::greater<>());
+  std::vector<Curve_bundle> stack;
+  std::vector<std::uint32_t> along; // of the curves of a row
+  const auto pass = [&](const Curve_bundle& b) {
+    for (Normal_coordinate i = 0; i < b.count; ++i)
+      result.entered[result.crossing(b.halfedge, b.position + i)] =
+          along[static_cast<std::size_t>(b.number + i)] ^ (b.halfedge & 1U);
+  };
+  for (const auto& row : rows) {
+    const Normal_coordinate count = row.first;
+    along.clear();
+    for (Normal_coordinate i = 0; i < count; ++i)
+      along.push_back(input_halfedge(coordinates, Curve_end{row.second, i}));
+    const Curve_crossing first = first_crossing(view, coordinates, Curve_end{row.second, 0});
+    const auto is_known = [&](Normal_coordinate i) { // from the other end
+      return result.entered[result.crossing(first.halfedge, first.position + i)] != Gluing::none;
+    };
+    for (Normal_coordinate i = 0, end = 0; i < count; i = end) {
+      for (end = i + 1; end < count && is_known(end) == is_known(i);) ++end;
+      if (is_known(i)) continue;
+      const Curve_bundle unknown{first.halfedge, first.position + i, end - i, i};
+      follow_curves(
+          view, coordinates, unknown, stack, [](auto&&...) {}, pass);
+    }
+  }
+  return result;
+}
+
+// `edge_crossings()`, also for triangulations whose metric has no values.
+template <class Triangulation, class Coordinates>
+Edge_crossings follow_all_curves(const Triangulation& t, const Coordinates& coordinates) {
+  Edge_crossings result = numbered_crossings(coordinates);
+  result.on_curve.reserve(result.size());
   const Linked_crossings<Triangulation, Coordinates> all(t, coordinates, result);
   result.curve_begin.reserve(all.starts.size() + 1);
   for (const auto& [first, x] : all.starts) {

@@ -116,30 +116,32 @@ public:
     which it is entered
   \param region becomes the region
   \return the triangle
+  \complexity logarithmic
   */
   template <class Is_beyond>
   std::uint32_t find_region(const Is_beyond& is_beyond, Face_region& region) const {
     region = middle_region();
     if (fan_ < 3) {
-      Normal_coordinate m = 0;
-      while (m < along_ && is_beyond(static_cast<std::uint32_t>(m) + 1)) ++m;
+      const Normal_coordinate m = first_exception(along_, [&](Normal_coordinate i) {
+        return is_beyond(static_cast<std::uint32_t>(i) + 1);
+      });
       region.cutting[first_] = std::min(m, curves_.cutting[first_]);
       const unsigned end = (first_ + 1) % 3;
       region.cutting[end] = std::min(along_ - m, curves_.cutting[end]);
       region.right_of_fan = std::clamp(m - curves_.cutting[first_], 0, curves_.emanating[fan_]);
       return static_cast<std::uint32_t>(m);
     }
-    std::uint32_t result = region_at(first_, curves_.cutting[first_]);
     for (unsigned k = 0; k < 3; ++k) {
-      Normal_coordinate& q = region.cutting[k];
-      for (; q > 0; --q) {
-        const std::uint32_t outer = region_at(k, q - 1);
-        if (k == first_ ? is_beyond(outer + 1) : !is_beyond(outer)) break;
-        result = outer;
-      }
-      if (q < curves_.cutting[k]) break;
+      const Normal_coordinate all = curves_.cutting[k];
+      const Normal_coordinate beyond = first_exception(all, [&](Normal_coordinate i) {
+        const std::uint32_t outer = region_at(k, all - 1 - i);
+        return k == first_ ? !is_beyond(outer + 1) : is_beyond(outer);
+      });
+      if (beyond == 0) continue;
+      region.cutting[k] = all - beyond;
+      return region_at(k, region.cutting[k]);
     }
-    return result;
+    return region_at(first_, curves_.cutting[first_]);
   }
 
   /// returns the triangle that is entered over the side of a triangle opposite a corner: itself,
@@ -163,6 +165,25 @@ private:
     r.cutting = curves_.cutting;
     r.fan_corner = fan_;
     return r;
+  }
+
+  // the first of `count` numbers that is no example, where all examples come before it
+  template <class Is_example>
+  static Normal_coordinate first_exception(Normal_coordinate count, const Is_example& is_example) {
+    Normal_coordinate begin = 0, step = 1; // all before `begin` are examples
+    while (begin + step <= count && is_example(begin + step - 1)) {
+      begin += step;
+      step *= 2;
+    }
+    Normal_coordinate end = std::min(begin + step - 1, count); // an exception, or all
+    while (begin < end) {
+      const Normal_coordinate middle = begin + (end - begin) / 2;
+      if (is_example(middle))
+        begin = middle + 1;
+      else
+        end = middle;
+    }
+    return begin;
   }
 
   // the triangle of the region that `passed` curves cut off corner k do not cut off from it

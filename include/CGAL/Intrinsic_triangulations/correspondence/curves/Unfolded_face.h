@@ -7,10 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Edge_path.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Face_development.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Turned_positions.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
@@ -27,7 +29,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -52,23 +53,26 @@ public:
   /*!
   \brief unfolds the face of a halfedge.
   \tparam Input_values a functor from an input halfedge to the `Face_values<FT>` of its face from it
+  \param values the functor; it and the coordinates must live as long as points are placed
   \complexity see `Face_development`
   */
   template <NumberedTriangles Complex, CurveCoordinates Coordinates, class Input_values>
   void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
               const Input_values& values) {
     face_.unfold(complex, coordinates, h);
-    develop(values);
+    z_.develop(face_.triangles(), coordinates.input(), coordinates.fans(), values);
   }
   /// unfolds a face that was unfolded in other numbers.
   template <FieldNumber Other, class Input_values>
   void unfold(const Unfolded_face<Other>& face, const Input_values& values) {
     face_ = face.development();
-    develop(values);
+    z_.develop(face_.triangles(), face.positions().input(), face.positions().fans(), values);
   }
 
   /// returns the triangles under the face, and how they were found.
   const Face_development& development() const { return face_; }
+  /// returns where the points of these triangles are.
+  const internal::Turned_positions<FT>& positions() const { return z_; }
 
   /*!
   \brief places a point of the face on the input: finds the triangle that contains it, and rounds
@@ -136,11 +140,7 @@ public:
   /// tells whether errors of points are too large for the middles of their intervals.
   template <class Interval = FT> // other numbers have no bounds
   bool is_vague() const {
-    const auto is_vague = [](const Interval& x) {
-      return !(x.sup() - x.inf() <= 0x1p-26 * std::max(1., std::abs(x.sup())));
-    };
-    return std::any_of(z_.begin(), z_.end(),
-                       [&](const Point& p) { return is_vague(p.x) || is_vague(p.y); });
+    return z_.template is_vague<Interval>();
   }
 
   /*!
@@ -151,13 +151,23 @@ public:
   Vertex_move_values<FT> values(const Place& p) const {
     std::array<Point, 3> to;
     Vertex_move_values<FT> result;
+    const FT unit = z_.unit();
     for (unsigned k = 0; k < 3; ++k) {
       to[k] = to_corner(p, k);
-      result.squared_lengths[k] = unit_ * dot(to[k], to[k]);
+      result.squared_lengths[k] = unit * dot(to[k], to[k]);
     }
     for (unsigned k = 0; k < 3; ++k)
-      result.quadruple_areas[k] = (unit_ + unit_) * cross(to[k], to[(k + 1) % 3]);
+      result.quadruple_areas[k] = (unit + unit) * cross(to[k], to[(k + 1) % 3]);
     return result;
+  }
+
+  /// returns the values of the face, from its first side on.
+  Face_values<FT> face_values() const {
+    const Point i = position(face_.corner(0)), ij = position(face_.corner(1)) - i,
+                ik = position(face_.corner(2)) - i, jk = ik - ij;
+    const FT unit = z_.unit();
+    return {{unit * dot(ij, ij), unit * dot(jk, jk), unit * dot(ik, ik)},
+            (unit + unit) * cross(ij, ik)};
   }
 
   /// returns the corner that is farthest from a place: its direction is the most accurate one.
@@ -194,17 +204,8 @@ private:
   using Corner = Face_development::Corner;
   using Rounded = Plane_vector<double>;
 
-  template <class Input_values>
-  void develop(const Input_values& values) {
-    unit_ = values(halfedge(0)).squared_lengths[0];
-    z_.clear();
-    face_.triangles().develop(z_, values);
-  }
-
   std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].side; }
-  const Point& point(std::uint32_t t, std::size_t k) const {
-    return z_[face_.triangles()[t].point[k]];
-  }
+  Point point(std::uint32_t t, std::size_t k) const { return z_[face_.triangles()[t].point[k]]; }
   static Rounded approximate(const Point& p) {
     if constexpr (requires { p.x.to_double(); })
       return {p.x.to_double(), p.y.to_double()};
@@ -214,7 +215,7 @@ private:
   Rounded rounded_point(std::uint32_t t, std::size_t k) const { return approximate(point(t, k)); }
 
   Point position(const Corner& c) const {
-    const Point& o = point(c.triangle, 0);
+    const Point o = point(c.triangle, 0);
     if (c.weights[0] == 1) return o;
     if (c.weights[1] == 1) return point(c.triangle, 1);
     const Point a = point(c.triangle, 1) - o, b = point(c.triangle, 2) - o;
@@ -231,7 +232,7 @@ private:
       to = {from.triangle, {}};
       to.weights[*shared] = 1;
     }
-    const Point& o = point(from.triangle, 0);
+    const Point o = point(from.triangle, 0);
     const Point a = point(from.triangle, 1) - o, b = point(from.triangle, 2) - o;
     const FT s(to.weights[1] - from.weights[1]), t(to.weights[2] - from.weights[2]);
     return {s * a.x + t * b.x, s * a.y + t * b.y};
@@ -341,8 +342,7 @@ private:
   }
 
   Face_development face_;
-  std::vector<Point> z_; // positions of the points of the development
-  FT unit_{};            // squared length of the first side of the first triangle
+  internal::Turned_positions<FT> z_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -52,6 +52,11 @@ public:
     return fan.begin + place;
   }
 
+  /// returns the first slot of the fan of a slot.
+  std::uint32_t first_slot(std::uint32_t slot) const { return fan_[slot].begin; }
+  /// returns the number of slots of the fan of a slot.
+  std::uint32_t degree(std::uint32_t slot) const { return fan_[slot].size; }
+
   /// returns how many places counterclockwise from slot `from` slot `to` is; the number of slots of
   /// the fan or more if they are in different fans.
   std::uint32_t distance(std::uint32_t from, std::uint32_t to) const {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 /*!
@@ -166,6 +167,12 @@ struct Curve_bundle {
   Normal_coordinate number; ///< number of the first one, counted where following began
 };
 
+/// Ignores where curves pass.
+struct Ignored_steps {
+  /// ignores a step
+  void operator()(const Curve_bundle&) const {}
+};
+
 /*!
 \brief follows curves that leave a face side by side to their ends. As long as they run side by
 side, they take one step together.
@@ -174,19 +181,23 @@ side, they take one step together.
 \param bundle the curves
 \param stack memory to use
 \param visit called with the number of each curve and its `Curve_end`, see `follow_curve()`
+\param pass called with the curves of each step, where they leave a face
 \return the number of steps
 \complexity linear in the number of steps, at most that of all crossings
 */
 template <NumberedTriangles Complex, NormalCoordinates Coordinates,
-          std::invocable<Normal_coordinate, const Curve_end&> Visit>
+          std::invocable<Normal_coordinate, const Curve_end&> Visit,
+          std::invocable<const Curve_bundle&> Pass = Ignored_steps>
 std::size_t follow_curves(const Complex& complex, const Coordinates& coordinates,
-                          Curve_bundle bundle, std::vector<Curve_bundle>& stack, Visit visit) {
+                          Curve_bundle bundle, std::vector<Curve_bundle>& stack, Visit visit,
+                          Pass pass = {}) {
   std::size_t steps = 0;
   stack.assign(1, bundle);
   while (!stack.empty()) {
     Curve_bundle b = stack.back();
     stack.pop_back();
     for (; b.count > 0; ++steps) {
+      pass(std::as_const(b));
       const std::uint32_t h = b.halfedge ^ 1U; // enters its face
       const Corner_coordinates c = corner_coordinates(complex, coordinates, h);
       const std::uint32_t next = complex.next(h), last = complex.next(next);

@@ -55,8 +55,7 @@ std::size_t find_entered(const View& view, const Coordinates& coordinates, std::
   if (from == to) return 0;
   if constexpr (requires { coordinates.knows_crossings(); })
     if (coordinates.knows_crossings()) {
-      for (Normal_coordinate i = from; i < to; ++i)
-        entered[static_cast<std::size_t>(i)] = coordinates.entered_by(h, i);
+      coordinates.copy_entered_by(h, from, to, entered.data() + from);
       return 0;
     }
   return follow_curves(view, coordinates, {h, from, to - from, from}, stack,

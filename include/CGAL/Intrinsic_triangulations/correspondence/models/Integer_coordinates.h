@@ -113,6 +113,11 @@ public:
   std::uint32_t entered_by(std::uint32_t h, Normal_coordinate position) const {
     return kept_.entered_by(h, position);
   }
+  /// copies those that it enters from one position to another. \pre see above
+  void copy_entered_by(std::uint32_t h, Normal_coordinate first, Normal_coordinate last,
+                       std::uint32_t* to) const {
+    kept_.copy_entered_by(h, first, last, to);
+  }
   /// stores the crossings of each edge, unless they are very many. \complexity linear in crossings
   template <class Triangulation>
   void keep_crossings(const Triangulation& t) const {

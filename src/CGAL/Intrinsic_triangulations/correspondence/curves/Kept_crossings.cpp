@@ -29,7 +29,7 @@ void Kept_crossings::keep_always(const Edge_crossings& all) {
 }
 
 void Kept_crossings::forget_beyond(std::size_t edges, Normal_coordinate more) {
-  if (size_ + static_cast<std::size_t>(more) > 2 * most_per_edge * edges) forget();
+  if (size_ + static_cast<std::size_t>(more) > 2 * most(edges)) forget();
 }
 
 void Kept_crossings::forget() {
