@@ -39,7 +39,7 @@ class _Simplification:
     def simplify(self, vertices: float | str | None = None, *, stretch: float | None = None,
                  keep: ArrayLike | None = None,
                  cost: Literal["stretch", "curvature", "area"]
-                 | Callable[[Any], float] = "stretch",
+                 | Callable[[Any], float] | ArrayLike = "stretch",
                  progress: Progress = None) -> CoarseSurface:
         """Returns a surface with fewer vertices, with a proof by how much lengths change.
 
@@ -54,9 +54,11 @@ class _Simplification:
             keep: vertices that stay, of shape (k,); edges that stay, pairs of vertices, of shape
                 (k, 2); or a number: edges at which faces are folded by more degrees.
             cost: which vertices go first: those that stretch the surface least, "stretch", or those
-                whose "curvature" or "area" moves least; or a function that gets a candidate, with
-                the attributes `vertex`, `curvature`, `area`, `mean_length` and `stretch`, and
-                returns its cost. A vertex whose cost is not finite stays.
+                whose "curvature" or "area" moves least, times how far it has moved; or values at
+                vertices, of shape (n,) or (n, k) for several functions, that move in its place; or
+                a function that gets a candidate, with the attributes `vertex`, `curvature`, `area`,
+                `mean_length` and `stretch`, and returns its cost. A vertex whose cost is not finite
+                stays.
             progress: see `delaunay()`.
         """
         return _simplified(self, _wanted(vertices, self.number_of_vertices), stretch, None, keep,
@@ -126,11 +128,13 @@ def _split(keep, count):
     return none, *_options.kept(keep, count)
 
 
-def _cost(cost):
-    """Returns the word of a cost, and a function in place of it or None."""
+def _cost(cost, count):
+    """Returns the word of a cost, a function in place of it or None, and masses in place of both."""
     if not callable(cost):
+        if not isinstance(cost, str):
+            return "stretch", None, _masses(cost, count)
         _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
-        return cost, None
+        return cost, None, None
 
     import inspect
 
@@ -149,7 +153,12 @@ def _cost(cost):
             raise TypeError(f"cost has returned {found!r}; it needs a function that returns a "
                             "number") from None
 
-    return "stretch", of_candidate
+    return "stretch", of_candidate, None
+
+
+def _masses(values, count):
+    values = _arrays.numbers(values, "cost", (count,) if np.ndim(values) == 1 else (count, None))
+    return np.ascontiguousarray(values.reshape(count, -1).T)
 
 
 def _simplified(surface, wanted, stretch, within, keep, cost, progress):
@@ -157,12 +166,12 @@ def _simplified(surface, wanted, stretch, within, keep, cost, progress):
 
     if stretch is not None:
         stretch = _options.number(stretch, "stretch")
-    word, own = _cost(cost)
+    word, own, masses = _cost(cost, surface.number_of_vertices)
     vertices, ends, angle = _split(keep, surface.number_of_input_vertices)
     fine = surface._flipped() if keep is None or len(vertices) else _core.delaunay(
         surface._core, ends, angle, None)
     positions = None if fine.points is None else _core.positions(fine)
     core, found = _core.simplify(
         fine, wanted, np.inf if stretch is None else stretch, within,
-        word, own, vertices, ends, angle, positions, progress)
+        word, own, masses, vertices, ends, angle, positions, progress)
     return CoarseSurface._of_simplification(core, found)

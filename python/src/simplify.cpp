@@ -81,10 +81,36 @@ double asked_cost(const py::object& function, const IT::Removal_candidate& c, Wa
                    [&] { return function(c).cast<double>(); });
 }
 
-IT::Removal_cost order_of(const std::string& name) {
-  return name == "curvature" ? IT::Removal_cost::curvature
-         : name == "area"    ? IT::Removal_cost::area
-                             : IT::Removal_cost::stretch;
+// What Python gives for the cost: a word, a function, or masses at vertices.
+struct Asked_cost {
+  std::string word;
+  py::object function;
+  std::optional<Doubles> masses; // of functions, a row each, by rows of vertices
+};
+
+template <class Triangulation>
+IT::Transported_mass cost_of_masses(const Triangulation& t, const Doubles& masses) {
+  IT::Transported_mass cost;
+  for (py::ssize_t k = 0; k < masses.shape(0); ++k) {
+    std::vector<double> values;
+    for (const auto v : vertices(t.mesh()))
+      values.push_back(masses.at(k, py::ssize_t{t.input_vertex(v)}));
+    cost.add(values);
+  }
+  return cost;
+}
+
+template <class Triangulation>
+IT::Simplification simplified(const Triangulation& t, const IT::Simplify_options& options,
+                              const Asked_cost& cost, Watch& watch) {
+  if (!cost.function.is_none())
+    return IT::simplify(t, options, [&](const IT::Removal_candidate& c) {
+      return asked_cost(cost.function, c, watch);
+    });
+  if (cost.masses) return IT::simplify(t, options, cost_of_masses(t, *cost.masses));
+  if (cost.word == "curvature") return IT::simplify(t, options, IT::curvature_cost(t));
+  if (cost.word == "area") return IT::simplify(t, options, IT::area_cost(t));
+  return IT::simplify(t, options);
 }
 
 // The coarse surface, with points for pictures.
@@ -100,17 +126,16 @@ std::shared_ptr<Surface> coarse_surface(const Surface& fine, const IT::Simplific
 
 // \param flat_within only vertices that are so flat are removed; none: others, too
 py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stretch,
-                   std::optional<double> flat_within, const std::string& order,
-                   const py::object& cost, const Integers& kept_vertices,
-                   const std::optional<Integers>& keep, std::optional<double> sharp_angle,
-                   const std::optional<Doubles>& positions, Watch& watch) {
+                   std::optional<double> flat_within, const std::string& word,
+                   const py::object& function, const std::optional<Doubles>& masses,
+                   const Integers& kept_vertices, const std::optional<Integers>& keep,
+                   std::optional<double> sharp_angle, const std::optional<Doubles>& positions,
+                   Watch& watch) {
   const Kept kept_edges = kept(s, keep, sharp_angle);
   IT::Simplify_options options;
   options.vertices = vertices;
   options.stretch = stretch;
-  options.order = order_of(order);
-  if (!cost.is_none())
-    options.own_cost = [&](const IT::Removal_candidate& c) { return asked_cost(cost, c, watch); };
+  const Asked_cost cost{word, function, masses};
   options.kept_vertices = numbers_of(kept_vertices, IT::Gluing::none, "vertex");
   options.progress = [&watch](const IT::Simplify_progress& p) {
     return watch("simplifying", p.removed, p.removed + p.left);
@@ -121,7 +146,7 @@ py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stret
     for (const auto e : edges(t.mesh()))
       if (get(labels, e)) options.kept_edges.push_back(t.index(e));
     return flat_within ? IT::remove_flat_vertices(t, *flat_within, options)
-                       : IT::simplify(t, options);
+                       : simplified(t, options, cost, watch);
   });
   return py::make_tuple(coarse_surface(s, found, points, s.triangulation.index() == 0),
                         dict_of_simplification(found));

@@ -34,13 +34,14 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/flat_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Candidates.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.cpp>
-#include <CGAL/Intrinsic_simplification/simplification/Removal_costs.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/coarse_surface.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

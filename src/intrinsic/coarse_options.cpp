@@ -54,6 +54,8 @@ void add_simplify_options(CLI::App& command, Options& options) {
   add_plain_flag(command, options);
   add("--prolongation", s.prolongation, {file_of({Contents::matrix})},
       "write the matrix that takes functions from the coarse vertices to the fine ones");
+  add("--vector-prolongation", s.vector_prolongation, {file_of({Contents::matrix})},
+      "the same for tangent vectors, in polar coordinates: complex numbers");
   add("--places", s.places, {file_of({Contents::values})},
       "write where each vertex is on the coarse surface, a face and the weights of its corners, or "
       "a vertex, to .txt");

@@ -88,6 +88,7 @@ struct Simplify_command {
   std::string cost = defaults::removal_cost; ///< `stretch`, `curvature` or `area`
   std::string kept_vertices;                 ///< file of vertices that stay; empty: none
   std::string prolongation;                  ///< from the coarse vertices; empty: none
+  std::string vector_prolongation;           ///< the same for tangent vectors
   std::string places;                        ///< file of places of the fine vertices; empty: none
 };
 

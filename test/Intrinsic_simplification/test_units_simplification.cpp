@@ -32,17 +32,14 @@ Found find(Shape shape, double unit) {
   Found found;
   IT::Simplify_options options;
   options.vertices = 20;
-  for (const IT::Removal_cost order :
-       {IT::Removal_cost::stretch, IT::Removal_cost::curvature, IT::Removal_cost::area}) {
-    options.order = order;
-    found.results.push_back(IT::simplify(t, options));
-  }
-  options.own_cost = [&](const IT::Removal_candidate& c) {
+  found.results.push_back(IT::simplify(t, options));
+  found.results.push_back(IT::simplify(t, options, IT::curvature_cost(t)));
+  found.results.push_back(IT::simplify(t, options, IT::area_cost(t)));
+  found.results.push_back(IT::simplify(t, options, [&](const IT::Removal_candidate& c) {
     found.lengths.push_back(c.mean_length);
     found.areas.push_back(c.area);
     return c.curvature + c.stretch;
-  };
-  found.results.push_back(IT::simplify(t, options));
+  }));
   found.results.push_back(IT::remove_flat_vertices(t, 0.3));
   found.results.push_back(IT::hierarchy(t, 2).back());
   return found;

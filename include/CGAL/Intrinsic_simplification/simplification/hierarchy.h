@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations {
 \param t the triangulation, Delaunay
 \param levels how many at most
 \param ratio the part of the vertices that stays at each level, below 1
-\param options bounds and costs of each level; `vertices` is replaced, and what is kept refers to
+\param options bounds of each level; `vertices` is replaced, and what is kept refers to
   `t`
 \return the coarse surfaces, the finest first; fewer where no other vertex can be removed. The
   matrix from level i + 1 to i is `prolongation()` of element i + 1, where level 0 is `t`

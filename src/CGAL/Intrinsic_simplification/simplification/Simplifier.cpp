@@ -21,10 +21,11 @@ double angle_tolerance(const Vertex_star& star) {
 } // namespace
 
 Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
-                       const Simplify_options& options)
+                       const Simplify_options& options, Asked_cost& cost)
     : fine_(fine), options_(options), mesh_(fine),
       fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
-      costs_(fine, mesh_, options) {
+      candidates_(fine, cost) {
+  if (candidates_.remember()) mesh_.track_turns();
   mark_kept(may_go);
   count_components();
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {
@@ -96,8 +97,8 @@ bool Simplifier::is_last(std::uint32_t v) const {
 void Simplifier::push(std::uint32_t v) {
   if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
   neighbour_.find(mesh_, v);
-  const double c = costs_.cost(mesh_, neighbour_, v);
-  const bool is_allowed = std::isfinite(c) && c <= costs_.bound();
+  const double c = candidates_.cost(mesh_, neighbour_, v);
+  const bool is_allowed = std::isfinite(c) && c <= options_.cost;
   fate_[v] = is_allowed ? Fate::open : Fate::bound;
   is_cost_old_[v] = 0;
   if (is_allowed) queue_.push({c, v});
@@ -261,7 +262,7 @@ Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   restore_delaunay();
   if (!is_within_bounds()) return Fate::bound;
   if (!std::isfinite(step_.spread) && std::isfinite(before)) return Fate::failed; // no proof
-  return costs_.are_stretches() && step_.spread > costs_.bound() ? Fate::bound : Fate::removed;
+  return candidates_.are_stretches() && step_.spread > options_.cost ? Fate::bound : Fate::removed;
 }
 
 // \return `open`: it would stretch the surface much more than expected, and others less
@@ -270,10 +271,10 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   step_ = {};
   star_.find(mesh_, v);
   if (has_fixed_loop(v)) return Fate::blocked;
-  if (costs_.moves_mass()) costs_.remember(mesh_, star_);
+  if (candidates_.remember()) candidates_.describe(mesh_, star_, v);
   Fate fate = flatten(v);
   if (fate == Fate::open) fate = replace_star(v);
-  if (fate == Fate::removed && costs_.are_stretches() && step_.spread > 1.25 * expected &&
+  if (fate == Fate::removed && candidates_.are_stretches() && step_.spread > 1.25 * expected &&
       !queue_.empty() && step_.spread > queue_.top().cost)
     fate = Fate::open;
   counts_.newton_steps += step_.newton_steps;
@@ -281,7 +282,7 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
     mesh_.take_back();
     return fate;
   }
-  if (costs_.moves_mass()) costs_.move_mass(v);
+  if (candidates_.remember()) candidates_.remove(mesh_);
   counts_.ptolemy_flips += step_.ptolemy_flips;
   counts_.flips += step_.flips;
   return fate;

@@ -151,12 +151,13 @@ Simplification Simplifier::take_result() const {
   return s;
 }
 
-Simplification simplify(const Fine_surface& fine, const Simplify_options& options) {
+Simplification simplify(const Fine_surface& fine, const Simplify_options& options,
+                        Asked_cost& cost) {
   expect_range(options);
   const bool is_bounded = std::isfinite(options.stretch) || std::isfinite(options.cost);
   const std::size_t wanted =
       options.vertices.value_or(is_bounded ? 0 : fine.gluing.number_of_vertices / 10);
-  Simplifier simplifier(fine, {}, options);
+  Simplifier simplifier(fine, {}, options, cost);
   simplifier.run(wanted);
   return simplifier.take_result();
 }
@@ -164,7 +165,8 @@ Simplification simplify(const Fine_surface& fine, const Simplify_options& option
 Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>& may_go,
                                const Simplify_options& options) {
   expect_range(options);
-  Simplifier simplifier(fine, may_go, options);
+  Asked_cost_of<Stretch_cost> cost({});
+  Simplifier simplifier(fine, may_go, options, cost);
   simplifier.run(options.vertices.value_or(0));
   Simplification s = simplifier.take_result();
   if (s.status == Status::stalled && !options.vertices &&
