@@ -38,7 +38,7 @@ class _Simplification:
 
     def simplify(self, vertices: float | str | None = None, *, stretch: float | None = None,
                  keep: ArrayLike | None = None,
-                 cost: Literal["stretch", "curvature", "area"]
+                 cost: Literal["stretch", "curvature", "area", "balanced"]
                  | Callable[[Any], float] | ArrayLike = "stretch",
                  progress: Progress = None) -> CoarseSurface:
         """Returns a surface with fewer vertices, with a proof by how much lengths change.
@@ -54,7 +54,8 @@ class _Simplification:
             keep: vertices that stay, of shape (k,); edges that stay, pairs of vertices, of shape
                 (k, 2); or a number: edges at which faces are folded by more degrees.
             cost: which vertices go first: those that stretch the surface least, "stretch", or those
-                whose "curvature" or "area" moves least, times how far it has moved; or values at
+                whose "curvature" or "area" moves least, times how far it has moved, or both by
+                squares of lengths, "balanced", most accurate for operators; or values at
                 vertices, of shape (n,) or (n, k) for several functions, that move in its place; or
                 a function that gets a candidate, with the attributes `vertex`, `curvature`, `area`,
                 `mean_length` and `stretch`, and returns its cost. A vertex whose cost is not finite
@@ -133,7 +134,7 @@ def _cost(cost, count):
     if not callable(cost):
         if not isinstance(cost, str):
             return "stretch", None, _masses(cost, count)
-        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
+        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area", "balanced"))
         return cost, None, None
 
     import inspect
@@ -174,4 +175,4 @@ def _simplified(surface, wanted, stretch, within, keep, cost, progress):
     core, found = _core.simplify(
         fine, wanted, np.inf if stretch is None else stretch, within,
         word, own, masses, vertices, ends, angle, positions, progress)
-    return CoarseSurface._of_simplification(core, found)
+    return CoarseSurface._of_simplification(core, found, fine)

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_simplification/simplification/vector_prolongation.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/complex.h>
@@ -23,6 +24,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 // Surfaces with fewer vertices.
@@ -110,6 +112,7 @@ IT::Simplification simplified(const Triangulation& t, const IT::Simplify_options
   if (cost.masses) return IT::simplify(t, options, cost_of_masses(t, *cost.masses));
   if (cost.word == "curvature") return IT::simplify(t, options, IT::curvature_cost(t));
   if (cost.word == "area") return IT::simplify(t, options, IT::area_cost(t));
+  if (cost.word == "balanced") return IT::simplify(t, options, IT::balanced_cost(t));
   return IT::simplify(t, options);
 }
 
@@ -152,6 +155,26 @@ py::tuple simplify(Surface& s, std::optional<std::size_t> vertices, double stret
                         dict_of_simplification(found));
 }
 
+// The matrix for tangent vectors, of triangulations and of what `dict_of_simplification()` gave.
+py::tuple vector_prolongation(Surface& fine, Surface& coarse, const Integers& kept,
+                              const Integers& faces, const Doubles& weights, double upper,
+                              Watch& watch) {
+  IT::Simplification s;
+  s.kept = numbers_of(kept, IT::Gluing::none, "vertex");
+  s.stretch.upper = upper;
+  const std::vector<Point> points = points_of(weights);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const std::int64_t f = faces.at(static_cast<py::ssize_t>(v));
+    s.places.push_back(f < 0 ? IT::Place{}
+                             : IT::Place::in_face(static_cast<std::uint32_t>(f), points[v]));
+  }
+  return array_of(with_triangulation(fine, watch, [&](const auto& t) {
+    const Surface_lock lock(coarse, watch);
+    return std::visit([&](const auto& c) { return IT::vector_prolongation(t, *c, s); },
+                      coarse.triangulation);
+  }));
+}
+
 } // namespace
 
 void bind_simplify(py::module_& m) {
@@ -162,6 +185,7 @@ void bind_simplify(py::module_& m) {
       .def_readonly("mean_length", &IT::Removal_candidate::mean_length)
       .def_readonly("stretch", &IT::Removal_candidate::stretch);
   m.def("simplify", &simplify);
+  m.def("vector_prolongation", &vector_prolongation);
 }
 
 } // namespace python

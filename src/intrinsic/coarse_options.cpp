@@ -44,7 +44,8 @@ void add_simplify_options(CLI::App& command, Options& options) {
       ->excludes(vertices);
   const Words costs({{"stretch", "those that stretch the surface least"},
                      {"curvature", "those whose curvature moves least"},
-                     {"area", "those whose area moves least"}},
+                     {"area", "those whose area moves least"},
+                     {"balanced", "those whose curvature and area move least, for operators"}},
                     defaults::removal_cost);
   add("--cost", s.cost, {costs.check()}, "which vertices go first: " + costs.help());
   add("--keep-vertices", s.kept_vertices, {file_name},

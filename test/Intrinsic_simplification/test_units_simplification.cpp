@@ -35,6 +35,7 @@ Found find(Shape shape, double unit) {
   found.results.push_back(IT::simplify(t, options));
   found.results.push_back(IT::simplify(t, options, IT::curvature_cost(t)));
   found.results.push_back(IT::simplify(t, options, IT::area_cost(t)));
+  found.results.push_back(IT::simplify(t, options, IT::balanced_cost(t)));
   found.results.push_back(IT::simplify(t, options, [&](const IT::Removal_candidate& c) {
     found.lengths.push_back(c.mean_length);
     found.areas.push_back(c.area);

@@ -22,6 +22,9 @@ during the call:
 - `cost(c, neighbors)`, constant: the cost;
 - `cost.remove(c, neighbors)`: is called when `c` is gone, with what was there before.
 
+If it has a static constant `needs_vectors` that is false, `turn` and `back` of neighbours are zero,
+which saves the time to find them.
+
 \cgalHeading{Invariants}
 
 A vertex whose cost is not finite stays. Costs are asked for again when a vertex is next in turn and

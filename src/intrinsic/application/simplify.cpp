@@ -73,6 +73,7 @@ IT::Simplification simplified(const Triangulation& t, const Simplify_command& gi
   if (given.flat) return IT::remove_flat_vertices(t, *given.flat, asked);
   if (given.cost == "curvature") return IT::simplify(t, asked, IT::curvature_cost(t));
   if (given.cost == "area") return IT::simplify(t, asked, IT::area_cost(t));
+  if (given.cost == "balanced") return IT::simplify(t, asked, IT::balanced_cost(t));
   return IT::simplify(t, asked);
 }
 

@@ -30,6 +30,7 @@ static_assert(IT::RemovalCost<archetypes::Removal_cost>);
 static_assert(IT::RemovalCost<archetypes::Remembering_cost>);
 static_assert(IT::RemovalCost<IT::Stretch_cost>);
 static_assert(IT::RemovalCost<IT::Transported_mass>);
+static_assert(IT::RemovalCost<IT::Moved_mass>);
 static_assert(!IT::RemovalCost<double>);
 
 T delaunay(const Shape& s) { return IT::delaunay_triangulation(s.input()); }
@@ -54,14 +55,31 @@ TEST(RemovalCost, archetypes_are_enough) {
 TEST(TransportedMass, moves_in_shares_and_remembers_the_way_back) {
   IT::Transported_mass cost;
   cost.add({3, -2, 0}, 2); // channels 6 0 0 and 0 4 0
-  const std::vector<IT::Removal_neighbor> of_0{{1, .25, {0, 1}, {1, 0}}, {2, .75, {1, 0}, {0, -2}}};
+  const std::vector<IT::Removal_neighbor> of_0{{1, .25, 1, {0, 1}, {1, 0}},
+                                               {2, .75, 2, {1, 0}, {0, -2}}};
   EXPECT_DOUBLE_EQ(cost({.number = 0}, of_0), 6 * (.25 * 1 + .75 * 2));
   cost.remove({.number = 0}, of_0);
   // 1 has 1.5 at (1, 0), and 4 of the other channel; it sends all to 2, turned by a quarter
-  const std::vector<IT::Removal_neighbor> of_1{{2, 1, {0, 1}, {3, 0}}};
+  const std::vector<IT::Removal_neighbor> of_1{{2, 1, 3, {0, 1}, {3, 0}}};
   // 2 has 4.5 at (0, -2) from 0: 1.5 (3, 1) + 4.5 (0, -2) = (4.5, -7.5)
   EXPECT_DOUBLE_EQ(cost({.number = 1}, of_1), std::hypot(4.5, -7.5) + 4 * 3);
   EXPECT_EQ(IT::Transported_mass().add({0, 0})({.number = 1}, of_0), 0);
+}
+
+TEST(MovedMass, costs_the_mean_of_squared_lengths) {
+  IT::Moved_mass cost({3, 2, 1});
+  const std::vector<IT::Removal_neighbor> of_0{{1, .25, 1, 0, 0}, {2, .75, 2, 0, 0}};
+  EXPECT_DOUBLE_EQ(cost({.number = 0}, of_0), 3 * (.25 * 1 + .75 * 4));
+  cost.remove({.number = 0}, of_0);
+  const std::vector<IT::Removal_neighbor> of_1{{2, 1, 3, 0, 0}};
+  EXPECT_DOUBLE_EQ(cost({.number = 1}, of_1), (2 + .75) * 9);
+}
+
+TEST(BalancedCost, starts_from_curvature_in_turns_and_parts_of_the_area) {
+  const T t = delaunay(tetrahedron()); // curvature pi and a quarter of the area at each vertex
+  const IT::Moved_mass cost = IT::balanced_cost(t);
+  const std::vector<IT::Removal_neighbor> to{{1, 1, 2, 0, 0}};
+  for (std::uint32_t v = 0; v < 4; ++v) EXPECT_NEAR(cost({.number = v}, to), (.5 + .25) * 4, 1e-12);
 }
 
 // Checks neighbours on a plane, where all frames are turned against it by a fixed angle each.
@@ -78,6 +96,7 @@ struct Plane_check {
     for (const IT::Removal_neighbor& n : neighbors) {
       shares += n.share;
       EXPECT_GE(n.share, 0);
+      EXPECT_NEAR(n.length, std::abs(at(c.number) - at(n.number)), 1e-7);
       if (corners.contains(n.number)) continue;
       const Complex axis_there = (at(c.number) - at(n.number)) / n.back;
       const Complex first = axis.emplace(n.number, axis_there).first->second;

@@ -11,7 +11,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -45,12 +44,22 @@ struct Removal_neighbor {
   std::uint32_t number = 0; ///< see `Removal_candidate`
   /// The part of the curvature of the candidate that it gets, to first order; their sum is 1.
   double share = 0;
+  double length = 0;         ///< of the edge
   std::complex<double> turn; ///< takes vectors from the candidate to the neighbour: of modulus 1
   std::complex<double>
       back; ///< the vector from the neighbour to the candidate, as long as the edge
 };
 
 namespace internal {
+
+// Whether a cost reads vectors between vertices.
+template <class Cost>
+constexpr bool needs_vectors() {
+  if constexpr (requires { Cost::needs_vectors; })
+    return Cost::needs_vectors;
+  else
+    return true;
+}
 
 // A cost that knows what was removed before.
 template <class Cost>
@@ -116,28 +125,77 @@ private:
   std::vector<std::vector<Mass>> channels_; // by channels and vertices
 };
 
+/*!
+\brief removes vertices first from which mass moves least, by squares of lengths.
+
+The cost of a vertex is its mass times the mean of the squared lengths of its edges, with the shares
+of its neighbours as weights. This is about the error of functions that are linear in triangles,
+where they were known at the vertex.
+\cgalModels{RemovalCost}
+*/
+class Moved_mass {
+public:
+  static constexpr bool needs_vectors = false; ///< see `RemovalCost`
+
+  /// starts. \param mass for each vertex, in the order of `vertices(t.mesh())`; not negative
+  explicit Moved_mass(std::vector<double> mass) : mass_(std::move(mass)) {}
+
+  /// returns the cost of a vertex.
+  double operator()(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) const;
+  /// moves the mass of a vertex to its neighbours.
+  void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors);
+
+private:
+  std::vector<double> mass_;
+};
+
+namespace internal {
+
+// The curvature at each vertex, and a third of the area of its faces; zero if it is isolated.
+struct Vertex_values {
+  std::vector<double> curvature, area;
+};
+
+template <class Triangulation>
+Vertex_values vertex_values(const Triangulation& t) {
+  std::vector<double> area(t.numbers().vertex_capacity(t.mesh()), 0);
+  for (const auto f : faces(t.mesh())) {
+    auto h = halfedge(f, t.mesh());
+    for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
+      area[t.index(target(h, t.mesh()))] += t.area(f) / 3;
+  }
+  Vertex_values result;
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+  for (const auto v : vertices(t.mesh())) {
+    result.curvature.push_back(halfedge(v, t.mesh()) == null ? 0 : gaussian_curvature(t, v));
+    result.area.push_back(area[t.index(v)]);
+  }
+  return result;
+}
+
+// The curvature in full turns plus the part of the area, for each vertex.
+std::vector<double> balanced_mass(const Vertex_values& values);
+
+} // namespace internal
+
 /// returns the cost that moves curvature least. \param t the triangulation that is simplified
 template <NumberedTriangulation Triangulation>
 Transported_mass curvature_cost(const Triangulation& t) {
-  std::vector<double> values;
-  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
-  for (const auto v : vertices(t.mesh()))
-    values.push_back(halfedge(v, t.mesh()) == null ? 0 : gaussian_curvature(t, v));
-  return Transported_mass().add(values);
+  return Transported_mass().add(internal::vertex_values(t).curvature);
 }
 
 /// returns the cost that moves area least. \param t the triangulation that is simplified
 template <NumberedTriangulation Triangulation>
 Transported_mass area_cost(const Triangulation& t) {
-  std::vector<double> of_number(t.numbers().vertex_capacity(t.mesh()), 0);
-  for (const auto f : faces(t.mesh())) {
-    auto h = halfedge(f, t.mesh());
-    for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
-      of_number[t.index(target(h, t.mesh()))] += t.area(f) / 3;
-  }
-  std::vector<double> values;
-  for (const auto v : vertices(t.mesh())) values.push_back(of_number[t.index(v)]);
-  return Transported_mass().add(values);
+  return Transported_mass().add(internal::vertex_values(t).area);
+}
+
+/// returns the cost with which operators on the coarse surface are most accurate: curvature in full
+/// turns and area as a part of all, moved least by squares of lengths.
+/// \param t the triangulation that is simplified
+template <NumberedTriangulation Triangulation>
+Moved_mass balanced_cost(const Triangulation& t) {
+  return Moved_mass(internal::balanced_mass(internal::vertex_values(t)));
 }
 
 namespace internal {
@@ -146,9 +204,10 @@ namespace internal {
 class Asked_cost {
 public:
   // \param remembering it is given neighbours, and what is removed
+  // \param on_vectors neighbours need vectors
   // \param of_stretch costs are expected spreads of the stretch
-  Asked_cost(bool remembering, bool of_stretch)
-      : remembers_(remembering), is_stretch_(of_stretch) {}
+  Asked_cost(bool remembering, bool on_vectors, bool of_stretch)
+      : remembers_(remembering), needs_vectors_(on_vectors), is_stretch_(of_stretch) {}
   virtual ~Asked_cost() = default;
   Asked_cost(const Asked_cost&) = delete;
   Asked_cost& operator=(const Asked_cost&) = delete;
@@ -157,17 +216,20 @@ public:
   virtual void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) = 0;
 
   bool remembers() const { return remembers_; }
+  bool needs_vectors() const { return needs_vectors_; }
   bool is_stretch() const { return is_stretch_; }
 
 private:
-  bool remembers_, is_stretch_;
+  bool remembers_, needs_vectors_, is_stretch_;
 };
 
 template <RemovalCost Cost>
 class Asked_cost_of final : public Asked_cost {
 public:
   explicit Asked_cost_of(Cost cost)
-      : Asked_cost(Remembers_removals<Cost>, std::is_same_v<Cost, Stretch_cost>),
+      : Asked_cost(Remembers_removals<Cost>,
+                   Remembers_removals<Cost> && internal::needs_vectors<Cost>(),
+                   std::is_same_v<Cost, Stretch_cost>),
         cost_(std::move(cost)) {}
 
   double cost(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) override {

@@ -71,24 +71,36 @@ Candidates::Direction Candidates::direction(const Coarse_mesh& mesh, std::uint32
 void Candidates::find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
   find_shares(star);
   neighbors_.clear();
-  Direction here = direction(mesh, star.side(0));
-  for (std::size_t k = 0; k < shares_.size(); ++k) {
-    const std::uint32_t s = star.rim_corner(k), n = mesh.origin(s);
-    const bool has_face = k < star.size();
-    if (n != v) {
-      const Direction there = direction(mesh, s);
-      // `s` starts the corner that the edge to the vertex ends; on the border `s` is that edge
-      const double back = there.polar + (has_face ? there.scale * mesh.corner_angle(s) : 0);
-      neighbors_.push_back(
-          {n, shares_[k], std::polar(1., back + std::numbers::pi - here.polar),
-           std::polar(std::ldexp(std::sqrt(star.spoke(k)), -fine_.scale_exponent), back)});
-    }
-    if (has_face) here.polar += here.scale * mesh.corner_angle(star.side(k));
-  }
+  spoke_of_.clear();
   double sum = 0;
-  for (const Removal_neighbor& n : neighbors_) sum += n.share;
+  for (std::size_t k = 0; k < shares_.size(); ++k) {
+    const std::uint32_t n = mesh.origin(star.rim_corner(k));
+    if (n == v) continue;
+    sum += shares_[k];
+    spoke_of_.push_back(k);
+    neighbors_.push_back(
+        {n, shares_[k], std::ldexp(std::sqrt(star.spoke(k)), -fine_.scale_exponent), 0, 0});
+  }
   for (Removal_neighbor& n : neighbors_)
     n.share = sum > 0 ? n.share / sum : 1 / static_cast<double>(neighbors_.size());
+}
+
+void Candidates::find_vectors(const Coarse_mesh& mesh, const Vertex_star& star) {
+  const Direction first = direction(mesh, star.side(0));
+  double here = first.polar;
+  for (std::size_t k = 0, n = 0; n < neighbors_.size(); ++k) {
+    const bool has_face = k < star.size();
+    if (spoke_of_[n] == k) {
+      // the side starts the corner that the edge to the vertex ends; on the border it is that edge
+      const std::uint32_t s = star.rim_corner(k);
+      const Direction there = direction(mesh, s);
+      const double back = there.polar + (has_face ? there.scale * mesh.corner_angle(s) : 0);
+      neighbors_[n].turn = std::polar(1., back + std::numbers::pi - here);
+      neighbors_[n].back = std::polar(neighbors_[n].length, back);
+      ++n;
+    }
+    if (has_face) here += first.scale * mesh.corner_angle(star.side(k));
+  }
 }
 
 void Candidates::describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
@@ -100,6 +112,7 @@ void Candidates::describe(const Coarse_mesh& mesh, const Vertex_star& star, std:
   candidate_.area = std::ldexp(area_of(star), -2 * fine_.scale_exponent);
   candidate_.mean_length = std::ldexp(mean_length_of(star), -fine_.scale_exponent);
   if (cost_.remembers()) find_neighbors(mesh, star, v);
+  if (cost_.needs_vectors()) find_vectors(mesh, star);
 }
 
 double Candidates::cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {

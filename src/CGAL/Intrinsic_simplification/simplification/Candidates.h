@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
 #include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,11 +19,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Candidates {
 public:
   Candidates(const Fine_surface& fine, Asked_cost& cost)
-      : fine_(fine), cost_(cost), axis_(cost.remembers() ? fine.row.size() : 0, 0) {}
+      : fine_(fine), cost_(cost), axis_(cost.needs_vectors() ? fine.row.size() : 0, 0) {}
 
   double cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
   // Whether costs are spreads of the bounds of faces, expected ones.
   bool are_stretches() const { return cost_.is_stretch(); }
+  // Whether directions at vertices are needed.
+  bool need_vectors() const { return cost_.needs_vectors(); }
   // Whether costs are told what is removed.
   bool remember() const { return cost_.remembers(); }
   // Describes a vertex and its neighbours before it becomes flat.
@@ -42,13 +45,15 @@ private:
   void find_shares(const Vertex_star& star);
   Direction direction(const Coarse_mesh& mesh, std::uint32_t side) const;
   void find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  void find_vectors(const Coarse_mesh& mesh, const Vertex_star& star);
 
   const Fine_surface& fine_;
   Asked_cost& cost_;
   Removal_candidate candidate_;
   std::vector<Removal_neighbor> neighbors_;
-  std::vector<double> shares_; // of the spokes of a star
-  std::vector<double> axis_;   // the polar angle of the outgoing side of each vertex
+  std::vector<double> shares_;        // of the spokes of a star
+  std::vector<std::size_t> spoke_of_; // of each neighbour: loops have none
+  std::vector<double> axis_;          // the polar angle of the outgoing side of each vertex
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

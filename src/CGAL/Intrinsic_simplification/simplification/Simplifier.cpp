@@ -25,7 +25,7 @@ Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go
     : fine_(fine), options_(options), mesh_(fine),
       fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
       candidates_(fine, cost) {
-  if (candidates_.remember()) mesh_.track_turns();
+  if (candidates_.need_vectors()) mesh_.track_turns();
   mark_kept(may_go);
   count_components();
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {

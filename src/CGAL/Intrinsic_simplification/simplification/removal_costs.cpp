@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -41,8 +45,28 @@ void Transported_mass::remove(const Removal_candidate& c,
     const Mass gone = channel[c.number];
     if (!(gone.amount > 0)) continue;
     for (const Removal_neighbor& to : neighbors)
-      if (to.number != c.number) channel[to.number] = sum(channel[to.number], gone, to);
+      channel[to.number] = sum(channel[to.number], gone, to);
   }
+}
+
+double Moved_mass::operator()(const Removal_candidate& c,
+                              std::span<const Removal_neighbor> neighbors) const {
+  double mean = 0;
+  for (const Removal_neighbor& to : neighbors) mean += to.share * to.length * to.length;
+  return mass_[c.number] * mean;
+}
+
+void Moved_mass::remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) {
+  for (const Removal_neighbor& to : neighbors) mass_[to.number] += to.share * mass_[c.number];
+}
+
+std::vector<double> internal::balanced_mass(const Vertex_values& values) {
+  const double area = std::accumulate(values.area.begin(), values.area.end(), 0.);
+  std::vector<double> mass;
+  for (std::size_t v = 0; v < values.area.size(); ++v)
+    mass.push_back(std::abs(values.curvature[v]) / (2 * std::numbers::pi) +
+                   (area > 0 ? values.area[v] / area : 0));
+  return mass;
 }
 
 } // namespace CGAL::Intrinsic_triangulations
