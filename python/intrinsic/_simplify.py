@@ -130,7 +130,7 @@ def _split(keep, count):
 
 
 def _cost(cost, count):
-    """Returns the word of a cost, a function in place of it or None, and masses in place of both."""
+    """Returns the word of a cost, and a function or masses in place of it, or None."""
     if not callable(cost):
         if not isinstance(cost, str):
             return "stretch", None, _masses(cost, count)

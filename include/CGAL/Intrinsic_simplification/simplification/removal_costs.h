@@ -29,8 +29,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// A vertex that could be removed next, as costs see it.
 struct Removal_candidate {
   std::uint32_t vertex = 0; ///< the user's vertex
-  /// The number of the vertex in the order of `vertices(t.mesh())`. On a cover each copy of a vertex
-  /// has one.
+  /// The number of the vertex in the order of `vertices(t.mesh())`. On a cover each copy of a
+  /// vertex has one.
   std::uint32_t number = 0;
   double curvature = 0;   ///< 2 pi, on the border pi, minus the angles at it now, in radians
   double area = 0;        ///< a third of the faces at it, now, in the units of the input
