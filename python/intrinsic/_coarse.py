@@ -26,8 +26,8 @@ class CoarseSurface(Surface):
     fine vertex, a face, of shape (N,), and barycentric coordinates in it, of shape (N, 3); the face
     of an isolated vertex is -1. `prolongation`, of shape (N, n), takes functions from coarse to
     fine vertices; `vector_prolongation`, complex, tangent vectors in the polar coordinates of
-    vertices, see `VectorField`. `status` is "done" if what was asked for is reached, "stalled" if no
-    other vertex can be removed. `counts` is a dict: "removed" vertices, "flips", and why others
+    vertices, see `VectorField`. `status` is "done" if what was asked for is reached, "stalled" if
+    no other vertex can be removed. `counts` is a dict: "removed" vertices, "flips", and why others
     stayed.
     """
 
