@@ -158,7 +158,8 @@ def _cost(cost, count):
 
 
 def _masses(values, count):
-    values = _arrays.numbers(values, "cost", (count,) if np.ndim(values) == 1 else (count, None))
+    values = _arrays.numbers(values, "cost")
+    _arrays.expect_shape(values, "cost", (count,) if values.ndim == 1 else (count, None))
     return np.ascontiguousarray(values.reshape(count, -1).T)
 
 
