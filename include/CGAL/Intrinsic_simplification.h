@@ -18,5 +18,6 @@ Includes simplification with a proven stretch, isometries, convex polyhedra of m
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_simplification/simplification/vector_prolongation.h>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_H

@@ -25,8 +25,10 @@ class CoarseSurface(Surface):
     `face_stretch`, of shape (m, 2), has the proven bounds in each face. `fine_places` are, for each
     fine vertex, a face, of shape (N,), and barycentric coordinates in it, of shape (N, 3); the face
     of an isolated vertex is -1. `prolongation`, of shape (N, n), takes functions from coarse to
-    fine vertices. `status` is "done" if what was asked for is reached, "stalled" if no other vertex
-    can be removed. `counts` is a dict: "removed" vertices, "flips", and why others stayed.
+    fine vertices; `vector_prolongation`, complex, tangent vectors in the polar coordinates of
+    vertices, see `VectorField`. `status` is "done" if what was asked for is reached, "stalled" if
+    no other vertex can be removed. `counts` is a dict: "removed" vertices, "flips", and why others
+    stayed.
     """
 
     kept: Integers
@@ -38,18 +40,32 @@ class CoarseSurface(Surface):
     counts: dict[str, int]
 
     @classmethod
-    def _of_simplification(cls, core, found):
+    def _of_simplification(cls, core, found, fine):
         surface = cls._of(core)
         surface.kept, surface.status = found["kept"], found["status"]
         surface.stretch, surface.face_stretch = Stretch(*found["stretch"]), found["face_stretch"]
         surface.fine_places = found["faces"], found["weights"]
         surface.prolongation = _arrays.sparse(found["prolongation"])
         surface.counts = found["counts"]
+        surface._fine = fine
+        surface._vector_prolongation = None
         return surface
+
+    @property
+    def vector_prolongation(self) -> Any:
+        """Takes tangent vectors from coarse to fine vertices: a complex csr_matrix of shape (N, n),
+        with a row for each copy of a vertex on a cover. Vectors are turned as the map between the
+        surfaces turns edges."""
+        if self._vector_prolongation is None:
+            faces, weights = self.fine_places
+            self._vector_prolongation = _arrays.sparse(_core.vector_prolongation(
+                self._fine, self._flipped(), self.kept, faces, weights, self.stretch.upper, None))
+        return self._vector_prolongation
 
     def _found(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items()
-                if name in CoarseSurface.__annotations__}
+                if name in CoarseSurface.__annotations__ or name in ("_fine",
+                                                                     "_vector_prolongation")}
 
     def __reduce__(self):
         return _restored, (self._core, self._found())

@@ -38,8 +38,8 @@ class _Simplification:
 
     def simplify(self, vertices: float | str | None = None, *, stretch: float | None = None,
                  keep: ArrayLike | None = None,
-                 cost: Literal["stretch", "curvature", "area"]
-                 | Callable[[Any], float] = "stretch",
+                 cost: Literal["stretch", "curvature", "area", "balanced"]
+                 | Callable[[Any], float] | ArrayLike = "stretch",
                  progress: Progress = None) -> CoarseSurface:
         """Returns a surface with fewer vertices, with a proof by how much lengths change.
 
@@ -54,9 +54,12 @@ class _Simplification:
             keep: vertices that stay, of shape (k,); edges that stay, pairs of vertices, of shape
                 (k, 2); or a number: edges at which faces are folded by more degrees.
             cost: which vertices go first: those that stretch the surface least, "stretch", or those
-                whose "curvature" or "area" moves least; or a function that gets a candidate, with
-                the attributes `vertex`, `curvature`, `area`, `mean_length` and `stretch`, and
-                returns its cost. A vertex whose cost is not finite stays.
+                whose "curvature" or "area" moves least, times how far it has moved, or both by
+                squares of lengths, "balanced", most accurate for operators; or values at
+                vertices, of shape (n,) or (n, k) for several functions, that move in its place; or
+                a function that gets a candidate, with the attributes `vertex`, `curvature`, `area`,
+                `mean_length` and `stretch`, and returns its cost. A vertex whose cost is not finite
+                stays.
             progress: see `delaunay()`.
         """
         [found] = _simplified(self, _wanted(vertices), None, stretch, None, keep, cost, progress)
@@ -79,6 +82,7 @@ class _Simplification:
         return found
 
     def hierarchy(self, levels: int = 3, *, ratio: float = .25, keep: ArrayLike | None = None,
+                  cost: str | ArrayLike | Callable[[Any], float] = "stretch",
                   progress: Progress = None) -> list[CoarseSurface]:
         """Returns coarser and coarser surfaces, in one run of `simplify()`.
 
@@ -90,11 +94,12 @@ class _Simplification:
             levels: how many at most; fewer where no other vertex can be removed.
             ratio: the part of the vertices that stays at each level.
             keep: what stays at all levels, see `simplify()`.
+            cost: which vertices go first, see `simplify()`.
             progress: see `delaunay()`.
         """
         levels = _arrays.whole(levels, "levels", least=0)
         ratio = _arrays.number(ratio, "ratio", "a number between 0 and 1", lambda x: 0 < x < 1)
-        return _simplified(self, (None, None), (levels, ratio), None, None, keep, "stretch",
+        return _simplified(self, (None, None), (levels, ratio), None, None, keep, cost,
                            progress)
 
 
@@ -125,11 +130,13 @@ def _split(keep, count):
     return none, *_options.kept(keep, count)
 
 
-def _cost(cost):
-    """Returns the word of a cost, and a function in place of it or None."""
+def _cost(cost, count):
+    """Returns the word of a cost, and a function or masses in place of it, or None."""
     if not callable(cost):
-        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area"))
-        return cost, None
+        if not isinstance(cost, str):
+            return "stretch", None, _masses(cost, count)
+        _arrays.expect_word(cost, "cost", ("stretch", "curvature", "area", "balanced"))
+        return cost, None, None
 
     import inspect
 
@@ -148,7 +155,13 @@ def _cost(cost):
             raise TypeError(f"cost has returned {found!r}; it needs a function that returns a "
                             "number") from None
 
-    return "stretch", of_candidate
+    return "stretch", of_candidate, None
+
+
+def _masses(values, count):
+    values = _arrays.numbers(values, "cost")
+    _arrays.expect_shape(values, "cost", (count,) if values.ndim == 1 else (count, None))
+    return np.ascontiguousarray(values.reshape(count, -1).T)
 
 
 def _simplified(surface, wanted, levels, stretch, within, keep, cost, progress):
@@ -156,12 +169,12 @@ def _simplified(surface, wanted, levels, stretch, within, keep, cost, progress):
 
     if stretch is not None:
         stretch = _options.number(stretch, "stretch")
-    word, own = _cost(cost)
+    word, own, masses = _cost(cost, surface.number_of_vertices)
     vertices, ends, angle = _split(keep, surface.number_of_input_vertices)
     fine = surface._flipped() if keep is None or len(vertices) else _core.delaunay(
         surface._core, ends, angle, None)
     positions = None if fine.points is None else _core.positions(fine)
     found = _core.simplify(
         fine, *wanted, levels, np.inf if stretch is None else stretch, within,
-        word, own, vertices, ends, angle, positions, progress)
-    return [CoarseSurface._of_simplification(core, facts) for core, facts in found]
+        word, own, masses, vertices, ends, angle, positions, progress)
+    return [CoarseSurface._of_simplification(core, facts, fine) for core, facts in found]

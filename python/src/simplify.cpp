@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_simplification/simplification/vector_prolongation.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/complex.h>
@@ -24,6 +25,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 // Surfaces with fewer vertices.
@@ -82,10 +84,42 @@ double asked_cost(const py::object& function, const IT::Removal_candidate& c, Wa
                    [&] { return function(c).cast<double>(); });
 }
 
-IT::Removal_cost order_of(const std::string& name) {
-  return name == "curvature" ? IT::Removal_cost::curvature
-         : name == "area"    ? IT::Removal_cost::area
-                             : IT::Removal_cost::stretch;
+// What Python gives for the cost: a word, a function, or masses at vertices.
+struct Asked_cost {
+  std::string word;
+  py::object function;
+  std::optional<Doubles> masses; // of functions, a row each, by rows of vertices
+};
+
+template <class Triangulation>
+IT::Transported_mass cost_of_masses(const Triangulation& t, const Doubles& masses) {
+  IT::Transported_mass cost;
+  for (py::ssize_t k = 0; k < masses.shape(0); ++k) {
+    std::vector<double> values;
+    for (const auto v : vertices(t.mesh()))
+      values.push_back(masses.at(k, py::ssize_t{t.input_vertex(v)}));
+    cost.add(values);
+  }
+  return cost;
+}
+
+// Calls a function with the cost that Python has asked for.
+template <class Triangulation, class Function>
+std::vector<IT::Simplification> with_cost(const Triangulation& t, const Asked_cost& cost,
+                                          Watch& watch, const Function& f) {
+  if (!cost.function.is_none())
+    return f([&](const IT::Removal_candidate& c) { return asked_cost(cost.function, c, watch); });
+  if (cost.masses) return f(cost_of_masses(t, *cost.masses));
+  if (cost.word == "curvature") return f(IT::curvature_cost(t));
+  if (cost.word == "area") return f(IT::area_cost(t));
+  if (cost.word == "balanced") return f(IT::balanced_cost(t));
+  return f(IT::Stretch_cost());
+}
+
+std::vector<IT::Simplification> one_surface(IT::Simplification s) {
+  std::vector<IT::Simplification> result;
+  result.push_back(std::move(s));
+  return result;
 }
 
 // The coarse surface, with points for pictures.
@@ -103,18 +137,17 @@ std::shared_ptr<Surface> coarse_surface(const Surface& fine, const IT::Simplific
 // \param flat_within only vertices that are so flat are removed; none: others, too
 py::list simplify(Surface& s, std::optional<std::size_t> vertices, std::optional<double> part,
                   std::optional<std::pair<std::size_t, double>> levels, double stretch,
-                  std::optional<double> flat_within, const std::string& order,
-                  const py::object& cost, const Integers& kept_vertices,
-                  const std::optional<Integers>& keep, std::optional<double> sharp_angle,
-                  const std::optional<Doubles>& positions, Watch& watch) {
+                  std::optional<double> flat_within, const std::string& word,
+                  const py::object& function, const std::optional<Doubles>& masses,
+                  const Integers& kept_vertices, const std::optional<Integers>& keep,
+                  std::optional<double> sharp_angle, const std::optional<Doubles>& positions,
+                  Watch& watch) {
   const Kept kept_edges = kept(s, keep, sharp_angle);
   IT::Simplify_options options;
   options.vertices = vertices;
   options.part = part;
   options.stretch = stretch;
-  options.order = order_of(order);
-  if (!cost.is_none())
-    options.own_cost = [&](const IT::Removal_candidate& c) { return asked_cost(cost, c, watch); };
+  const Asked_cost cost{word, function, masses};
   options.kept_vertices = numbers_of(kept_vertices, IT::Gluing::none, "vertex");
   options.progress = [&watch](const IT::Simplify_progress& p) {
     return watch("simplifying", p.removed, p.removed + p.left);
@@ -124,17 +157,38 @@ py::list simplify(Surface& s, std::optional<std::size_t> vertices, std::optional
     const auto labels = IT::labelled_input_edges(t, marks_of(t.input(), kept_edges));
     for (const auto e : edges(t.mesh()))
       if (get(labels, e)) options.kept_edges.push_back(t.index(e));
-    if (levels) return IT::hierarchy(t, levels->first, levels->second, options);
-    std::vector<IT::Simplification> one;
-    one.push_back(flat_within ? IT::remove_flat_vertices(t, *flat_within, options)
-                              : IT::simplify(t, options));
-    return one;
+    if (flat_within) return one_surface(IT::remove_flat_vertices(t, *flat_within, options));
+    return with_cost(t, cost, watch, [&](auto&& c) {
+      if (levels)
+        return IT::hierarchy(t, levels->first, levels->second, options, std::move(c));
+      return one_surface(IT::simplify(t, options, std::move(c)));
+    });
   });
   py::list result;
   for (const IT::Simplification& f : found)
     result.append(py::make_tuple(coarse_surface(s, f, points, s.triangulation.index() == 0),
                                  dict_of_simplification(f)));
   return result;
+}
+
+// The matrix for tangent vectors, of triangulations and of what `dict_of_simplification()` gave.
+py::tuple vector_prolongation(Surface& fine, Surface& coarse, const Integers& kept,
+                              const Integers& faces, const Doubles& weights, double upper,
+                              Watch& watch) {
+  IT::Simplification s;
+  s.kept = numbers_of(kept, IT::Gluing::none, "vertex");
+  s.stretch.upper = upper;
+  const std::vector<Point> points = points_of(weights);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const std::int64_t f = faces.at(static_cast<py::ssize_t>(v));
+    s.places.push_back(f < 0 ? IT::Place{}
+                             : IT::Place::in_face(static_cast<std::uint32_t>(f), points[v]));
+  }
+  return array_of(with_triangulation(fine, watch, [&](const auto& t) {
+    const Surface_lock lock(coarse, watch);
+    return std::visit([&](const auto& c) { return IT::vector_prolongation(t, *c, s); },
+                      coarse.triangulation);
+  }));
 }
 
 } // namespace
@@ -147,6 +201,7 @@ void bind_simplify(py::module_& m) {
       .def_readonly("mean_length", &IT::Removal_candidate::mean_length)
       .def_readonly("stretch", &IT::Removal_candidate::stretch);
   m.def("simplify", &simplify);
+  m.def("vector_prolongation", &vector_prolongation);
 }
 
 } // namespace python

@@ -547,6 +547,11 @@ def coarse(x):
     return [t.number_of_vertices, t.status, [level.number_of_vertices for level in levels]]
 
 
+def coarse_vectors(x):
+    P = x.s.simplify("50%").vector_prolongation
+    return [*P.shape, round(float(abs(P).sum()), 6)]
+
+
 def without_flat(x):
     return [x.s.remove_flat_vertices(1e-6).number_of_vertices]
 

@@ -181,6 +181,8 @@ TABLE = {
     "Surface.hierarchy": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
     "Surface.remove_flat_vertices": [combinatorial(m.without_flat, on=ORIENTED, changes=tuple(RIGID))],
     "CoarseSurface": [combinatorial(m.coarse, on=CLOSED, changes=tuple(RIGID))],
+    "CoarseSurface.vector_prolongation": [
+        combinatorial(m.coarse_vectors, on=CLOSED, changes=tuple(RIGID))],
     **{name: [combinatorial(m.symmetries, on=CURVED)] for name in
        ("Surface.isometries", "Surface.hash", "Isometries", "Isometry", "Isometry.points")},
     "ConvexPolyhedron.surface": [intrinsic(m.hull_again, on=("sphere",))],

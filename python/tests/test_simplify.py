@@ -41,7 +41,8 @@ def subdivided(V, F):
 class Coarse(unittest.TestCase):
     def test_distances_are_within_the_proven_bounds(self):
         s = it.Surface(*torus())
-        for cost in ("stretch", "curvature", "area", lambda c: c.area * (1 + abs(c.curvature))):
+        for cost in ("stretch", "curvature", "area", "balanced", s.points[:, 2],
+                     np.abs(s.points), lambda c: c.area * (1 + abs(c.curvature))):
             t = s.simplify(100, cost=cost)
             self.assertEqual((t.status, t.number_of_vertices), ("done", 100))
             self.assertEqual(len(np.unique(t.kept)), 100)
@@ -70,6 +71,30 @@ class Coarse(unittest.TestCase):
         faces, weights = t.fine_places
         np.testing.assert_allclose(np.einsum("nk,nkc->nc", weights, V[t.kept[t.faces[faces]]]), V,
                                    atol=1e-11)
+
+    def test_masses_stay_where_they_are_dear(self):
+        V, F = grid(13)
+        mass = np.where(V[:, 0] < 6, 1., 1e-6)
+        t = it.Surface(V, F).simplify(60, cost=mass)
+        self.assertGreater((V[t.kept, 0] < 6).sum(), 45)
+
+    def test_tangent_vectors_are_prolonged(self):
+        s = it.Surface(*torus())
+        t = s.simplify(100)
+        P = t.vector_prolongation
+        self.assertEqual((P.shape, P.dtype), ((640, 100), np.dtype(complex)))
+        np.testing.assert_allclose(abs(P).toarray(), t.prolongation.toarray(), atol=1e-12)
+        # a field that is smooth on the coarse surface is smooth on the fine one
+        quotients = []
+        for surface in s, t:
+            L, M = surface.connection_laplacian().toarray(), surface.mass().diagonal()
+            values, fields = np.linalg.eigh(L / np.sqrt(np.outer(M, M)))
+            quotients.append(values[0])
+            field = fields[:, 0] / np.sqrt(M)
+        z = P @ field
+        found = (z.conj() @ (s.connection_laplacian() @ z)).real / (abs(z)**2 @ s.mass().diagonal())
+        self.assertLess(quotients[0] * (1 - 1e-9), found)
+        self.assertLess(found, 2 * quotients[0])
 
     def test_flat_vertices_go(self):
         V, F = subdivided(*subdivided(*CUBE))
@@ -112,11 +137,13 @@ class Coarse(unittest.TestCase):
         np.testing.assert_array_equal(u.kept, t.kept)
         self.assertEqual(u.stretch, t.stretch)
         np.testing.assert_array_equal(u.lengths, t.lengths)
+        np.testing.assert_array_equal(u.vector_prolongation.data, t.vector_prolongation.data)
 
     def test_bad_arguments_are_refused(self):
         s = it.Surface(*torus())
         for arguments in ({"vertices": 0}, {"vertices": "x"}, {"vertices": "200%"},
-                          {"stretch": .5}, {"cost": "x"}, {"keep": [4711]}):
+                          {"stretch": .5}, {"cost": "x"}, {"keep": [4711]},
+                          {"cost": [1, 2]}, {"cost": np.full(640, np.nan)}):
             with self.assertRaises(ValueError, msg=str(arguments)):
                 s.simplify(**arguments)
         with self.assertRaises(ZeroDivisionError):

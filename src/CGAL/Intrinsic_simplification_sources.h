@@ -34,9 +34,9 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/remove_vertices.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/Candidates.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.cpp>
-#include <CGAL/Intrinsic_simplification/simplification/Removal_costs.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.cpp>
@@ -44,5 +44,6 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/simplification/flat_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/flatten.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

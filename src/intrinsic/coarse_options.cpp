@@ -44,7 +44,8 @@ void add_simplify_options(CLI::App& command, Options& options) {
       ->excludes(vertices);
   const Words costs({{"stretch", "those that stretch the surface least"},
                      {"curvature", "those whose curvature moves least"},
-                     {"area", "those whose area moves least"}},
+                     {"area", "those whose area moves least"},
+                     {"balanced", "those whose curvature and area move least, for operators"}},
                     defaults::removal_cost);
   add("--cost", s.cost, {costs.check()}, "which vertices go first: " + costs.help());
   add("--keep-vertices", s.kept_vertices, {file_name},
@@ -54,6 +55,8 @@ void add_simplify_options(CLI::App& command, Options& options) {
   add_plain_flag(command, options);
   add("--prolongation", s.prolongation, {file_of({Contents::matrix})},
       "write the matrix that takes functions from the coarse vertices to the fine ones");
+  add("--vector-prolongation", s.vector_prolongation, {file_of({Contents::matrix})},
+      "the same for tangent vectors, in polar coordinates: complex numbers");
   add("--places", s.places, {file_of({Contents::values})},
       "write where each vertex is on the coarse surface, a face and the weights of its corners, or "
       "a vertex, to .txt");

@@ -104,8 +104,9 @@ inline void write_mesh(std::ostream& out, const std::string& extension,
 }
 
 /// writes a matrix. \param what what it is, for the comment in the file
-inline void write_matrix(const std::string& path, const Eigen::SparseMatrix<double>& matrix,
-                         const std::string& what, Output_files& files) {
+template <class Scalar>
+void write_matrix(const std::string& path, const Eigen::SparseMatrix<Scalar>& matrix,
+                  const std::string& what, Output_files& files) {
   files.write(path, [&](std::ostream& out) {
     IT::write_matrix_market(out, matrix,
                             what + ",\nby intrinsic " + INTRINSIC_TRIANGULATIONS_VERSION);

@@ -42,6 +42,7 @@ std::vector<Output> outputs(const Options& o) {
                           {o.input_interpolation, "the interpolation from the input"},
                           {o.cut.labels, "labels of faces"},
                           {o.simplify.prolongation, "the prolongation from the coarse vertices"},
+                          {o.simplify.vector_prolongation, "the prolongation of vectors"},
                           {o.simplify.places, "places on the coarse surface"},
                           {o.application.isolines, "isolines"},
                           {o.application.voronoi, "lines between cells"},

@@ -85,9 +85,10 @@ struct Simplify_command {
   std::string vertices;                      ///< number or percentage; empty: no bound
   std::optional<double> stretch{};           ///< largest factor of lengths, and its inverse
   std::optional<double> flat{};              ///< radians: only vertices as flat as this go
-  std::string cost = defaults::removal_cost; ///< `stretch`, `curvature` or `area`
+  std::string cost = defaults::removal_cost; ///< `stretch`, `curvature`, `area` or `balanced`
   std::string kept_vertices;                 ///< file of vertices that stay; empty: none
   std::string prolongation;                  ///< from the coarse vertices; empty: none
+  std::string vector_prolongation;           ///< the same for tangent vectors
   std::string places;                        ///< file of places of the fine vertices; empty: none
 };
 

@@ -22,6 +22,7 @@ using namespace operator_test;
 struct Found {
   std::vector<IT::Simplification> results;
   std::vector<double> lengths, areas; // of candidates
+  Eigen::MatrixXcd vectors;           // the prolongation
 };
 
 Found find(Shape shape, double unit) {
@@ -32,17 +33,17 @@ Found find(Shape shape, double unit) {
   Found found;
   IT::Simplify_options options;
   options.vertices = 20;
-  for (const IT::Removal_cost order :
-       {IT::Removal_cost::stretch, IT::Removal_cost::curvature, IT::Removal_cost::area}) {
-    options.order = order;
-    found.results.push_back(IT::simplify(t, options));
-  }
-  options.own_cost = [&](const IT::Removal_candidate& c) {
+  found.results.push_back(IT::simplify(t, options));
+  found.vectors = IT::vector_prolongation(
+      t, IT::Corresponding_triangulation(found.results[0].surface), found.results[0]);
+  found.results.push_back(IT::simplify(t, options, IT::curvature_cost(t)));
+  found.results.push_back(IT::simplify(t, options, IT::area_cost(t)));
+  found.results.push_back(IT::simplify(t, options, IT::balanced_cost(t)));
+  found.results.push_back(IT::simplify(t, options, [&](const IT::Removal_candidate& c) {
     found.lengths.push_back(c.mean_length);
     found.areas.push_back(c.area);
     return c.curvature + c.stretch;
-  };
-  found.results.push_back(IT::simplify(t, options));
+  }));
   found.results.push_back(IT::remove_flat_vertices(t, 0.3));
   found.results.push_back(IT::hierarchy(t, 2).back());
   return found;
@@ -64,6 +65,7 @@ TEST(Units, of_coarse_surfaces_are_the_users) {
         EXPECT_EQ(std::ldexp(a.surface.squared_lengths[e], 2 * exponent),
                   b.surface.squared_lengths[e]);
     }
+    EXPECT_EQ(one.vectors, other.vectors);
     ASSERT_EQ(one.lengths.size(), other.lengths.size());
     for (std::size_t k = 0; k < one.lengths.size(); ++k) {
       EXPECT_EQ(std::ldexp(one.lengths[k], exponent), other.lengths[k]);

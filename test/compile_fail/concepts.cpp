@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/build_gluing.h>
@@ -285,6 +286,14 @@ namespace case_RefinableTriangulation {
 // error: satisfaction of .RefinableTriangulation<
 void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
 } // namespace case_RefinableTriangulation
+
+namespace case_RemovalCost {
+// A cost is of a vertex that could be removed, not of its number.
+// error: satisfaction of .RemovalCost<
+void misuse(const Intrinsic_triangulation<>& t) {
+  simplify(t, {}, [](const std::string& name) { return name.size(); });
+}
+} // namespace case_RemovalCost
 
 namespace case_RepositioningCorrespondence {
 // Integers do not follow a vertex within its star.

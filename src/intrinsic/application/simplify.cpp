@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_simplification/simplification/vector_prolongation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
@@ -57,9 +58,6 @@ IT::Simplify_options asked_options(const Loaded<Triangulation>& loaded, const Op
   const Simplify_command& given = options.simplify;
   ask_for_vertices(given.vertices, asked);
   if (given.stretch) asked.stretch = *given.stretch;
-  asked.order = given.cost == "curvature" ? IT::Removal_cost::curvature
-                : given.cost == "area"    ? IT::Removal_cost::area
-                                          : IT::Removal_cost::stretch;
   asked.kept_vertices = listed_vertices(options, t.input().number_of_rows());
   const auto kept = constrained_edges(t, loaded.constraints);
   for (const auto e : edges(t.mesh()))
@@ -68,6 +66,16 @@ IT::Simplify_options asked_options(const Loaded<Triangulation>& loaded, const Op
     return progress.show("simplifying", std::to_string(p.left) + " vertices left");
   };
   return asked;
+}
+
+template <class Triangulation>
+IT::Simplification simplified(const Triangulation& t, const Simplify_command& given,
+                              const IT::Simplify_options& asked) {
+  if (given.flat) return IT::remove_flat_vertices(t, *given.flat, asked);
+  if (given.cost == "curvature") return IT::simplify(t, asked, IT::curvature_cost(t));
+  if (given.cost == "area") return IT::simplify(t, asked, IT::area_cost(t));
+  if (given.cost == "balanced") return IT::simplify(t, asked, IT::balanced_cost(t));
+  return IT::simplify(t, asked);
 }
 
 Json json_of(const IT::Simplification& s, std::size_t kept) {
@@ -203,6 +211,11 @@ void write(const Loaded<Triangulation>& loaded, IT::Simplification& s, const Opt
   if (!options.simplify.prolongation.empty())
     write_matrix(options.simplify.prolongation, IT::prolongation(s),
                  "prolongation from the coarse vertices to the fine ones", files);
+  if (!options.simplify.vector_prolongation.empty())
+    write_matrix(options.simplify.vector_prolongation,
+                 IT::vector_prolongation(loaded.triangulation, coarse, s),
+                 "prolongation of tangent vectors from the coarse vertices to the fine ones",
+                 files);
   if (!options.simplify.places.empty())
     files.write(options.simplify.places, [&](std::ostream& out) { write_places(out, s); });
 }
@@ -214,10 +227,8 @@ void simplify(Loaded<Triangulation>& loaded, const Options& options, Progress& p
   IT::Stopwatch watch;
   progress.show("simplifying");
   const IT::Simplify_options asked = asked_options(loaded, options, progress);
-  IT::Simplification s = naming_file(options.input, [&] {
-    return options.simplify.flat ? IT::remove_flat_vertices(t, *options.simplify.flat, asked)
-                                 : IT::simplify(t, asked);
-  });
+  IT::Simplification s =
+      naming_file(options.input, [&] { return simplified(t, options.simplify, asked); });
   json["simplify"] = json_of(s, asked.kept_vertices.size());
   json["seconds"]["simplify"] = watch.lap();
   progress.show("writing");

@@ -394,16 +394,15 @@ TEST(Simplify, keeps_vertices_and_edges_that_shall_stay) {
 
 TEST(Simplify, keeps_distances_within_the_bounds_in_any_order) {
   const T fine = delaunay(rough_torus(8, .3, 2));
-  for (const IT::Removal_cost order : {IT::Removal_cost::curvature, IT::Removal_cost::area}) {
+  for (const IT::Transported_mass& cost : {IT::curvature_cost(fine), IT::area_cost(fine)}) {
     IT::Simplify_options options = to(20);
-    options.order = order;
-    const IT::Simplification s = IT::simplify(fine, options);
+    const IT::Simplification s = IT::simplify(fine, options, cost);
     EXPECT_EQ(s.kept.size(), 20U);
     expect_surface(fine, s);
     expect_distances_within(fine, s);
     options.cost = 0.05;
     options.vertices = 1;
-    EXPECT_GT(IT::simplify(fine, options).kept_by_bound, 0U);
+    EXPECT_GT(IT::simplify(fine, options, cost).kept_by_bound, 0U);
   }
 }
 
@@ -411,16 +410,16 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
   const T fine = delaunay(rough_torus(24, .3, 2));
   IT::Simplify_options options = to(100);
   // Vertices with high numbers go first; the first 50 stay.
-  options.own_cost = [](const IT::Removal_candidate& c) {
+  const auto cost = [](const IT::Removal_candidate& c) {
     return c.vertex < 50 ? std::numeric_limits<double>::infinity() : -static_cast<double>(c.vertex);
   };
-  IT::Simplification s = IT::simplify(fine, options);
+  IT::Simplification s = IT::simplify(fine, options, cost);
   ASSERT_EQ(s.kept.size(), 100U);
   // but for those whose removal cannot be proven
   EXPECT_LE(std::ranges::count_if(s.kept, [](std::uint32_t v) { return v >= 110; }),
             static_cast<std::ptrdiff_t>(s.not_flattened));
   options.vertices = 1;
-  s = IT::simplify(fine, options); // in this order some removals cannot be proven
+  s = IT::simplify(fine, options, cost); // in this order some removals cannot be proven
   EXPECT_EQ(s.kept.size(), 50U + s.not_flattened);
   std::size_t calls = 0;
   options.progress = [&](const IT::Simplify_progress& p) {
@@ -429,7 +428,7 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
     EXPECT_EQ(p.left, 321U);
     return false;
   };
-  s = IT::simplify(fine, options);
+  s = IT::simplify(fine, options, cost);
   EXPECT_EQ(s.status, IT::Status::cancelled);
   EXPECT_EQ(s.kept.size(), 321U);
   EXPECT_EQ(calls, 1U);

@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <complex>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -34,6 +35,10 @@ significant digits and are read back without loss, whatever the locale.
 \complexity linear
 */
 void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
+                         const std::string& comment = {});
+
+/// writes a complex matrix, `general`, see above: the real and the imaginary part of each value.
+void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
                          const std::string& comment = {});
 
 /*!

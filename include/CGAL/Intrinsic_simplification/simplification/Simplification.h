@@ -17,22 +17,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// Which vertices `simplify()` removes first.
-enum class Removal_cost : std::uint8_t {
-  stretch,   ///< those that stretch the surface least, with what earlier removals did there
-  curvature, ///< those whose curvature is least, times how far it moves: after Liu et al. (2023)
-  area       ///< the same with area in place of curvature
-};
-
-/// What a cost of your own is computed from: a vertex that could be removed next.
-struct Removal_candidate {
-  std::uint32_t vertex = 0; ///< the user's vertex
-  double curvature = 0;     ///< 2 pi, on the border pi, minus the angles at it, in radians
-  double area = 0;          ///< a third of the faces at it, now, in the units of the input
-  double mean_length = 0;   ///< of the edges at it, now
-  double stretch = 0;       ///< the cost by `Removal_cost::stretch`: a logarithm
-};
-
 /// What a visitor of `simplify()` gets.
 struct Simplify_progress {
   std::size_t removed = 0; ///< vertices, up to now
@@ -50,12 +34,8 @@ struct Simplify_options {
   /// No length of a curve is multiplied by more than this, or by less than its inverse; at least 1.
   /// A vertex whose removal would break this stays.
   double stretch = std::numeric_limits<double>::infinity();
-  /// Vertices whose removal costs more than this stay.
+  /// Vertices whose removal costs more than this stay, in the units of the cost.
   double cost = std::numeric_limits<double>::infinity();
-  Removal_cost order = Removal_cost::stretch; ///< which vertices are removed first
-  /// A cost of your own, in place of `order`: vertices with low costs are removed first; one that
-  /// is not finite stays.
-  std::function<double(const Removal_candidate&)> own_cost;
   /// The user's vertices that stay.
   std::vector<std::uint32_t> kept_vertices;
   /// Numbers of edges of the triangulation that stay edges, with their vertices: curves, features.

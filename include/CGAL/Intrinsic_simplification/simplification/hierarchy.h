@@ -6,9 +6,11 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
 #include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -17,7 +19,7 @@ namespace internal {
 
 // \throws Invalid_input if an option is out of range
 std::vector<Simplification> hierarchy(const Fine_surface& fine, std::size_t levels, double ratio,
-                                      const Simplify_options& options);
+                                      const Simplify_options& options, Asked_cost& cost);
 
 } // namespace internal
 
@@ -32,16 +34,19 @@ one level are on the next one where `prolongation(finer, coarser)` says.
 \param t the triangulation, Delaunay
 \param levels how many at most
 \param ratio the part of the vertices that stays at each level, between 0 and 1
-\param options bounds, costs, and what is kept, at all levels; numbers of vertices are ignored
+\param options bounds, and what is kept, at all levels; numbers of vertices are ignored
+\param cost see `simplify()`
 \return the coarse surfaces, the finest first; fewer where no other vertex can be removed, or it was
   cancelled
 \throws Invalid_input as `simplify()`, and if the ratio is out of range
 \complexity that of `simplify()`, and linear in the fine surface for each level
 */
-template <NumberedTriangulation Triangulation>
+template <NumberedTriangulation Triangulation, RemovalCost Cost = Stretch_cost>
 std::vector<Simplification> hierarchy(const Triangulation& t, std::size_t levels,
-                                      double ratio = 0.25, const Simplify_options& options = {}) {
-  return internal::hierarchy(internal::fine_surface(t), levels, ratio, options);
+                                      double ratio = 0.25, const Simplify_options& options = {},
+                                      Cost cost = {}) {
+  internal::Asked_cost_of<Cost> asked(std::move(cost));
+  return internal::hierarchy(internal::fine_surface(t), levels, ratio, options, asked);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

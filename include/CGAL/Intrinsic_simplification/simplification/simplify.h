@@ -6,16 +6,20 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
 #include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
 // \throws Invalid_input if an option is out of range
-Simplification simplify(const Fine_surface& fine, const Simplify_options& options);
+Simplification simplify(const Fine_surface& fine, const Simplify_options& options,
+                        Asked_cost& cost);
 
 } // namespace internal
 
@@ -36,25 +40,30 @@ faces get forms that bound those of all old faces that they overlap. Bounds are 
 that they are theorems of the surface that the input's doubles define.
 
 \tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric
+\tparam Cost a model of `RemovalCost`
 \param t the triangulation, Delaunay; with exact traits all bounds are proven, with others they hold
   for its doubles
 \param options what is asked for
+\param cost vertices with low costs are removed first; one whose cost is not finite stays
 \return the coarse surface, also if it has more vertices than you asked for: see its status
 \throws Invalid_input if a vertex or an edge that shall stay does not exist, or a bound is out of
   range
 \complexity O(n log n) for n vertices of bounded degree
 */
-template <NumberedTriangulation Triangulation>
-Simplification simplify(const Triangulation& t, const Simplify_options& options = {}) {
-  return internal::simplify(internal::fine_surface(t), options);
+template <NumberedTriangulation Triangulation, RemovalCost Cost = Stretch_cost>
+Simplification simplify(const Triangulation& t, const Simplify_options& options = {},
+                        Cost cost = {}) {
+  internal::Asked_cost_of<Cost> asked(std::move(cost));
+  return internal::simplify(internal::fine_surface(t), options, asked);
 }
 
 /// simplifies the Delaunay triangulation of a mesh, see above.
 /// \tparam FaceGraph a model of `FaceListGraph` with a point map of its own, or `Triangle_soup`
-template <class FaceGraph>
-  requires internal::Surface_in_space<FaceGraph>
-      Simplification simplify(const FaceGraph& mesh, const Simplify_options& options = {}) {
-    return simplify(delaunay_triangulation(mesh), options);
+/// \tparam Cost a model of `RemovalCost`
+template <class FaceGraph, RemovalCost Cost = Stretch_cost>
+  requires internal::Surface_in_space<FaceGraph> Simplification
+  simplify(const FaceGraph& mesh, const Simplify_options& options = {}, Cost cost = {}) {
+    return simplify(delaunay_triangulation(mesh), options, std::move(cost));
   }
 
 } // namespace CGAL::Intrinsic_triangulations

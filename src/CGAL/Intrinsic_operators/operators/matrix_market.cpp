@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -28,40 +29,83 @@ static bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
 
 } // namespace internal
 
-void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
-                         const std::string& comment) {
-  using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
-  const bool symmetric = internal::is_symmetric(m);
-  std::int64_t count = 0;
-  for (Eigen::Index c = 0; c < m.outerSize(); ++c)
-    for (Iterator i(m, c); i; ++i) count += !symmetric || i.row() >= c;
-  out << "%%MatrixMarket matrix coordinate real " << (symmetric ? "symmetric" : "general") << '\n';
+namespace internal {
+
+namespace {
+
+// Numbers as text, which goes to a stream in blocks.
+class Number_writer {
+public:
+  explicit Number_writer(std::ostream& out) : out_(out) {}
+
+  void operator()(char end, auto... number) {
+    std::array<char, 32> digits;
+    char* const last = std::to_chars(digits.data(), digits.data() + digits.size(), number...).ptr;
+    text_.append(digits.data(), last) += end;
+    if (text_.size() >= std::size_t{1} << 14U) flush();
+  }
+  // 17 digits distinguish any two doubles
+  void value(double x) { (*this)('\n', x, std::chars_format::general, 17); }
+  void value(const std::complex<double>& z) {
+    (*this)(' ', z.real(), std::chars_format::general, 17);
+    value(z.imag());
+  }
+  void flush() {
+    out_ << text_;
+    text_.clear();
+  }
+
+private:
+  std::ostream& out_;
+  std::string text_;
+};
+
+void write_market_header(std::ostream& out, const std::string& kind, const std::string& comment) {
+  out << "%%MatrixMarket matrix coordinate " << kind << '\n';
   for (std::size_t from = 0; from < comment.size();) {
     const std::size_t to = std::min(comment.find('\n', from), comment.size());
     out << "% " << comment.substr(from, to - from) << '\n';
     from = to + 1;
   }
-  std::string text; // goes to the stream in blocks
-  const auto write = [&](char end, auto... number) {
-    std::array<char, 32> digits;
-    char* const last = std::to_chars(digits.data(), digits.data() + digits.size(), number...).ptr;
-    text.append(digits.data(), last) += end;
-    if (text.size() < std::size_t{1} << 14U) return;
-    out << text;
-    text.clear();
-  };
+}
+
+// \param is_lower only the lower triangle is written
+template <class Scalar>
+void write_market_entries(std::ostream& out, const Eigen::SparseMatrix<Scalar>& m, bool is_lower) {
+  using Iterator = typename Eigen::SparseMatrix<Scalar>::InnerIterator;
+  std::int64_t count = 0;
+  for (Eigen::Index c = 0; c < m.outerSize(); ++c)
+    for (Iterator i(m, c); i; ++i) count += !is_lower || i.row() >= c;
+  Number_writer write(out);
   write(' ', m.rows());
   write(' ', m.cols());
   write('\n', count);
   for (Eigen::Index c = 0; c < m.outerSize(); ++c)
     for (Iterator i(m, c); i; ++i) {
-      if (symmetric && i.row() < c) continue;
+      if (is_lower && i.row() < c) continue;
       write(' ', i.row() + 1);
       write(' ', c + 1);
-      write('\n', i.value(), std::chars_format::general, 17); // distinguishes any two doubles
+      write.value(i.value());
     }
-  out << text;
+  write.flush();
   if (!out) throw std::runtime_error("the matrix cannot be written completely");
+}
+
+} // namespace
+
+} // namespace internal
+
+void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
+                         const std::string& comment) {
+  const bool symmetric = internal::is_symmetric(m);
+  internal::write_market_header(out, symmetric ? "real symmetric" : "real general", comment);
+  internal::write_market_entries(out, m, symmetric);
+}
+
+void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
+                         const std::string& comment) {
+  internal::write_market_header(out, "complex general", comment);
+  internal::write_market_entries(out, m, false);
 }
 
 void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,

@@ -179,7 +179,12 @@ double Coarse_mesh::quadruple_area(std::uint32_t f) const {
   return quadruple_area_of(l[0], l[1], l[2]);
 }
 
+double Coarse_mesh::corner_angle(std::uint32_t h) const {
+  return std::atan2(quadruple_area(h / 3), length(h) + length(previous(h)) - length(next(h)));
+}
+
 void Coarse_mesh::begin() {
+  turned_sides_.clear();
   changed_.clear();
   changed_faces_.clear();
   changed_forms_.clear();
@@ -265,6 +270,8 @@ void Coarse_mesh::rewire(std::uint32_t h, double km) {
   const std::uint32_t i = origin(h), j = origin(g), k = origin(ki), m = origin(mj);
   const std::array<std::pair<std::uint32_t, std::uint32_t>, 4> first{
       {{i, outgoing_[i]}, {j, outgoing_[j]}, {k, outgoing_[k]}, {m, outgoing_[m]}}};
+  if (tracks_turns_ && outgoing_[i] == h) add_turn(i, -corner_angle(im));
+  if (tracks_turns_ && outgoing_[j] == g) add_turn(j, -corner_angle(jk));
   // each of the outer sides moves to the place of another one
   const std::array<std::uint32_t, 4> was{ki, im, mj, jk}, is{jk, ki, im, mj};
   const auto moved = [&](std::uint32_t s) {

@@ -39,6 +39,12 @@ struct Point_on_coarse {
   std::array<double, 3> weights{};
 };
 
+// The outgoing side of a vertex is another one now.
+struct Turned_side {
+  std::uint32_t vertex;
+  double angle; // from the old one counterclockwise, on the surface
+};
+
 // The triangulation while vertices are removed. Changes are recorded, and can be taken back.
 class Coarse_mesh {
 public:
@@ -66,6 +72,8 @@ public:
   }
   // Four times the area.
   double quadruple_area(std::uint32_t f) const;
+  // The angle of a face at the vertex where a side of it starts.
+  double corner_angle(std::uint32_t h) const;
 
   // Begins a step: what came before cannot be taken back.
   void begin();
@@ -73,6 +81,13 @@ public:
   void take_back();
   // The faces of which the step has changed corners or lengths, some of them several times.
   const std::vector<std::uint32_t>& changed() const { return changed_; }
+
+  // Records from now on by what angles outgoing sides turn, for directions that are given by them.
+  void track_turns() { tracks_turns_ = true; }
+  bool tracks_turns() const { return tracks_turns_; }
+  void add_turn(std::uint32_t v, double angle) { turned_sides_.push_back({v, angle}); }
+  // What has turned in the step, one turn after another.
+  const std::vector<Turned_side>& turned_sides() const { return turned_sides_; }
 
   // What may be changed, after it is recorded.
   Coarse_face& change(std::uint32_t f) {
@@ -127,6 +142,8 @@ private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> changed_outgoing_;
   std::vector<std::pair<std::uint32_t, Point_on_coarse>> changed_points_;
   std::vector<std::uint32_t> moving_;
+  std::vector<Turned_side> turned_sides_;
+  bool tracks_turns_ = false;
 };
 
 // Four times the area of a triangle, by squared lengths; zero if there is none.

@@ -19,10 +19,11 @@ constexpr double negligible_spread = 1e-9;
 } // namespace
 
 Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
-                       const Simplify_options& options)
+                       const Simplify_options& options, Asked_cost& cost)
     : fine_(fine), options_(options), mesh_(fine),
       fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
-      costs_(fine, mesh_, options) {
+      candidates_(fine, cost) {
+  if (candidates_.need_vectors()) mesh_.track_turns();
   mark_kept(may_go);
   count_components();
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {
@@ -100,8 +101,8 @@ bool Simplifier::is_last(std::uint32_t v) const {
 // Finds what it costs to remove a vertex, and whether that is allowed; its star is in `neighbour_`.
 bool Simplifier::find_cost(std::uint32_t v, double& cost) {
   neighbour_.find(mesh_, v);
-  cost = costs_.cost(mesh_, neighbour_, v);
-  const bool is_allowed = std::isfinite(cost) && cost <= costs_.bound();
+  cost = candidates_.cost(mesh_, neighbour_, v);
+  const bool is_allowed = std::isfinite(cost) && cost <= options_.cost;
   fate_[v] = is_allowed ? Fate::open : Fate::bound;
   is_cost_old_[v] = 0;
   return is_allowed;
@@ -229,7 +230,7 @@ Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   restore_delaunay();
   if (!is_within_bounds()) return Fate::bound;
   if (!std::isfinite(step_.spread) && std::isfinite(before)) return Fate::failed; // no proof
-  return costs_.are_stretches() && step_.spread > costs_.bound() ? Fate::bound : Fate::removed;
+  return candidates_.are_stretches() && step_.spread > options_.cost ? Fate::bound : Fate::removed;
 }
 
 // Removes a vertex whose star is known.
@@ -238,10 +239,10 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
   step_ = {};
   if (has_fixed_loop(v)) return Fate::blocked;
-  if (costs_.moves_mass()) costs_.remember(mesh_, star_);
+  if (candidates_.remember()) candidates_.describe(mesh_, star_, v);
   Fate fate = flatten(v);
   if (fate == Fate::open) fate = replace_star(v);
-  if (fate == Fate::removed && costs_.are_stretches() &&
+  if (fate == Fate::removed && candidates_.are_stretches() &&
       step_.spread > 1.25 * expected + negligible_spread && !queue_.empty() &&
       step_.spread > queue_.top().cost)
     fate = Fate::open;
@@ -250,7 +251,7 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
     mesh_.take_back();
     return fate;
   }
-  if (costs_.moves_mass()) costs_.move_mass(v);
+  if (candidates_.remember()) candidates_.remove(mesh_);
   counts_.ptolemy_flips += step_.ptolemy_flips;
   counts_.flips += step_.flips;
   return fate;

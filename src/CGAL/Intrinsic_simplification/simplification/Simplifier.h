@@ -4,9 +4,9 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFIER_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFIER_H
 
+#include <CGAL/Intrinsic_simplification/simplification/Candidates.h>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
-#include <CGAL/Intrinsic_simplification/simplification/Removal_costs.h>
 #include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.h>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
@@ -24,7 +24,7 @@ class Simplifier {
 public:
   // \param may_go nonzero for each vertex that may be removed; empty: all of them
   Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
-             const Simplify_options& options);
+             const Simplify_options& options, Asked_cost& cost);
 
   // Removes vertices until so many are left; goes on where it has stopped before.
   void run(std::size_t wanted);
@@ -85,7 +85,7 @@ private:
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   Vertex_star star_, neighbour_;
   Star_removal removal_;
-  Removal_costs costs_;
+  Candidates candidates_;
   std::vector<std::uint32_t> stack_, touched_;
   std::size_t number_left_ = 0, number_removed_ = 0, number_tried_ = 0;
   Counts counts_, step_;

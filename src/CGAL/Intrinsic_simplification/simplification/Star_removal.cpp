@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -17,6 +18,7 @@ constexpr Exact_point middle_of_star{0, 0};
 double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }
 double squared_norm(const Exact_point& p) { return p.x * p.x + p.y * p.y; }
 Exact_point minus(const Exact_point& p, const Exact_point& q) { return {p.x - q.x, p.y - q.y}; }
+double direction_of(const Exact_point& p) { return std::atan2(p.y, p.x); }
 
 // Values that begin at a side of a face, from those that begin at its first side.
 Side_values begun_at(const Side_values& q, std::uint32_t h) {
@@ -270,6 +272,32 @@ void Star_removal::take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::u
       }
 }
 
+// Where outgoing sides at the rim point in the plane, if they are in the star.
+void Star_removal::find_directions(const Coarse_mesh& mesh, const Vertex_star& star) {
+  const std::size_t n = points_.size();
+  directions_.assign(n, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t old = mesh.outgoing(corners_[k]);
+    const std::size_t before = (k + n - 1) % n;
+    if (k < star.size() && old == Coarse_mesh::next(star.side(k)))
+      directions_[k] = direction_of(minus(points_[(k + 1) % n], points_[k]));
+    else if (before < star.size() && old == Coarse_mesh::previous(star.side(before)))
+      directions_[k] = direction_of(minus(middle_of_star, points_[k]));
+  }
+}
+
+// By what angles they have turned. A vertex that is several times on the rim may keep its angle.
+void Star_removal::add_turns(Coarse_mesh& mesh) const {
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = triangles_[i].corners[k], q = triangles_[i].corners[(k + 1) % 3];
+      if (std::isnan(directions_[p]) || mesh.outgoing(corners_[p]) != 3 * new_faces_[i] + k)
+        continue;
+      const double now = direction_of(minus(points_[q], points_[p]));
+      mesh.add_turn(corners_[p], std::remainder(now - directions_[p], 2 * std::numbers::pi));
+    }
+}
+
 void Star_removal::put_triangles(Coarse_mesh& mesh, std::uint32_t v) {
   for (std::size_t i = 0; i < triangles_.size(); ++i) {
     Coarse_face& f = mesh.change(new_faces_[i]);
@@ -313,8 +341,10 @@ bool Star_removal::remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint3
   if (!lay_out(star)) return false;
   start_polygon(mesh, star);
   if (!cut_ears(star) || !has_proven_lengths() || !find_forms(mesh, star)) return false;
+  if (mesh.tracks_turns()) find_directions(mesh, star);
   take_faces(mesh, star, v);
   put_triangles(mesh, v);
+  if (mesh.tracks_turns()) add_turns(mesh);
   move_points(mesh);
   return true;
 }

@@ -47,6 +47,8 @@ private:
   void take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
   void put_triangles(Coarse_mesh& mesh, std::uint32_t v);
   void move_points(Coarse_mesh& mesh);
+  void find_directions(const Coarse_mesh& mesh, const Vertex_star& star);
+  void add_turns(Coarse_mesh& mesh) const;
   void start_polygon(const Coarse_mesh& mesh, const Vertex_star& star);
   double ear_rank(std::size_t at) const;
   bool is_ear(std::size_t at) const;
@@ -74,6 +76,7 @@ private:
   std::vector<const Enclosed_form*> overlapped_above_, overlapped_below_;
   std::vector<std::uint32_t> moving_;
   std::vector<Exact_point> places_;
+  std::vector<double> directions_; // of outgoing sides at the rim; not a number: not in the star
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -168,22 +168,23 @@ Simplification Simplifier::take_result() const {
   return s;
 }
 
-Simplification simplify(const Fine_surface& fine, const Simplify_options& options) {
+Simplification simplify(const Fine_surface& fine, const Simplify_options& options,
+                        Asked_cost& cost) {
   expect_range(options);
-  Simplifier simplifier(fine, {}, options);
+  Simplifier simplifier(fine, {}, options, cost);
   simplifier.run(wanted_vertices(options, simplifier.number_left()));
   return simplifier.take_result();
 }
 
 std::vector<Simplification> hierarchy(const Fine_surface& fine, std::size_t levels, double ratio,
-                                      const Simplify_options& options) {
+                                      const Simplify_options& options, Asked_cost& cost) {
   expect_range(options);
   if (!(ratio > 0 && ratio < 1))
     throw Invalid_input(Element_kind::none, 0,
                         "the ratio of the vertices of two levels is above 0 and below 1, not " +
                             std::to_string(ratio));
   std::vector<Simplification> result;
-  Simplifier simplifier(fine, {}, options);
+  Simplifier simplifier(fine, {}, options, cost);
   while (result.size() < levels) {
     const std::size_t before = simplifier.number_left();
     simplifier.run(part_of(ratio, before));
@@ -197,7 +198,8 @@ std::vector<Simplification> hierarchy(const Fine_surface& fine, std::size_t leve
 Simplification remove_vertices(const Fine_surface& fine, const std::vector<char>& may_go,
                                const Simplify_options& options) {
   expect_range(options);
-  Simplifier simplifier(fine, may_go, options);
+  Asked_cost_of<Stretch_cost> cost({});
+  Simplifier simplifier(fine, may_go, options, cost);
   const bool is_bounded = options.vertices || options.part;
   simplifier.run(is_bounded ? wanted_vertices(options, simplifier.number_left()) : 0);
   Simplification s = simplifier.take_result();

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H
+
+#include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/*!
+\file
+Which vertices `simplify()` removes first: those whose removal costs least.
+*/
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// A vertex that could be removed next, as costs see it.
+struct Removal_candidate {
+  std::uint32_t vertex = 0; ///< the user's vertex
+  /// The number of the vertex in the order of `vertices(t.mesh())`. On a cover each copy of a
+  /// vertex has one.
+  std::uint32_t number = 0;
+  double curvature = 0;   ///< 2 pi, on the border pi, minus the angles at it now, in radians
+  double area = 0;        ///< a third of the faces at it, now, in the units of the input
+  double mean_length = 0; ///< of the edges at it, now
+  double stretch = 0;     ///< how far the stretch is expected to spread there: a logarithm
+};
+
+/// The other end of an edge at a vertex that could be removed. Vectors are in polar coordinates of
+/// vertices, which stay the same while other vertices are removed.
+struct Removal_neighbor {
+  std::uint32_t number = 0; ///< see `Removal_candidate`
+  /// The part of the curvature of the candidate that it gets, to first order; their sum is 1.
+  double share = 0;
+  double length = 0;         ///< of the edge
+  std::complex<double> turn; ///< takes vectors from the candidate to the neighbour: of modulus 1
+  std::complex<double>
+      back; ///< the vector from the neighbour to the candidate, as long as the edge
+};
+
+namespace internal {
+
+// Whether a cost reads vectors between vertices.
+template <class Cost>
+constexpr bool needs_vectors() {
+  if constexpr (requires { Cost::needs_vectors; })
+    return Cost::needs_vectors;
+  else
+    return true;
+}
+
+// A cost that knows what was removed before.
+template <class Cost>
+concept Remembers_removals = requires(Cost& cost, const Removal_candidate& c,
+                                      std::span<const Removal_neighbor> neighbors) {
+  CGAL::to_double(std::as_const(cost)(c, neighbors));
+  cost.remove(c, neighbors);
+};
+
+} // namespace internal
+
+/*!
+\brief requires what the removal of a vertex costs.
+
+Syntax of \ref ::RemovalCost, where its meaning is described.
+*/
+template <class Cost>
+concept RemovalCost = internal::Remembers_removals<Cost> ||
+    requires(Cost& cost, const Removal_candidate& c) {
+  CGAL::to_double(cost(c));
+};
+
+/// removes vertices first that stretch the surface least, with what earlier removals did there.
+/// \cgalModels{RemovalCost}
+struct Stretch_cost {
+  /// returns the stretch.
+  double operator()(const Removal_candidate& c) const { return c.stretch; }
+};
+
+/*!
+\brief removes vertices first from which mass moves least, with how far it has moved before: after
+Liu, Gillespie, Chislett, Sharp, Jacobson and Crane (2023).
+
+There are channels of mass. In each one, the mass of a vertex that is removed goes to its
+neighbours, in the shares of its curvature. At each vertex, a tangent vector is the mean of the ways
+back to where its mass was at first. The cost of a vertex is the sum over its neighbours and
+channels of the mass that a neighbour would have then, times the length of its vector.
+\cgalModels{RemovalCost}
+*/
+class Transported_mass {
+public:
+  /*!
+  \brief adds two channels, with the positive and the negative values of a function.
+  \param values a number for each vertex, in the order of `vertices(t.mesh())`
+  \param weight the factor of the values
+  \return this object
+  */
+  Transported_mass& add(const std::vector<double>& values, double weight = 1);
+
+  /// returns the cost of a vertex.
+  double operator()(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) const;
+  /// moves the mass of a vertex to its neighbours.
+  void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors);
+
+private:
+  // A mass, and the sum of the ways back of its parts, times them.
+  struct Mass {
+    double amount = 0;
+    std::complex<double> moment;
+  };
+  static Mass sum(const Mass& here, const Mass& comes, const Removal_neighbor& to);
+
+  std::vector<std::vector<Mass>> channels_; // by channels and vertices
+};
+
+/*!
+\brief removes vertices first from which mass moves least, by squares of lengths.
+
+The cost of a vertex is its mass times the mean of the squared lengths of its edges, with the shares
+of its neighbours as weights. This is about the error of functions that are linear in triangles,
+where they were known at the vertex.
+\cgalModels{RemovalCost}
+*/
+class Moved_mass {
+public:
+  static constexpr bool needs_vectors = false; ///< see `RemovalCost`
+
+  /// starts. \param mass for each vertex, in the order of `vertices(t.mesh())`; not negative
+  explicit Moved_mass(std::vector<double> mass) : mass_(std::move(mass)) {}
+
+  /// returns the cost of a vertex.
+  double operator()(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) const;
+  /// moves the mass of a vertex to its neighbours.
+  void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors);
+
+private:
+  std::vector<double> mass_;
+};
+
+namespace internal {
+
+// The curvature at each vertex, and a third of the area of its faces; zero if it is isolated.
+struct Vertex_values {
+  std::vector<double> curvature, area;
+};
+
+template <class Triangulation>
+Vertex_values vertex_values(const Triangulation& t) {
+  std::vector<double> area(t.numbers().vertex_capacity(t.mesh()), 0);
+  for (const auto f : faces(t.mesh())) {
+    auto h = halfedge(f, t.mesh());
+    for (int k = 0; k < 3; ++k, h = next(h, t.mesh()))
+      area[t.index(target(h, t.mesh()))] += t.area(f) / 3;
+  }
+  Vertex_values result;
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
+  for (const auto v : vertices(t.mesh())) {
+    result.curvature.push_back(halfedge(v, t.mesh()) == null ? 0 : gaussian_curvature(t, v));
+    result.area.push_back(area[t.index(v)]);
+  }
+  return result;
+}
+
+// The curvature in full turns plus the part of the area, for each vertex.
+std::vector<double> balanced_mass(const Vertex_values& values);
+
+} // namespace internal
+
+/// returns the cost that moves curvature least. \param t the triangulation that is simplified
+template <NumberedTriangulation Triangulation>
+Transported_mass curvature_cost(const Triangulation& t) {
+  return Transported_mass().add(internal::vertex_values(t).curvature);
+}
+
+/// returns the cost that moves area least. \param t the triangulation that is simplified
+template <NumberedTriangulation Triangulation>
+Transported_mass area_cost(const Triangulation& t) {
+  return Transported_mass().add(internal::vertex_values(t).area);
+}
+
+/// returns the cost with which operators on the coarse surface are most accurate: curvature in full
+/// turns and area as a part of all, moved least by squares of lengths.
+/// \param t the triangulation that is simplified
+template <NumberedTriangulation Triangulation>
+Moved_mass balanced_cost(const Triangulation& t) {
+  return Moved_mass(internal::balanced_mass(internal::vertex_values(t)));
+}
+
+namespace internal {
+
+// A cost of any type.
+class Asked_cost {
+public:
+  // \param remembering it is given neighbours, and what is removed
+  // \param on_vectors neighbours need vectors
+  // \param of_stretch costs are expected spreads of the stretch
+  Asked_cost(bool remembering, bool on_vectors, bool of_stretch)
+      : remembers_(remembering), needs_vectors_(on_vectors), is_stretch_(of_stretch) {}
+  virtual ~Asked_cost() = default;
+  Asked_cost(const Asked_cost&) = delete;
+  Asked_cost& operator=(const Asked_cost&) = delete;
+
+  virtual double cost(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) = 0;
+  virtual void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) = 0;
+
+  bool remembers() const { return remembers_; }
+  bool needs_vectors() const { return needs_vectors_; }
+  bool is_stretch() const { return is_stretch_; }
+
+private:
+  bool remembers_, needs_vectors_, is_stretch_;
+};
+
+template <RemovalCost Cost>
+class Asked_cost_of final : public Asked_cost {
+public:
+  explicit Asked_cost_of(Cost cost)
+      : Asked_cost(Remembers_removals<Cost>,
+                   Remembers_removals<Cost> && internal::needs_vectors<Cost>(),
+                   std::is_same_v<Cost, Stretch_cost>),
+        cost_(std::move(cost)) {}
+
+  double cost(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) override {
+    if constexpr (Remembers_removals<Cost>)
+      return CGAL::to_double(std::as_const(cost_)(c, neighbors));
+    else
+      return CGAL::to_double(cost_(c));
+  }
+  void remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) override {
+    if constexpr (Remembers_removals<Cost>) cost_.remove(c, neighbors);
+  }
+
+private:
+  Cost cost_;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H

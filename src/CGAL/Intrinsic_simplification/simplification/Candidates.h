@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_CANDIDATES_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_CANDIDATES_H
+
+#include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
+#include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// What costs are asked about: vertices that could be removed, in the units of the user.
+class Candidates {
+public:
+  Candidates(const Fine_surface& fine, Asked_cost& cost)
+      : fine_(fine), cost_(cost), axis_(cost.needs_vectors() ? fine.row.size() : 0, 0) {}
+
+  double cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  // Whether costs are spreads of the bounds of faces, expected ones.
+  bool are_stretches() const { return cost_.is_stretch(); }
+  // Whether directions at vertices are needed.
+  bool need_vectors() const { return cost_.needs_vectors(); }
+  // Whether costs are told what is removed.
+  bool remember() const { return cost_.remembers(); }
+  // Describes a vertex and its neighbours before it becomes flat.
+  void describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  // The vertex that was described is gone.
+  void remove(const Coarse_mesh& mesh);
+
+private:
+  // A direction at a vertex.
+  struct Direction {
+    double polar; // its polar angle
+    double scale; // of angles on the surface
+  };
+
+  double expected_stretch(const Coarse_mesh& mesh, const Vertex_star& star, double curvature,
+                          double slope) const;
+  void find_shares(const Vertex_star& star);
+  Direction direction(const Coarse_mesh& mesh, std::uint32_t side) const;
+  void find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  void find_vectors(const Coarse_mesh& mesh, const Vertex_star& star);
+
+  const Fine_surface& fine_;
+  Asked_cost& cost_;
+  Removal_candidate candidate_;
+  std::vector<Removal_neighbor> neighbors_;
+  std::vector<double> shares_;        // of the spokes of a star
+  std::vector<std::size_t> spoke_of_; // of each neighbour: loops have none
+  std::vector<double> axis_;          // the polar angle of the outgoing side of each vertex
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_CANDIDATES_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+Transported_mass& Transported_mass::add(const std::vector<double>& values, double weight) {
+  for (const double sign : {1., -1.}) {
+    std::vector<Mass> channel;
+    channel.reserve(values.size());
+    for (const double x : values) channel.push_back({std::max(0., sign * weight * x), 0});
+    if (std::ranges::any_of(channel, [](const Mass& m) { return m.amount > 0; }))
+      channels_.push_back(std::move(channel));
+  }
+  return *this;
+}
+
+Transported_mass::Mass Transported_mass::sum(const Mass& here, const Mass& comes,
+                                             const Removal_neighbor& to) {
+  return {here.amount + to.share * comes.amount,
+          here.moment + to.share * (to.turn * comes.moment + comes.amount * to.back)};
+}
+
+double Transported_mass::operator()(const Removal_candidate& c,
+                                    std::span<const Removal_neighbor> neighbors) const {
+  double result = 0;
+  for (const std::vector<Mass>& channel : channels_)
+    if (const Mass& comes = channel[c.number]; comes.amount > 0)
+      for (const Removal_neighbor& to : neighbors)
+        result += std::abs(sum(channel[to.number], comes, to).moment);
+  return result;
+}
+
+void Transported_mass::remove(const Removal_candidate& c,
+                              std::span<const Removal_neighbor> neighbors) {
+  for (std::vector<Mass>& channel : channels_) {
+    const Mass gone = channel[c.number];
+    if (!(gone.amount > 0)) continue;
+    for (const Removal_neighbor& to : neighbors)
+      channel[to.number] = sum(channel[to.number], gone, to);
+  }
+}
+
+double Moved_mass::operator()(const Removal_candidate& c,
+                              std::span<const Removal_neighbor> neighbors) const {
+  double mean = 0;
+  for (const Removal_neighbor& to : neighbors) mean += to.share * to.length * to.length;
+  return mass_[c.number] * mean;
+}
+
+void Moved_mass::remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) {
+  for (const Removal_neighbor& to : neighbors) mass_[to.number] += to.share * mass_[c.number];
+}
+
+std::vector<double> internal::balanced_mass(const Vertex_values& values) {
+  const double area = std::accumulate(values.area.begin(), values.area.end(), 0.);
+  std::vector<double> mass;
+  for (std::size_t v = 0; v < values.area.size(); ++v)
+    mass.push_back(std::abs(values.curvature[v]) / (2 * std::numbers::pi) +
+                   (area > 0 ? values.area[v] / area : 0));
+  return mass;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
