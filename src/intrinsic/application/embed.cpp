@@ -55,12 +55,10 @@ void run_embed(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress& progress) {
     IT::Embed_options asked;
     asked.progress = [&progress](const IT::Embedding_progress& p) {
-      return progress.show("solving", std::to_string(p.steps) + " steps");
+      return progress.show(IT::name_of(p.stage), std::to_string(p.steps) + " steps");
     };
     IT::Convex_polyhedron found = IT::embed_convex(t, asked);
-    if (found.points.empty())
-      throw std::runtime_error(std::string("the polyhedron is not found: the status is ") +
-                               IT::name_of(found.status));
+    if (found.points.empty()) throw std::runtime_error(IT::reason_without_points(found));
     if (found.status != IT::Status::done)
       warn("the polyhedron is not convex, or lengths are not right, up to rounding; see its status "
            "and errors");

@@ -25,6 +25,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -360,6 +361,31 @@ TEST(EmbedConvex, stopsWhenAsked) {
   EXPECT_EQ(p.status, IT::Status::cancelled);
   EXPECT_TRUE(p.points.empty());
   EXPECT_EQ(calls, 3U);
+}
+
+TEST(EmbedConvex, asksInEveryStageWhetherToGoOn) {
+  const IT::Corresponding_triangulation t(box({1, 1, .3}, 3));
+  std::vector<IT::Embedding_stage> stages;
+  IT::Embed_options options;
+  options.progress = [&](const IT::Embedding_progress& p) {
+    stages.push_back(p.stage);
+    return true;
+  };
+  ASSERT_EQ(IT::embed_convex(t, options).status, IT::Status::done);
+  EXPECT_EQ(std::set(stages.begin(), stages.end()).size(), 5U);
+  const std::vector<IT::Embedding_stage> all = stages;
+  for (std::size_t last = 0; last < all.size(); ++last) {
+    stages.clear();
+    options.progress = [&](const IT::Embedding_progress& p) {
+      stages.push_back(p.stage);
+      return stages.size() <= last;
+    };
+    const IT::Convex_polyhedron p = IT::embed_convex(t, options);
+    EXPECT_EQ(p.status, IT::Status::cancelled);
+    EXPECT_TRUE(p.points.empty());
+    EXPECT_EQ(stages.size(), last + 1);
+    EXPECT_NE(IT::reason_without_points(p).find(IT::name_of(p.stage)), std::string::npos);
+  }
 }
 
 } // namespace

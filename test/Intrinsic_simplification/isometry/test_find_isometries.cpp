@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include "gallery.h"
 #include "triangle_lists.h"
@@ -109,6 +111,9 @@ TEST(FindIsometries, tellsScaledSurfacesApart) {
   };
   EXPECT_EQ(answer(t.scaled(2)), Isometry_answer::not_isometric);
   EXPECT_EQ(answer(t.scaled(0x1p400)), Isometry_answer::not_isometric);
+  const Triangles tiny = t.scaled(0x1p-500);
+  EXPECT_EQ(IT::find_isometries(tiny.triangulation(), t.scaled(0x1p500).triangulation()).answer(),
+            Isometry_answer::not_isometric);
   EXPECT_EQ(isometries(t.scaled(0x1p400), t.scaled(0x1p400).divided(9, 1)), 8);
 }
 
@@ -265,6 +270,36 @@ TEST(FindIsometries, walksRarelyWhereAllDartsLookAlike) {
   EXPECT_EQ(found.answer(), Isometry_answer::isometric);
   EXPECT_EQ(found.count(), 1);
   EXPECT_LT(found.number_of_walks(), 12U * faces);
+}
+
+// ---- what ends the search -----------------------------------------------------------------------
+
+TEST(FindIsometries, asksInEveryStageWhetherToGoOn) {
+  const Triangulation t = triangle_lists::box(1, 2, 3).divided(9, 1).triangulation();
+  std::vector<IT::Isometry_stage> stages;
+  std::size_t last = 1000;
+  IT::Isometry_options options;
+  options.progress = [&](const IT::Isometry_progress& p) {
+    stages.push_back(p.stage);
+    return stages.size() <= last;
+  };
+  const auto run = [&] {
+    stages.clear();
+    const IT::Canonical_form form = IT::canonical_form(t, options);
+    return std::pair(form.status(), IT::find_isometries(form, form, options));
+  };
+  EXPECT_EQ(run().second.count(), 8);
+  const std::vector<IT::Isometry_stage> all = stages;
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), 5U);
+  for (last = 0; last < all.size(); ++last) {
+    const auto [status, found] = run();
+    EXPECT_EQ(status == IT::Status::cancelled, all[last] < IT::Isometry_stage::lengths);
+    EXPECT_EQ(found.answer(), Isometry_answer::undecided);
+    EXPECT_NE(found.note().find("ended"), std::string::npos);
+  }
+  last = 0;
+  stages.clear();
+  EXPECT_THROW(IT::canonical_form(t).hash(options), IT::Invalid_input);
 }
 
 // ---- maps of points -----------------------------------------------------------------------------

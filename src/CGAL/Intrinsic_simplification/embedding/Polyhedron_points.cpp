@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Length_equations.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
@@ -145,7 +146,7 @@ private:
 };
 
 // Newton's method. \return whether the lengths are right up to rounding
-bool solve_lengths(const Metric_triangles& t, Space_points& points, std::size_t& steps) {
+bool solve_lengths(const Metric_triangles& t, Space_points& points, Embedding_run& run) {
   const double size = extent_of(points);
   double last = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 30; ++k) {
@@ -155,8 +156,9 @@ bool solve_lengths(const Metric_triangles& t, Space_points& points, std::size_t&
     if (error <= 4e-16 * size) return true;
     if (k > 3 && error > 0.5 * last) return error < 1e-13 * size;
     last = std::min(last, error);
+    if (!run.goes_on()) return false;
     const Eigen::VectorXd change = Length_solver(equations).solve(equations.residual);
-    ++steps;
+    run.count_step();
     for (std::size_t v = 0; v < points.size(); ++v)
       points[v] -= change.segment<3>(3 * static_cast<Eigen::Index>(v));
   }
@@ -203,9 +205,9 @@ double greatest_error(const Metric_triangles& t, const Space_points& points) {
   return Length_equations(t, points).residual.cwiseAbs().maxCoeff();
 }
 
-bool fit_lengths(Metric_triangles& t, Space_points& points, double within, std::size_t& steps) {
+bool fit_lengths(Metric_triangles& t, Space_points& points, double within, Embedding_run& run) {
   for (int round = 0; round < 30; ++round) {
-    if (!solve_lengths(t, points, steps)) return false;
+    if (!solve_lengths(t, points, run)) return false;
     bool is_convex = true;
     for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h) {
       if (h > t.opposite(h) || !(height_across(t, points, h) > within)) continue;

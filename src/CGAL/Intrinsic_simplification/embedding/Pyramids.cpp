@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -105,6 +106,11 @@ bool flip_to_convex(Metric_triangles& t, const std::vector<double>& radii) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h)
     if (!t.is_removed(h / 3) && h < t.opposite(h)) queue.push_back(h);
+  return flip_to_convex(t, radii, std::move(queue));
+}
+
+bool flip_to_convex(Metric_triangles& t, const std::vector<double>& radii,
+                    std::vector<std::uint32_t> queue) {
   std::size_t left = std::size_t{1000} * t.number_of_halfedges(); // a cap against endless ties
   while (!queue.empty()) {
     const std::uint32_t h = queue.back(), g = t.opposite(h);

@@ -36,6 +36,9 @@ struct Pyramids {
 // squares of the radii.
 // \return whether that was possible; else there are no convex pyramids with these radii
 bool flip_to_convex(Metric_triangles& t, const std::vector<double>& radii);
+// The same where only the edges of some halfedges may be concave.
+bool flip_to_convex(Metric_triangles& t, const std::vector<double>& radii,
+                    std::vector<std::uint32_t> queue);
 
 double area_of(const Metric_triangles& t);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Length_equations.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
@@ -75,9 +76,10 @@ A number below the least eigenvalue of a positive definite matrix, or 0. An inve
 guesses it. If the Cholesky factorization of a - s succeeds in doubles, then all eigenvalues of a
 are above s less the rounding errors: Rump, "Verification of positive definiteness" (2006).
 */
-double least_eigenvalue_bound(Eigen::SparseMatrix<double> a) {
+double least_eigenvalue_bound(Eigen::SparseMatrix<double> a, Embedding_run& run) {
+  if (!run.goes_on()) return 0;
   const auto factor = factored(a);
-  if (!factor) return 0;
+  if (!factor || !run.goes_on()) return 0;
   Eigen::VectorXd x = Eigen::VectorXd::Ones(a.rows());
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 0.5 * std::sin(static_cast<double>(i));
   double guess = 0;
@@ -95,7 +97,8 @@ double least_eigenvalue_bound(Eigen::SparseMatrix<double> a) {
 
 // Kantorovich: where the inverse of the derivative is at most b, its Lipschitz constant is K, and
 // the residual is r with 2 b^2 K r <= 1, there is a solution within 2 b r.
-std::optional<double> distance_to_solution(const Metric_triangles& t, const Space_points& points) {
+std::optional<double> distance_to_solution(const Metric_triangles& t, const Space_points& points,
+                                           Embedding_run& run) {
   const Length_equations equations(t, points);
   std::vector<double> around(points.size(), 0);      // sums of inverse squared lengths
   const double least = 0x1p-100 * extent_of(points); // residuals have 106 bits
@@ -111,7 +114,7 @@ std::optional<double> distance_to_solution(const Metric_triangles& t, const Spac
   r = std::sqrt(r) * rounding;
   const double lipschitz =
       2 * std::sqrt(*std::max_element(around.begin(), around.end())) * rounding;
-  const double eigenvalue = least_eigenvalue_bound(pinned_normal_matrix(equations, points));
+  const double eigenvalue = least_eigenvalue_bound(pinned_normal_matrix(equations, points), run);
   if (!(eigenvalue > 0)) return {};
   const double inverse = rounding / std::sqrt(eigenvalue);
   if (!(2 * inverse * inverse * lipschitz * r <= 1)) return {};
@@ -145,9 +148,10 @@ bool encloses_centre(const Metric_triangles& t, const Space_points& points) {
 
 } // namespace
 
-Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points) {
+Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points,
+                                         Embedding_run& run) {
   Convexity_certificate result;
-  const std::optional<double> distance = distance_to_solution(t, points);
+  const std::optional<double> distance = distance_to_solution(t, points, run);
   const double rounding = 1e-15 * extent_of(points);
   result.is_proven = distance.has_value();
   result.within = distance.value_or(1e-12 * extent_of(points));

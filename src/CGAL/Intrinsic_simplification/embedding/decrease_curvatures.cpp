@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
@@ -50,8 +51,8 @@ using Curvatures = std::vector<double>;
 // Radii whose curvatures go from wanted ones to others, between 0 and those of the surface.
 class Curvature_path {
 public:
-  Curvature_path(Glued_pyramids& p, const Embed_options& options, std::size_t& steps)
-      : p_(p), options_(options), steps_(steps), most_(p.triangles.curvatures()) {}
+  Curvature_path(Glued_pyramids& p, Embedding_run& run)
+      : p_(p), run_(run), most_(p.triangles.curvatures()) {}
 
   // \return whether there are radii with nearly the same part of all curvatures
   bool start();
@@ -59,7 +60,6 @@ public:
   // distance from the bounds
   // \return whether it is reached
   bool go_to_part(double part, double near);
-  bool is_capped() const { return steps_ >= options_.maximum_steps; }
 
 private:
   bool go_to(const Curvatures& wanted, double near);
@@ -70,8 +70,7 @@ private:
   bool improve(Glued_pyramids& trial, const Curvatures& wanted);
 
   Glued_pyramids& p_;
-  const Embed_options& options_;
-  std::size_t& steps_;
+  Embedding_run& run_;
   Curvatures most_;   // those of the surface
   Pyramids pyramids_; // of the trial
 };
@@ -97,7 +96,7 @@ bool Curvature_path::start() {
   const Curvatures first = pyramids_.curvature, last = part_of_all(1 - lost);
   constexpr double least = 1e-15; // of areas, which are positive but for rounding
   double step = 1, done = 0;
-  while (done < 1 && !is_capped()) {
+  while (done < 1 && !run_.is_over()) {
     const double now = std::min(1., done + step);
     Curvatures wanted = most_;
     for (std::size_t v = 0; v < wanted.size(); ++v)
@@ -152,7 +151,8 @@ bool Curvature_path::improve(Glued_pyramids& trial, const Curvatures& wanted) {
   const Eigen::VectorXd excess = Eigen::Map<const Eigen::VectorXd>(curvature.data(), n) -
                                  Eigen::Map<const Eigen::VectorXd>(wanted.data(), n);
   Eigen::VectorXd change(n);
-  ++steps_;
+  if (!run_.goes_on()) return false;
+  run_.count_step();
   if (!solve_symmetric(pyramids_.derivatives(trial.triangles, trial.radii), excess, change))
     return false;
   for (double factor = 1; factor > 1e-2; factor /= 2) {
@@ -178,7 +178,7 @@ bool Curvature_path::go_to(const Curvatures& wanted, double near) {
   constexpr int most_steps = 12;
   Glued_pyramids trial = p_;
   if (!pyramids_.build(trial.triangles, trial.radii)) return false;
-  for (int k = 0; k < most_steps && distance(wanted) > near && !is_capped(); ++k)
+  for (int k = 0; k < most_steps && distance(wanted) > near && !run_.is_over(); ++k)
     if (!improve(trial, wanted)) return false;
   if (!(distance(wanted) <= near)) return false;
   p_ = std::move(trial);
@@ -193,21 +193,23 @@ bool Curvature_path::go_to_part(double part, double near) {
 
 } // namespace
 
-Status decrease_curvatures(Glued_pyramids& p, const Embed_options& options, std::size_t& steps,
+Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
                            const std::function<bool(const Glued_pyramids&)>& is_found) {
   constexpr double end = 1e-10;
-  Curvature_path path(p, options, steps);
-  if (!path.start()) return path.is_capped() ? Status::cap : Status::stalled;
+  Curvature_path path(p, run);
+  run.begin(Embedding_stage::start);
+  if (!path.start()) return run.status();
   double step = 1;
   while (p.curvature_left > end) {
     if (is_found(p)) return Status::stopped;
-    if (path.is_capped()) return Status::cap;
-    if (options.progress && !options.progress({p.curvature_left, steps})) return Status::cancelled;
+    run.begin(Embedding_stage::curvatures);
+    run.set_curvature_left(p.curvature_left);
+    if (run.is_over()) return run.status();
     // the quotient of what is left and what is lost decreases by exp(-step)
     const double left = p.curvature_left * std::exp(-step),
                  part = left / (left + 1 - p.curvature_left);
     step = path.go_to_part(part, std::min(0.1, 0.2 * step)) ? std::min(1.5 * step, 7.) : step / 3;
-    if (step < 1e-6) return p.curvature_left < 1e-3 ? Status::done : Status::stalled;
+    if (step < 1e-6) return p.curvature_left < 1e-3 ? Status::done : run.status();
   }
   return is_found(p) ? Status::stopped : Status::done;
 }
