@@ -10,9 +10,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+inline constexpr const char* search_ended = "the caller has ended the search";
+
 // Long loops call it. \throws Undecidable if the caller of this thread's run has ended it
 inline void expect_to_go_on() {
-  if (!Proof_watch::goes_on()) throw Undecidable("the caller has ended the search");
+  if (!Proof_watch::goes_on()) throw Undecidable(search_ended);
 }
 
 // Knows the stage, and lets all that runs in this thread during its lifetime ask the caller.
@@ -23,8 +25,7 @@ public:
   // \throws Undecidable if the caller ends the run
   void begin(Isometry_stage stage) {
     now_.stage = stage;
-    ask();
-    expect_to_go_on();
+    if (!ask()) throw Undecidable(search_ended);
   }
   bool ask() {
     is_ended_ = is_ended_ || (options_.progress && !options_.progress(now_));
