@@ -6,17 +6,17 @@
 
 #include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <functional>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Pyramids that are convex along all edges, and how far their curvatures have decreased.
 struct Glued_pyramids {
   Metric_triangles triangles;
-  std::vector<double> radii;
+  Apex_radii radii;
   double curvature_left = 1;
 };
 

@@ -168,7 +168,7 @@ Polyhedron_search cancelled(Polyhedron_search search, Convex_polyhedron& result)
 Polyhedron_search find_points(const Metric_triangles& t, Embedding_run& run,
                               Convex_polyhedron& result) {
   Polyhedron_search search(t, result, run);
-  Glued_pyramids p{t, {}, 1};
+  Glued_pyramids p{t, {1, Vertex_weights(t.number_of_vertices())}, 1};
   result.status =
       decrease_curvatures(p, run, [&](const Glued_pyramids& now) { return search.try_at(now); });
   if (result.status == Status::stopped)
@@ -255,7 +255,7 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   Metric_triangles t = triangles_of(surface, scale);
   const std::vector<double> flat = flat_curvatures(t, options.flat_within);
   const std::vector<double> rounding = flat_curvatures(t, 0), curvature = t.curvatures();
-  flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
+  flip_to_convex(t, Vertex_weights(t.number_of_vertices())); // Delaunay: fewer loops
   expect_convex(surface, t, flat);
   Convex_polyhedron result;
   Embedding_run run(options, result);

@@ -38,8 +38,7 @@ double power_of_source(const Metric_diamond& d) {
 // Flips edges away from one vertex, and removes it.
 class Flat_vertex_remover {
 public:
-  Flat_vertex_remover(Metric_triangles& t, const std::vector<double>& equal)
-      : t_(t), equal_(equal) {}
+  Flat_vertex_remover(Metric_triangles& t, const Vertex_weights& equal) : t_(t), equal_(equal) {}
 
   // \return whether the vertex is gone; otherwise others may have to be removed first. The
   // triangles are Delaunay again.
@@ -118,7 +117,7 @@ private:
   }
 
   Metric_triangles& t_;
-  const std::vector<double>& equal_;   // radii, for which convex is Delaunay
+  const Vertex_weights& equal_;        // weights, for which convex is Delaunay
   std::vector<std::uint32_t> changed_; // halfedges of faces that flips have made
   std::minstd_rand random_;
 };
@@ -126,7 +125,8 @@ private:
 } // namespace
 
 bool remove_flat(Metric_triangles& t, const std::vector<double>& within, Embedding_run& run) {
-  const std::vector<double> curvature = t.curvatures(), equal(t.number_of_vertices(), 1);
+  const std::vector<double> curvature = t.curvatures();
+  const Vertex_weights equal(t.number_of_vertices());
   std::vector<std::uint32_t> left;
   for (std::uint32_t v = 0; v < t.number_of_vertices(); ++v)
     if (std::abs(curvature[v]) <= within[v]) left.push_back(v);
