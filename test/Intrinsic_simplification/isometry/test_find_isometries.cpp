@@ -196,7 +196,7 @@ TEST(FindIsometries, comparesFlatToriByTheirLattices) {
             Isometry_answer::not_isometric);
 }
 
-TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
+TEST(FindIsometries, comparesAreasWhereBordersHaveNoCorner) {
   Triangles ring; // a prism without its ends: a flat cylinder
   for (const double z : {0., 1.})
     for (const auto& [x, y] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
@@ -206,12 +206,18 @@ TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
     ring.faces.push_back({k, n, n + 4});
     ring.faces.push_back({k, n + 4, k + 4});
   }
-  const Triangles long_ring = [&] {
+  const auto stretched = [&](double around, double along) {
     Triangles t = ring;
-    for (auto& p : t.points) p[2] *= 2;
-    return t;
-  }();
-  const IT::Isometries found = IT::find_isometries(ring.triangulation(), long_ring.triangulation());
+    for (auto& [x, y, z] : t.points) {
+      x *= around;
+      y *= around;
+      z *= along;
+    }
+    return t.triangulation();
+  };
+  EXPECT_EQ(IT::find_isometries(ring.triangulation(), stretched(1, 2)).answer(),
+            Isometry_answer::not_isometric);
+  const IT::Isometries found = IT::find_isometries(ring.triangulation(), stretched(2, 0.5));
   EXPECT_EQ(found.answer(), Isometry_answer::undecided);
   EXPECT_FALSE(found.note().empty());
   EXPECT_EQ(IT::canonical_form(ring.triangulation()).hash(),

@@ -116,7 +116,7 @@ bool Curvature_path::start() {
   for (std::size_t v = 0; v < first.size(); ++v) most_.push_back(first.left[v] + first.lost[v]);
   const Curvature_parts last = parts(p_.curvature_left);
   double step = 1, done = 0;
-  while (done < 1 && !run_.is_over()) {
+  while (done < 1 && run_.goes_on() && !run_.is_over()) {
     const double next = std::min(1., done + step);
     Curvature_parts wanted = first;
     for (std::size_t v = 0; v < wanted.size(); ++v) {

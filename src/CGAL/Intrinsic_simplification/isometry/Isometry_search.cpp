@@ -8,8 +8,14 @@
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -62,6 +68,9 @@ void Isometry_search::search(Isometry_run& run) {
     return;
   }
   decide_exactly(run);
+  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended() &&
+      have_different_areas())
+    answer_ = Isometry_answer::not_isometric;
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
     if (decide_within(error, run)) return;
@@ -100,6 +109,22 @@ bool Isometry_search::have_sizes_far_apart() const {
     return std::log2(sum);
   };
   return std::abs(area(*b_) + exponent - area(*a_)) > 1;
+}
+
+bool Isometry_search::have_different_areas() const {
+  const auto area = [](const Singular_surface& s, int exponent) {
+    const Moved_triangulation& t = s.triangulation();
+    Short_ball sum(0);
+    for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h) {
+      const Gluing_map::Halfedge side{h};
+      if (t.mesh().is_removed(side)) continue;
+      const Gluing_map::Face f = t.mesh().face(side); // of each face three sides
+      if (f.index != Gluing::none) sum = sum + t.narrow_enclosure(t.area(f.index));
+    }
+    return sum * Short_ball(std::ldexp(1.0, exponent));
+  };
+  const Uncertain<Sign> sign = (area(*a_, 0) - area(*b_, exponent_to_units_of(*b_, *a_))).sign();
+  return is_certain(sign) && get_certain(sign) != ZERO;
 }
 
 void Isometry_search::decide_exactly(Isometry_run& run) {
