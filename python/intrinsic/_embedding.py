@@ -72,7 +72,7 @@ class _Embedding:
         Raises:
             ValueError: the surface is no sphere, or a vertex, which it names, has negative
                 curvature.
-            RuntimeError: the solver has stopped.
+            RuntimeError: the solver has stopped; it says at which stage, and what to do.
 
         >>> tetrahedron = Surface(4, [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
         ...                       lengths=[[1, 1, 1]] * 4)
@@ -82,7 +82,4 @@ class _Embedding:
         within = _arrays.not_negative(flat_within, "flat_within")
         if not 0 <= within <= .1:
             raise ValueError(f"flat_within is {within}; give radians from 0 to 0.1")
-        found = _core.embed(self._core, within, progress)
-        if not len(found["points"]):
-            raise RuntimeError(f"the polyhedron is not found: the status is {found['status']}")
-        return ConvexPolyhedron(found, type(self))
+        return ConvexPolyhedron(_core.embed(self._core, within, progress), type(self))

@@ -118,8 +118,7 @@ class _Isometries:
 
         Parameters:
             other: the other surface.
-            progress: see `delaunay()`; it is called, and Ctrl-C ends the search, between stages:
-                the tessellation of each surface, and the comparison.
+            progress: see `delaunay()`.
 
         >>> cube = it.Surface([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
         ...                   [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6],
@@ -131,8 +130,8 @@ class _Isometries:
             raise ValueError(f"other is {reprlib.repr(other)}; give a surface, or None")
         return Isometries(self, self if other is None else other, progress)
 
-    def hash(self) -> int:
+    def hash(self, *, progress: Progress = None) -> int:
         """Returns a number that is the same for all isometric surfaces, also of other
         triangulations. Unequal numbers prove that surfaces are not isometric; equal ones prove
-        nothing."""
-        return _core.hash(self._core, None)
+        nothing. See `delaunay()` for `progress`."""
+        return _core.hash(self._core, progress)

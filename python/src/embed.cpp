@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
+#include <stdexcept>
 #include <utility>
 
 // Convex polyhedra of metrics.
@@ -19,9 +20,12 @@ using namespace py::literals;
 py::dict embed(Surface& s, double flat_within, Watch& watch) {
   IT::Embed_options options;
   options.flat_within = flat_within;
-  options.progress = [&watch](const IT::Embedding_progress& p) { return watch("steps", p.steps); };
+  options.progress = [&watch](const IT::Embedding_progress& p) {
+    return watch(IT::name_of(p.stage), p.steps);
+  };
   IT::Convex_polyhedron found =
       with_triangulation(s, watch, [&](auto& t) { return IT::embed_convex(t, options); });
+  if (found.points.empty()) throw std::runtime_error(IT::reason_without_points(found));
   const IT::Convexity_certificate& c = found.certificate;
   const py::dict certificate("proven"_a = c.is_proven, "within"_a = c.within,
                              "convex_edges"_a = c.convex_edges, "flat_edges"_a = c.flat_edges,

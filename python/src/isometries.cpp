@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,12 +34,21 @@ std::mutex& mutex_of_forms() {
   return mutex;
 }
 
+IT::Isometry_options watched(Watch& watch) {
+  IT::Isometry_options options;
+  options.progress = [&watch](const IT::Isometry_progress& p) {
+    return watch(IT::name_of(p.stage));
+  };
+  return options;
+}
+
 IT::Canonical_form form_of(Surface& s, Watch& watch) {
   return naming(s.name, [&] {
     return with_triangulation(s, watch, [&](const auto& t) {
       return s.cached<IT::Canonical_form>("canonical form", [&] {
-        watch.begin("tessellation");
-        return std::make_unique<IT::Canonical_form>(IT::canonical_form(t));
+        auto form = std::make_unique<IT::Canonical_form>(IT::canonical_form(t, watched(watch)));
+        if (form->status() == IT::Status::cancelled) throw std::runtime_error(form->note());
+        return form;
       });
     });
   });
@@ -54,7 +65,7 @@ auto with_forms(Watch& watch, const Function& function) {
 
 std::uint64_t hash(Surface& s, Watch& watch) {
   const IT::Canonical_form form = form_of(s, watch);
-  return with_forms(watch, [&] { return form.hash(); });
+  return with_forms(watch, [&] { return form.hash(watched(watch)); });
 }
 
 struct Found_isometries {
@@ -65,9 +76,8 @@ struct Found_isometries {
 std::unique_ptr<Found_isometries> isometries(Surface& s, Surface& other, Watch& watch) {
   const IT::Canonical_form first = form_of(s, watch), second = form_of(other, watch);
   return with_forms(watch, [&] {
-    watch.begin("isometries");
     return std::make_unique<Found_isometries>(
-        Found_isometries{first, second, IT::find_isometries(first, second)});
+        Found_isometries{first, second, IT::find_isometries(first, second, watched(watch))});
   });
 }
 

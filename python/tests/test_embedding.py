@@ -85,7 +85,9 @@ class Embedding(With_folder):
         s = it.Surface(*hull(40, 3))
         path, out = self.folder / "s.idt", self.folder / "e.obj"
         s.save(path)
-        found = program.run("embed", path, "-o", out)["embed"]
+        page = self.folder / "e.html"
+        found = program.run("embed", path, "-o", out, "--view", page)["embed"]
+        self.assertIn("<html", page.read_text())
         e = s.embed()
         self.assertEqual((found["status"], found["steps"], found["faces"]),
                          (e.status, e.steps, len(e.faces)))

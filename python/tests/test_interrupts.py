@@ -14,6 +14,7 @@ import numpy as np
 
 import intrinsic as it
 from support import bumpy, failures_of_threads, unit_grid
+from test_embedding import hull
 
 
 class Enough(Exception):
@@ -60,6 +61,15 @@ class Long_work(unittest.TestCase):
         np.testing.assert_allclose(large.deform(handles, moves)[handles], moves, atol=1e-9)
         self.assertAlmostEqual(s.eigen(1)[0][0], 0)
         self.assertEqual(s.parametrize("lscm").status, "done")
+
+    def test_isometries_and_polyhedra(self):
+        s = it.Surface(*bumpy(150))
+        self.expect_end(lambda p: s.hash(progress=p))
+        self.expect_end(lambda p: s.isometries(progress=p))
+        self.assertEqual(len(s.isometries()), 1)  # nothing that was ended is kept
+        sphere = it.Surface(*hull(2000, 1))
+        self.expect_end(lambda p: sphere.embed(progress=p))
+        self.assertEqual(sphere.embed().status, "done")
 
     def test_transfer(self):
         t = it.Surface(*unit_grid(400)).delaunay()

@@ -40,7 +40,7 @@ CALLS = {
     "farthest_points": dict(n=2), "path": dict(a=0, b=15, through=[6]),
     "loop": dict(points=[0, 3, 15]), "network": dict(paths=[[0, 15]], loops=[[0, 3, 15]]),
     "trace": dict(p=0, direction=1 + 1j, length=.5), "isolines": dict(u=np.arange(16.)),
-    "isometries": {}, "cut": {}, "log_map": dict(p=0),
+    "isometries": {}, "hash": {}, "cut": {}, "log_map": dict(p=0),
     "transport": dict(points=[0], vectors=[[1, 0]]),
     "extend": dict(points=[0], values=[1]), "direction_field": dict(fixed=([0], [[1, 0]])),
     "signed_distance": dict(curves=[0, 3]), "connection_laplacian": {}, "parametrize": {},

@@ -24,6 +24,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_matching.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Developed_faces.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_search.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.cpp>

@@ -149,6 +149,7 @@ void add_metric_option(CLI::App& command, Options& options) {
 
 void add_polyhedron_option(CLI::App& command, Options& options) {
   add_output_option(command, options, "-o", options.output, {Contents::polyhedron});
+  add_view_option(command, options, "the polyhedron");
 }
 
 void add_refinement_options(CLI::App& command, Options& options) {

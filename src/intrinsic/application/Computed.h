@@ -88,6 +88,8 @@ struct Computed {
       cell_boundaries{};
   /// Computes and writes what has no value per vertex, and reports it; none: all has.
   std::function<void(std::ostream&, Json&)> write{};
+  /// Writes the page that shows the results; none: it shows the functions on the surface.
+  std::function<void(std::ostream&, const Json&)> write_page{};
   /// Displacement of each vertex, a row each; empty: the surface stays as it is.
   Eigen::MatrixXd displacements{};
   /// What files and pages show in place of the functions on the triangulation; or none.

@@ -26,13 +26,21 @@ namespace program {
 
 namespace {
 
+IT::Isometry_options shown_by(Progress& progress) {
+  IT::Isometry_options options;
+  options.progress = [&progress](const IT::Isometry_progress& p) {
+    return progress.show(IT::name_of(p.stage));
+  };
+  return options;
+}
+
 // The canonical form of the surface of a file. \param json gets what is known of the surface
 IT::Canonical_form form_of(const Options& options, Progress& progress, Json& json) {
   std::optional<IT::Canonical_form> form;
   with_loaded<IT::Integer_coordinates>(options, progress, [&](auto& loaded) {
     json = loaded_json(loaded, options);
-    progress.show("finding the Delaunay tessellation");
-    naming_file(options.input, [&] { form = IT::canonical_form(loaded.triangulation); });
+    naming_file(options.input,
+                [&] { form = IT::canonical_form(loaded.triangulation, shown_by(progress)); });
   });
   return std::move(form).value();
 }
@@ -61,8 +69,7 @@ void run_isometry(const Options& options) {
   if (!options.other.empty()) second.input = options.other;
   const IT::Canonical_form b = options.other.empty() ? a : form_of(second, progress, other);
   IT::Stopwatch watch;
-  progress.show("searching for isometries");
-  json["isometry"] = isometry_json(IT::find_isometries(a, b));
+  json["isometry"] = isometry_json(IT::find_isometries(a, b, shown_by(progress)));
   if (!other.is_null()) json["isometry"]["other"] = other["input"];
   json["seconds"]["isometry"] = watch.lap();
   Output_files files;
@@ -77,7 +84,8 @@ void run_info_with_hash(const Options& options) {
     Json json = improve_and_measure(loaded, as_it_is, progress);
     IT::Stopwatch watch;
     json["hash"] = naming_file(options.input, [&] {
-      return hexadecimal(IT::canonical_form(loaded.triangulation).hash());
+      const IT::Isometry_options shown = shown_by(progress);
+      return hexadecimal(IT::canonical_form(loaded.triangulation, shown).hash(shown));
     });
     json["seconds"]["hash"] = watch.lap();
     Output_files files;

@@ -226,6 +226,9 @@ void write_results(const Loaded<Triangulation>& loaded, const Computed& computed
     expect_points(loaded, options);
     progress.show("writing");
     write_laid_out(*computed.laid_out, computed.marks, options, json, files);
+  } else if (computed.write_page) {
+    if (!options.view.empty())
+      files.write(options.view, [&](std::ostream& out) { computed.write_page(out, json); });
   } else if (needs_subdivision(options)) {
     progress.show("subdividing");
     if (is_on_input)

@@ -25,6 +25,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -213,7 +214,7 @@ TEST(EmbedConvex, isConvexFromOutside) {
 
 TEST(EmbedConvex, putsFlatVerticesBack) {
   const std::vector<std::pair<Point, int>> boxes{
-      {{1, 1, 1}, 6}, {{1, 1, .02}, 4}, {{1, 1, .02}, 10}, {{3, 1, .1}, 3}};
+      {{1, 1, 1}, 6}, {{1, 1, .02}, 4}, {{1, 1, .02}, 10}, {{3, 1, .1}, 3}, {{1, 1, .02}, 18}};
   for (const auto& [sides, n] : boxes) {
     SCOPED_TRACE(std::to_string(sides[2]));
     const Mesh mesh = box(sides, n);
@@ -360,6 +361,52 @@ TEST(EmbedConvex, stopsWhenAsked) {
   EXPECT_EQ(p.status, IT::Status::cancelled);
   EXPECT_TRUE(p.points.empty());
   EXPECT_EQ(calls, 3U);
+}
+
+// Heights near 1e-3 of a box, on slopes of some 1e-3: curvatures of the surface are 1e-9 to 1e-5.
+TEST(EmbedConvex, findsFacesThatAreHardlyBent) {
+  std::vector<Point> points;
+  for (int c = 0; c < 8; ++c)
+    points.push_back({c % 2 * 2. - 1, c / 2 % 2 * 2. - 1, c / 4 * 2. - 1});
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 40; ++k) {
+      Point p{uniform(random), uniform(random), uniform(random)};
+      const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
+      p[axis] = (k % 2 * 2 - 1) * (1 + 1e-3 * (2 - p[a] * p[a] - p[b] * p[b]));
+      points.push_back(p);
+    }
+  const Mesh mesh = hull_of(points);
+  const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 4));
+  ASSERT_EQ(p.status, IT::Status::done) << IT::reason_without_points(p);
+  EXPECT_LT(error_of_distances(p.points, mesh), 1e-10);
+  EXPECT_EQ(p.flat_vertices.size(), 0U);
+}
+
+TEST(EmbedConvex, asksInEveryStageWhetherToGoOn) {
+  const IT::Corresponding_triangulation t(box({1, 1, .3}, 3));
+  std::vector<IT::Embedding_stage> stages;
+  IT::Embed_options options;
+  options.progress = [&](const IT::Embedding_progress& p) {
+    stages.push_back(p.stage);
+    return true;
+  };
+  ASSERT_EQ(IT::embed_convex(t, options).status, IT::Status::done);
+  EXPECT_EQ(std::set(stages.begin(), stages.end()).size(), 5U);
+  const std::vector<IT::Embedding_stage> all = stages;
+  for (std::size_t last = 0; last < all.size(); ++last) {
+    stages.clear();
+    options.progress = [&](const IT::Embedding_progress& p) {
+      stages.push_back(p.stage);
+      return stages.size() <= last;
+    };
+    const IT::Convex_polyhedron p = IT::embed_convex(t, options);
+    EXPECT_EQ(p.status, IT::Status::cancelled);
+    EXPECT_TRUE(p.points.empty());
+    EXPECT_EQ(stages.size(), last + 1);
+    EXPECT_NE(IT::reason_without_points(p).find(IT::name_of(p.stage)), std::string::npos);
+  }
 }
 
 } // namespace

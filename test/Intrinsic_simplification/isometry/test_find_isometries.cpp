@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include "gallery.h"
 #include "triangle_lists.h"
@@ -109,6 +111,9 @@ TEST(FindIsometries, tellsScaledSurfacesApart) {
   };
   EXPECT_EQ(answer(t.scaled(2)), Isometry_answer::not_isometric);
   EXPECT_EQ(answer(t.scaled(0x1p400)), Isometry_answer::not_isometric);
+  const Triangles tiny = t.scaled(0x1p-500);
+  EXPECT_EQ(IT::find_isometries(tiny.triangulation(), t.scaled(0x1p500).triangulation()).answer(),
+            Isometry_answer::not_isometric);
   EXPECT_EQ(isometries(t.scaled(0x1p400), t.scaled(0x1p400).divided(9, 1)), 8);
 }
 
@@ -191,7 +196,7 @@ TEST(FindIsometries, comparesFlatToriByTheirLattices) {
             Isometry_answer::not_isometric);
 }
 
-TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
+TEST(FindIsometries, comparesAreasWhereBordersHaveNoCorner) {
   Triangles ring; // a prism without its ends: a flat cylinder
   for (const double z : {0., 1.})
     for (const auto& [x, y] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
@@ -201,16 +206,52 @@ TEST(FindIsometries, isUndecidedOnBordersWithoutCorner) {
     ring.faces.push_back({k, n, n + 4});
     ring.faces.push_back({k, n + 4, k + 4});
   }
-  const Triangles long_ring = [&] {
+  const auto stretched = [&](double around, double along) {
     Triangles t = ring;
-    for (auto& p : t.points) p[2] *= 2;
-    return t;
-  }();
-  const IT::Isometries found = IT::find_isometries(ring.triangulation(), long_ring.triangulation());
+    for (auto& [x, y, z] : t.points) {
+      x *= around;
+      y *= around;
+      z *= along;
+    }
+    return t.triangulation();
+  };
+  EXPECT_EQ(IT::find_isometries(ring.triangulation(), stretched(1, 2)).answer(),
+            Isometry_answer::not_isometric);
+  const IT::Isometries found = IT::find_isometries(ring.triangulation(), stretched(2, 0.5));
   EXPECT_EQ(found.answer(), Isometry_answer::undecided);
   EXPECT_FALSE(found.note().empty());
   EXPECT_EQ(IT::canonical_form(ring.triangulation()).hash(),
             IT::canonical_form(ring.renumbered(4).triangulation()).hash());
+}
+
+// A rectangle that is rolled to a prism of many sides, whose widths are roots that do not depend on
+// each other; all vertices but four are flat.
+TEST(FindIsometries, unrollsPrisms) {
+  const auto rolled = [](double height, std::uint32_t seed) {
+    Triangles t;
+    constexpr std::uint32_t n = 12, rows = 4;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= rows; ++j) {
+        const double a = 0.3 * i;
+        t.points.push_back({std::round(std::cos(a) * 4096) / 4096,
+                            std::round(std::sin(a) * 4096) / 4096, height * j});
+      }
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < rows; ++j) {
+        const std::uint32_t v = i * (rows + 1) + j, w = v + rows + 1;
+        t.faces.push_back({v, w, w + 1});
+        t.faces.push_back({v, w + 1, v + 1});
+      }
+    return t.renumbered(seed).triangulation();
+  };
+  const IT::Canonical_form form = IT::canonical_form(rolled(0.25, 1));
+  EXPECT_EQ(form.number_of_flat_vertices(), 61U);
+  EXPECT_EQ(form.number_of_darts(), 4U);
+  const IT::Isometries found = IT::find_isometries(form, IT::canonical_form(rolled(0.25, 2)));
+  EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
+  EXPECT_EQ(found.count(), 4);
+  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(rolled(0.5, 3))).answer(),
+            Isometry_answer::not_isometric);
 }
 
 TEST(FindIsometries, decidesPolygonsWithABorder) {
@@ -265,6 +306,36 @@ TEST(FindIsometries, walksRarelyWhereAllDartsLookAlike) {
   EXPECT_EQ(found.answer(), Isometry_answer::isometric);
   EXPECT_EQ(found.count(), 1);
   EXPECT_LT(found.number_of_walks(), 12U * faces);
+}
+
+// ---- what ends the search -----------------------------------------------------------------------
+
+TEST(FindIsometries, asksInEveryStageWhetherToGoOn) {
+  const Triangulation t = triangle_lists::box(1, 2, 3).divided(9, 1).triangulation();
+  std::vector<IT::Isometry_stage> stages;
+  std::size_t last = 1000;
+  IT::Isometry_options options;
+  options.progress = [&](const IT::Isometry_progress& p) {
+    stages.push_back(p.stage);
+    return stages.size() <= last;
+  };
+  const auto run = [&] {
+    stages.clear();
+    const IT::Canonical_form form = IT::canonical_form(t, options);
+    return std::pair(form.status(), IT::find_isometries(form, form, options));
+  };
+  EXPECT_EQ(run().second.count(), 8);
+  const std::vector<IT::Isometry_stage> all = stages;
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), 5U);
+  for (last = 0; last < all.size(); ++last) {
+    const auto [status, found] = run();
+    EXPECT_EQ(status == IT::Status::cancelled, all[last] < IT::Isometry_stage::lengths);
+    EXPECT_EQ(found.answer(), Isometry_answer::undecided);
+    EXPECT_NE(found.note().find("ended"), std::string::npos);
+  }
+  last = 0;
+  stages.clear();
+  EXPECT_THROW(IT::canonical_form(t).hash(options), IT::Invalid_input);
 }
 
 // ---- maps of points -----------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 /*!
@@ -21,8 +22,21 @@ The convex polyhedron of a metric on the sphere. Alexandrov proved that there is
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// What `embed_convex()` is doing, in this order.
+enum class Embedding_stage : std::uint8_t {
+  flat_vertices, ///< removes flat vertices, by flips
+  start,         ///< looks for pyramids over an apex far away
+  curvatures,    ///< decreases the curvatures of the pyramids
+  fit,           ///< moves points until edges have their lengths
+  certificate    ///< proves what it can
+};
+
+/// returns what a stage does, in words.
+const char* name_of(Embedding_stage stage);
+
 /// How far `embed_convex()` is.
 struct Embedding_progress {
+  Embedding_stage stage = Embedding_stage::flat_vertices; ///< what it is doing
   double curvature_left = 1; ///< of the curvature at the start, along the segments from the apex
   std::size_t steps = 0;     ///< Newton steps so far
 };
@@ -35,7 +49,7 @@ struct Embed_options {
   /// default. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
-  /// Is called after each step, and returns whether to go on.
+  /// Is called before each step of every stage, and returns whether to go on.
   std::function<bool(const Embedding_progress&)> progress;
 };
 
@@ -70,7 +84,8 @@ struct Convex_polyhedron {
   /// concave; `stalled` or `cap` if the solver has stopped; `cancelled`. There are points only if
   /// it is `done` or `inaccurate`.
   Status status = Status::done;
-  Convex_shape shape = Convex_shape::polyhedron; ///< whether it has a volume
+  Embedding_stage stage = Embedding_stage::certificate; ///< the last one: where it has stopped
+  Convex_shape shape = Convex_shape::polyhedron;        ///< whether it has a volume
   /// The places of the vertices, by their names in the input: on a cover, of all copies.
   std::vector<std::array<double, 3>> points;
   /// Triangles between the points, counterclockwise from outside.
@@ -98,6 +113,9 @@ from the lengths.
 \complexity in measurements about \f$n^{3/2}\f$ for n vertices
 */
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options = {});
+
+/// returns why there are no points, and what to do about it; nothing if there are points.
+std::string reason_without_points(const Convex_polyhedron& found);
 
 /// embeds the surface of a triangulation, see there: its vertices are those of its input.
 /// \tparam Triangulation a triangulation that keeps its input

@@ -7,8 +7,10 @@
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -18,6 +20,29 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 class Singular_surface;
 } // namespace internal
+
+/// What the search for isometries is doing, in this order.
+enum class Isometry_stage : std::uint8_t {
+  flips,         ///< makes a triangulation Delaunay
+  flat_vertices, ///< finds flat vertices and removes them
+  ties,          ///< joins faces to the polygons of the tessellation
+  lengths,       ///< compares lengths, or rounds them
+  maps           ///< looks for maps that keep them
+};
+
+/// returns what a stage does, in words.
+const char* name_of(Isometry_stage stage);
+
+/// How far the search for isometries is.
+struct Isometry_progress {
+  Isometry_stage stage = Isometry_stage::flips; ///< what it is doing
+};
+
+/// What the search for isometries is asked for.
+struct Isometry_options {
+  /// Is called when a stage begins, and about ten times a second; returns whether to go on.
+  std::function<bool(const Isometry_progress&)> progress;
+};
 
 /*!
 \brief is the Delaunay tessellation of a surface without its flat vertices: polygons with corners at
@@ -36,13 +61,18 @@ public:
   /*!
   \brief computes the form of a surface.
   \param surface what `t.shared_input()` returns for a triangulation with correspondence
+  \param options what is asked for
   \complexity that of exact Delaunay flips, and of a removal for each flat vertex
   */
-  explicit Canonical_form(std::shared_ptr<const Input> surface);
+  explicit Canonical_form(std::shared_ptr<const Input> surface,
+                          const Isometry_options& options = {});
   /// computes the form from a triangulation, which saves its flips if it is Delaunay. If vertices
   /// were inserted, the form starts from the input.
-  explicit Canonical_form(const Corresponding_triangulation& t);
+  explicit Canonical_form(const Corresponding_triangulation& t,
+                          const Isometry_options& options = {});
 
+  /// returns `done`, or `cancelled` if `progress` has ended the computation: nothing is known then.
+  Status status() const;
   /// tells whether the form depends on the surface alone. Otherwise `note()` says why.
   bool is_unique() const;
   /// says which choice is arbitrary, or what could not be decided; empty if there is nothing.
@@ -71,10 +101,12 @@ public:
   tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
   Where a choice is arbitrary, the number only counts components.
-  \throws Invalid_input if exact arithmetic could not decide the form, or how to round a length
+  \param options what is asked for
+  \throws Invalid_input if exact arithmetic could not decide the form, or how to round a length, or
+    `progress` has ended it
   \complexity linear
   */
-  std::uint64_t hash() const;
+  std::uint64_t hash(const Isometry_options& options = {}) const;
 
   /// \cond
   const std::shared_ptr<const internal::Singular_surface>& shared_parts() const { return parts_; }
@@ -88,11 +120,11 @@ private:
 /// \tparam Triangulation a triangulation with a correspondence: it keeps its `Input`
 template <class Triangulation>
   requires(Triangulation::has_correspondence)
-Canonical_form canonical_form(const Triangulation& t) {
+Canonical_form canonical_form(const Triangulation& t, const Isometry_options& options = {}) {
   if constexpr (std::is_same_v<Triangulation, Corresponding_triangulation>)
-    return Canonical_form(t);
+    return Canonical_form(t, options);
   else
-    return Canonical_form(t.shared_input());
+    return Canonical_form(t.shared_input(), options);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -89,7 +89,8 @@ public:
   std::size_t number_of_walks() const;
 
 private:
-  friend Isometries find_isometries(const Canonical_form& a, const Canonical_form& b);
+  friend Isometries find_isometries(const Canonical_form& a, const Canonical_form& b,
+                                    const Isometry_options& options);
   explicit Isometries(std::shared_ptr<const internal::Isometry_search> search)
       : search_(std::move(search)) {}
 
@@ -108,16 +109,18 @@ not walked again.
 Squared lengths of both surfaces are compared exactly, in the field of the square roots of both.
 \param a the first surface
 \param b the second surface, or the first one again: then these are the symmetries
+\param options what is asked for; if `progress` ends the search, the answer is `undecided`
 \complexity O(n log n) for n darts, and a walk for each candidate
 */
-Isometries find_isometries(const Canonical_form& a, const Canonical_form& b);
+Isometries find_isometries(const Canonical_form& a, const Canonical_form& b,
+                           const Isometry_options& options = {});
 
 /// finds the isometries between the surfaces of two triangulations, see above.
 /// \tparam First, Second triangulations with a correspondence
 template <class First, class Second>
   requires(First::has_correspondence&& Second::has_correspondence)
-Isometries find_isometries(const First& a, const Second& b) {
-  return find_isometries(canonical_form(a), canonical_form(b));
+Isometries find_isometries(const First& a, const Second& b, const Isometry_options& options = {}) {
+  return find_isometries(canonical_form(a, options), canonical_form(b, options), options);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

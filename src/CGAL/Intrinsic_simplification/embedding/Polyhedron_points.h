@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_POLYHEDRON_POINTS_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_POLYHEDRON_POINTS_H
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
@@ -11,7 +12,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +25,7 @@ Space_points lay_out_pyramids(const Glued_pyramids& p);
 // Moves the points until all edges have their lengths, and flips edges that are concave then.
 // \param within an edge is concave if it is so by more than this distance
 // \return whether the lengths are right and no edge is concave
-bool fit_lengths(Metric_triangles& t, Space_points& points, double within, std::size_t& steps);
+bool fit_lengths(Metric_triangles& t, Space_points& points, double within, Embedding_run& run);
 
 // The other corners of the two triangles at h, as seen from its source: its target, the apex of its
 // face, and that of the face across.
@@ -44,8 +44,9 @@ double extent_of(const Space_points& points);
 // the greatest difference between a distance of points and the length of an edge
 double greatest_error(const Metric_triangles& t, const Space_points& points);
 
-// Proves what can be proven about points that fit the lengths.
-Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points);
+// Proves what can be proven about points that fit the lengths. The run may end it.
+Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points,
+                                         Embedding_run& run);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

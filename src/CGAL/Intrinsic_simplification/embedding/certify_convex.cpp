@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Length_equations.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -44,9 +46,9 @@ std::array<std::size_t, 6> pinned_coordinates(const Space_points& points) {
   return {0, 1, 2, 3 * b + axis(along + 1), 3 * b + axis(along + 2), 3 * c + axis(across)};
 }
 
-// Gradients of the lengths by the other coordinates, times their transposed matrix.
-Eigen::SparseMatrix<double> pinned_normal_matrix(const Length_equations& equations,
-                                                 const Space_points& points) {
+// Gradients of the lengths by the other coordinates.
+Eigen::SparseMatrix<double> pinned_gradients(const Length_equations& equations,
+                                             const Space_points& points) {
   std::vector<int> place(3 * points.size(), 0);
   for (const std::size_t k : pinned_coordinates(points)) place[k] = -1;
   int free = 0;
@@ -59,7 +61,7 @@ Eigen::SparseMatrix<double> pinned_normal_matrix(const Length_equations& equatio
         entries.emplace_back(p, e, i.value());
   Eigen::SparseMatrix<double> pinned(free, equations.gradients.cols());
   pinned.setFromTriplets(entries.begin(), entries.end());
-  return pinned * pinned.transpose();
+  return pinned;
 }
 
 std::optional<Cholesky_factorization<double>> factored(const Eigen::SparseMatrix<double>& a) {
@@ -70,14 +72,25 @@ std::optional<Cholesky_factorization<double>> factored(const Eigen::SparseMatrix
   }
 }
 
+// Sums of the rows of |B| |B^T|, the greatest of them.
+double greatest_row_sum(const Eigen::SparseMatrix<double>& b) {
+  const Eigen::SparseMatrix<double> a = b.cwiseAbs();
+  return (a * (a.transpose() * Eigen::VectorXd::Ones(a.rows()))).maxCoeff();
+}
+
 /*
-A number below the least eigenvalue of a positive definite matrix, or 0. An inverse iteration
-guesses it. If the Cholesky factorization of a - s succeeds in doubles, then all eigenvalues of a
-are above s less the rounding errors: Rump, "Verification of positive definiteness" (2006).
+A number below the least eigenvalue of p p^T, or 0. An inverse iteration guesses it. If the Cholesky
+factorization of p p^T - s in doubles is L L^T, then this matrix differs from it by at most
+|L| |L^T| times the number of products in an entry times 2^-53, see Higham, "Accuracy and stability
+of numerical algorithms" (2002), Theorem 10.3; so all eigenvalues of p p^T are above s less the
+greatest row sum of that. Entries of a row of L are few, and decrease far from the diagonal: the
+bound is far below that of full matrices, by which no proof succeeds beyond some thousand vertices.
 */
-double least_eigenvalue_bound(Eigen::SparseMatrix<double> a) {
+double least_eigenvalue_bound(const Eigen::SparseMatrix<double>& p, Embedding_run& run) {
+  Eigen::SparseMatrix<double> a = p * p.transpose();
+  if (!run.goes_on()) return 0;
   const auto factor = factored(a);
-  if (!factor) return 0;
+  if (!factor || !run.goes_on()) return 0;
   Eigen::VectorXd x = Eigen::VectorXd::Ones(a.rows());
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 0.5 * std::sin(static_cast<double>(i));
   double guess = 0;
@@ -85,17 +98,25 @@ double least_eigenvalue_bound(Eigen::SparseMatrix<double> a) {
     x = factor->solve((x / x.norm()).eval());
     guess = 1 / x.norm();
   }
-  const double rounding =
-      0x1p-52 * static_cast<double>(a.rows() + 8) * Eigen::VectorXd(a.diagonal()).sum();
   const double shift = 0.5 * guess;
-  if (!(shift > 2 * rounding)) return 0;
   for (int i = 0; i < a.cols(); ++i) a.coeffRef(i, i) -= shift;
-  return factored(a) ? shift - rounding : 0;
+  if (!run.goes_on()) return 0;
+  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> shifted(a);
+  if (shifted.info() != Eigen::Success) return 0;
+  const Eigen::SparseMatrix<double> l = shifted.matrixL(), rows = l.transpose();
+  int most = 0; // entries of a row
+  for (int i = 0; i < rows.cols(); ++i)
+    most = std::max(most, rows.outerIndexPtr()[i + 1] - rows.outerIndexPtr()[i]);
+  constexpr int of_entries = 16; // products that make p p^T, and the shift
+  const double rounding = 0x1p-53 * (1 + 0x1p-20) *
+                          ((most + 1) * greatest_row_sum(l) + of_entries * greatest_row_sum(p));
+  return std::max(shift - rounding, 0.);
 }
 
 // Kantorovich: where the inverse of the derivative is at most b, its Lipschitz constant is K, and
 // the residual is r with 2 b^2 K r <= 1, there is a solution within 2 b r.
-std::optional<double> distance_to_solution(const Metric_triangles& t, const Space_points& points) {
+std::optional<double> distance_to_solution(const Metric_triangles& t, const Space_points& points,
+                                           Embedding_run& run) {
   const Length_equations equations(t, points);
   std::vector<double> around(points.size(), 0);      // sums of inverse squared lengths
   const double least = 0x1p-100 * extent_of(points); // residuals have 106 bits
@@ -111,7 +132,7 @@ std::optional<double> distance_to_solution(const Metric_triangles& t, const Spac
   r = std::sqrt(r) * rounding;
   const double lipschitz =
       2 * std::sqrt(*std::max_element(around.begin(), around.end())) * rounding;
-  const double eigenvalue = least_eigenvalue_bound(pinned_normal_matrix(equations, points));
+  const double eigenvalue = least_eigenvalue_bound(pinned_gradients(equations, points), run);
   if (!(eigenvalue > 0)) return {};
   const double inverse = rounding / std::sqrt(eigenvalue);
   if (!(2 * inverse * inverse * lipschitz * r <= 1)) return {};
@@ -145,9 +166,10 @@ bool encloses_centre(const Metric_triangles& t, const Space_points& points) {
 
 } // namespace
 
-Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points) {
+Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Space_points& points,
+                                         Embedding_run& run) {
   Convexity_certificate result;
-  const std::optional<double> distance = distance_to_solution(t, points);
+  const std::optional<double> distance = distance_to_solution(t, points, run);
   const double rounding = 1e-15 * extent_of(points);
   result.is_proven = distance.has_value();
   result.within = distance.value_or(1e-12 * extent_of(points));

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <CGAL/double.h>
@@ -21,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,13 +48,18 @@ bool solve_symmetric(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd
   return is_solved();
 }
 
-using Curvatures = std::vector<double>;
+// Parts of the curvatures of the surface, by vertex: what is left around radii, and what is lost.
+struct Curvature_parts {
+  std::vector<double> left, lost;
+
+  std::size_t size() const { return left.size(); }
+  double smaller(std::size_t v) const { return std::min(left[v], lost[v]); }
+};
 
 // Radii whose curvatures go from wanted ones to others, between 0 and those of the surface.
 class Curvature_path {
 public:
-  Curvature_path(Glued_pyramids& p, const Embed_options& options, std::size_t& steps)
-      : p_(p), options_(options), steps_(steps), most_(p.triangles.curvatures()) {}
+  Curvature_path(Glued_pyramids& p, Embedding_run& run) : p_(p), run_(run) {}
 
   // \return whether there are radii with nearly the same part of all curvatures
   bool start();
@@ -59,114 +67,135 @@ public:
   // distance from the bounds
   // \return whether it is reached
   bool go_to_part(double part, double near);
-  bool is_capped() const { return steps_ >= options_.maximum_steps; }
 
 private:
-  bool go_to(const Curvatures& wanted, double near);
-  Curvatures part_of_all(double part) const;
-  double distance(const Curvatures& wanted) const;
-  double norm(const Curvatures& wanted) const; // of the difference
-  bool is_inside(const Curvatures& before, const Curvatures& wanted) const;
-  bool improve(Glued_pyramids& trial, const Curvatures& wanted);
+  bool go_far_away(double area);
+  bool go_to(const Curvature_parts& wanted, double near);
+  Curvature_parts now() const { return {pyramids_.curvature, pyramids_.lost}; }
+  Curvature_parts parts(double left) const;
+  double excess(const Curvature_parts& wanted, std::size_t v) const;
+  double distance(const Curvature_parts& wanted) const;
+  double norm(const Curvature_parts& wanted) const;
+  bool is_inside(const Curvature_parts& before, const Curvature_parts& wanted) const;
+  bool improve(Glued_pyramids& trial, const Curvature_parts& wanted);
+  void rescale(Glued_pyramids& trial, const Curvature_parts& wanted);
 
   Glued_pyramids& p_;
-  const Embed_options& options_;
-  std::size_t& steps_;
-  Curvatures most_;   // those of the surface
-  Pyramids pyramids_; // of the trial
+  Embedding_run& run_;
+  std::vector<double> most_; // curvatures of the surface
+  Pyramids pyramids_;        // of the trial
 };
+
+// An apex so far away that no vertex has lost half of its curvature.
+bool Curvature_path::go_far_away(double area) {
+  constexpr double least = 1e-20; // of what is lost: pyramids have 32 digits
+  for (double lost = .5; lost > least; lost /= 4) {
+    p_.radii.base = area / (4 * std::numbers::pi * lost);
+    p_.curvature_left = 1 - lost;
+    if (!pyramids_.build(p_.triangles, p_.radii)) continue;
+    bool is_inside = true;
+    for (std::size_t v = 0; v < p_.radii.weights.size(); ++v)
+      is_inside = is_inside && pyramids_.lost[v] <= pyramids_.curvature[v];
+    if (is_inside) return true;
+  }
+  return false;
+}
 
 /*
 From an apex far away, at the distance R, the radius of a vertex has lost the area of its power cell
-by R^2 of the curvature; the weights of the cells are the squares of the radii. Areas in proportion
-to curvatures are a problem of optimal transport, which Newton's method solves: Kitagawa, Merigot,
-Thibert, "Convergence of a Newton algorithm for semi-discrete optimal transport" (2019). On needles
-areas must change by powers of ten. So their logarithms go to the wanted ones in steps.
+by R^2 of the curvature. Areas in proportion to curvatures are a problem of optimal transport, which
+Newton's method solves: Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for
+semi-discrete optimal transport" (2019). On needles areas must change by powers of ten. So their
+logarithms go to the wanted ones in steps.
 */
 bool Curvature_path::start() {
   Metric_triangles& t = p_.triangles;
-  p_.radii.assign(t.number_of_vertices(), 1);
-  if (!flip_to_convex(t, p_.radii)) return false; // equal radii: it is Delaunay then
-  const double area = area_of(t);
-  double lost = 1;
-  do {
-    lost /= 2;
-    if (lost < 1e-9) return false;
-    std::fill(p_.radii.begin(), p_.radii.end(), std::sqrt(area / (4 * std::numbers::pi * lost)));
-  } while (!pyramids_.build(t, p_.radii) || !is_inside(most_, most_));
-  const Curvatures first = pyramids_.curvature, last = part_of_all(1 - lost);
-  constexpr double least = 1e-15; // of areas, which are positive but for rounding
+  if (!flip_to_convex(t, p_.radii.weights)) return false; // equal weights: it is Delaunay then
+  if (!go_far_away(area_of(t))) return false;
+  const Curvature_parts first = now();
+  for (std::size_t v = 0; v < first.size(); ++v) most_.push_back(first.left[v] + first.lost[v]);
+  const Curvature_parts last = parts(p_.curvature_left);
   double step = 1, done = 0;
-  while (done < 1 && !is_capped()) {
-    const double now = std::min(1., done + step);
-    Curvatures wanted = most_;
-    for (std::size_t v = 0; v < wanted.size(); ++v)
-      wanted[v] -= std::pow(std::max(most_[v] - first[v], least), 1 - now) *
-                   std::pow(most_[v] - last[v], now);
+  while (done < 1 && run_.goes_on() && !run_.is_over()) {
+    const double next = std::min(1., done + step);
+    Curvature_parts wanted = first;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+      wanted.lost[v] = std::pow(first.lost[v], 1 - next) * std::pow(last.lost[v], next);
+      wanted.left[v] = most_[v] - wanted.lost[v];
+    }
     const bool is_reached = go_to(wanted, 0.1);
-    if (is_reached) done = now;
+    if (is_reached) done = next;
     step *= is_reached ? 1.5 : 0.5;
     if (step < 1e-4) return false;
   }
-  p_.curvature_left = 1 - lost;
   return done == 1;
 }
 
-Curvatures Curvature_path::part_of_all(double part) const {
-  Curvatures result = most_;
-  for (double& k : result) k *= part;
+Curvature_parts Curvature_path::parts(double left) const {
+  Curvature_parts result;
+  for (const double k : most_) {
+    result.left.push_back(left * k);
+    result.lost.push_back((1 - left) * k);
+  }
   return result;
 }
 
-double Curvature_path::distance(const Curvatures& wanted) const {
-  constexpr double rounding = 1e-13;
+// of what is left; the part that is smaller is known better
+double Curvature_path::excess(const Curvature_parts& wanted, std::size_t v) const {
+  return wanted.left[v] < wanted.lost[v] ? pyramids_.curvature[v] - wanted.left[v]
+                                         : wanted.lost[v] - pyramids_.lost[v];
+}
+
+double Curvature_path::distance(const Curvature_parts& wanted) const {
   double result = 0;
-  for (std::size_t v = 0; v < most_.size(); ++v)
-    result = std::max(result, std::abs(pyramids_.curvature[v] - wanted[v]) /
-                                  (std::min(wanted[v], most_[v] - wanted[v]) + rounding));
+  for (std::size_t v = 0; v < wanted.size(); ++v)
+    result = std::max(result, std::abs(excess(wanted, v)) / wanted.smaller(v));
   return result;
 }
 
-double Curvature_path::norm(const Curvatures& wanted) const {
+double Curvature_path::norm(const Curvature_parts& wanted) const {
   double squared = 0;
-  for (std::size_t v = 0; v < most_.size(); ++v)
-    squared += CGAL::square(pyramids_.curvature[v] - wanted[v]);
+  for (std::size_t v = 0; v < wanted.size(); ++v)
+    squared += CGAL::square(excess(wanted, v)) / wanted.smaller(v);
   return std::sqrt(squared);
 }
 
 // Curvatures may come nearer to a bound by half, or up to half of the wanted distance.
-bool Curvature_path::is_inside(const Curvatures& before, const Curvatures& wanted) const {
-  constexpr double rounding = 1e-13;
-  for (std::size_t v = 0; v < most_.size(); ++v) {
-    const double now = pyramids_.curvature[v];
-    if (now < std::min(before[v], wanted[v]) / 2 - rounding ||
-        most_[v] - now < (most_[v] - std::max(before[v], wanted[v])) / 2 - rounding)
+bool Curvature_path::is_inside(const Curvature_parts& before, const Curvature_parts& wanted) const {
+  for (std::size_t v = 0; v < wanted.size(); ++v)
+    if (pyramids_.curvature[v] < std::min(before.left[v], wanted.left[v]) / 2 ||
+        pyramids_.lost[v] < std::min(before.lost[v], wanted.lost[v]) / 2)
       return false;
-  }
   return true;
 }
 
-bool Curvature_path::improve(Glued_pyramids& trial, const Curvatures& wanted) {
-  const Eigen::Index n = static_cast<Eigen::Index>(most_.size());
-  const Curvatures curvature = pyramids_.curvature;
-  const Eigen::VectorXd excess = Eigen::Map<const Eigen::VectorXd>(curvature.data(), n) -
-                                 Eigen::Map<const Eigen::VectorXd>(wanted.data(), n);
-  Eigen::VectorXd change(n);
-  ++steps_;
-  if (!solve_symmetric(pyramids_.derivatives(trial.triangles, trial.radii), excess, change))
+bool Curvature_path::improve(Glued_pyramids& trial, const Curvature_parts& wanted) {
+  const Curvature_parts before = now();
+  const double norm_before = norm(wanted);
+  const Eigen::Index n = static_cast<Eigen::Index>(wanted.size());
+  Eigen::VectorXd too_much(n), change(n);
+  for (Eigen::Index v = 0; v < n; ++v) too_much[v] = excess(wanted, static_cast<std::size_t>(v));
+  if (!run_.goes_on()) return false;
+  run_.count_step();
+  // Far away, all radii together hardly change any curvature: that is solved apart, by the sums.
+  const Eigen::VectorXd by_base = pyramids_.derivatives_by_base(trial.triangles, trial.radii);
+  const double base_change = -too_much.sum() / by_base.sum();
+  too_much += base_change * by_base;
+  if (!solve_symmetric(pyramids_.derivatives(trial.triangles, trial.radii), too_much, change))
     return false;
   for (double factor = 1; factor > 1e-2; factor /= 2) {
     Glued_pyramids next = trial;
-    bool is_positive = true;
-    for (std::size_t v = 0; v < most_.size(); ++v) { // weights are squares of radii
-      const double r = trial.radii[v], d = change[static_cast<Eigen::Index>(v)];
-      const double weight = r * r - 2 * factor * r * d;
-      is_positive = is_positive && weight > 0;
-      next.radii[v] = std::sqrt(std::max(weight, 0.));
+    next.radii.base += factor * base_change;
+    bool is_positive = next.radii.base > 0;
+    for (std::uint32_t v = 0; v < wanted.size(); ++v) { // weights are squares of radii
+      next.radii.weights[v] =
+          next.radii.weights[v] - Double_double(2 * factor * trial.radii[v] * change[v]);
+      is_positive = is_positive && next.radii.squared(v).to_double() > 0;
     }
-    if (!is_positive || !flip_to_convex(next.triangles, next.radii) ||
-        !pyramids_.build(next.triangles, next.radii) || !is_inside(curvature, wanted) ||
-        !(norm(wanted) <= (1 - factor / 4) * excess.norm()))
+    next.radii.balance();
+    if (!is_positive || !flip_to_convex(next.triangles, next.radii.weights) ||
+        !pyramids_.build(next.triangles, next.radii) || !is_inside(before, wanted) ||
+        !(norm(wanted) <= (1 - factor / 4) * norm_before))
       continue;
     trial = std::move(next);
     return true;
@@ -174,40 +203,59 @@ bool Curvature_path::improve(Glued_pyramids& trial, const Curvatures& wanted) {
   return false;
 }
 
-bool Curvature_path::go_to(const Curvatures& wanted, double near) {
+bool Curvature_path::go_to(const Curvature_parts& wanted, double near) {
   constexpr int most_steps = 12;
   Glued_pyramids trial = p_;
   if (!pyramids_.build(trial.triangles, trial.radii)) return false;
-  for (int k = 0; k < most_steps && distance(wanted) > near && !is_capped(); ++k)
+  rescale(trial, wanted);
+  for (int k = 0; k < most_steps && distance(wanted) > near && !run_.is_over(); ++k)
     if (!improve(trial, wanted)) return false;
   if (!(distance(wanted) <= near)) return false;
   p_ = std::move(trial);
   return true;
 }
 
+// Far away, all losses are in inverse proportion to the squares of radii: with other radii, but the
+// same weights, Newton's method starts from nearby.
+void Curvature_path::rescale(Glued_pyramids& trial, const Curvature_parts& wanted) {
+  const Pyramids before = pyramids_;
+  const double distance_before = distance(wanted), base = trial.radii.base;
+  const auto sum = [](const std::vector<double>& x) {
+    return std::accumulate(x.begin(), x.end(), 0.);
+  };
+  trial.radii.base *= sum(before.lost) / sum(wanted.lost);
+  if (pyramids_.build(trial.triangles, trial.radii) &&
+      is_inside({before.curvature, before.lost}, wanted) && distance(wanted) < distance_before)
+    return;
+  trial.radii.base = base;
+  pyramids_ = before;
+}
+
 bool Curvature_path::go_to_part(double part, double near) {
-  if (!go_to(part_of_all(part), near)) return false;
+  if (!go_to(parts(part), near)) return false;
   p_.curvature_left = part;
   return true;
 }
 
 } // namespace
 
-Status decrease_curvatures(Glued_pyramids& p, const Embed_options& options, std::size_t& steps,
+Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
                            const std::function<bool(const Glued_pyramids&)>& is_found) {
   constexpr double end = 1e-10;
-  Curvature_path path(p, options, steps);
-  if (!path.start()) return path.is_capped() ? Status::cap : Status::stalled;
+  Curvature_path path(p, run);
+  run.begin(Embedding_stage::start);
+  if (!path.start()) return run.status();
   double step = 1;
   while (p.curvature_left > end) {
     if (is_found(p)) return Status::stopped;
-    if (path.is_capped()) return Status::cap;
-    if (options.progress && !options.progress({p.curvature_left, steps})) return Status::cancelled;
+    run.begin(Embedding_stage::curvatures);
+    run.set_curvature_left(p.curvature_left);
+    if (!run.goes_on() || run.is_over()) return run.status();
     // the quotient of what is left and what is lost decreases by exp(-step)
     const double left = p.curvature_left * std::exp(-step),
                  part = left / (left + 1 - p.curvature_left);
     step = path.go_to_part(part, std::min(0.1, 0.2 * step)) ? std::min(1.5 * step, 7.) : step / 3;
-    if (step < 1e-6) return p.curvature_left < 1e-3 ? Status::done : Status::stalled;
+    if (step < 1e-6) return p.curvature_left < 1e-3 ? Status::done : run.status();
   }
   return is_found(p) ? Status::stopped : Status::done;
 }

@@ -4,19 +4,19 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_DECREASE_CURVATURES_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_DECREASE_CURVATURES_H
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
-#include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
+#include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <functional>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Pyramids that are convex along all edges, and how far their curvatures have decreased.
 struct Glued_pyramids {
   Metric_triangles triangles;
-  std::vector<double> radii;
+  Apex_radii radii;
   double curvature_left = 1;
 };
 
@@ -27,7 +27,7 @@ decreases them together, until hardly anything is left. The Jacobian is regular 
 \param is_found is called after each step, and returns whether to stop
 \return `done`, `stopped` by `is_found`, `stalled`, `cap` or `cancelled`
 */
-Status decrease_curvatures(Glued_pyramids& p, const Embed_options& options, std::size_t& steps,
+Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
                            const std::function<bool(const Glued_pyramids&)>& is_found);
 
 } // namespace CGAL::Intrinsic_triangulations::internal

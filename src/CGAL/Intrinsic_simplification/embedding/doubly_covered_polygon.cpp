@@ -51,7 +51,7 @@ std::uint32_t border_halfedge(const Metric_triangles& t, const std::vector<char>
 
 // The point at the end of the face on the left of h.
 Polygon_point third_corner(const Metric_triangles& t, std::uint32_t h, const Polygon_point& p,
-                         const Polygon_point& q) {
+                           const Polygon_point& q) {
   const Double_double &a = t.squared_length(h), &b = t.squared_length(Metric_triangles::next(h)),
                       &c = t.squared_length(Metric_triangles::previous(h));
   const Double_double twice = a + a, x = (a + c - b) / twice, squared = c / a - x * x;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
@@ -126,8 +127,8 @@ double lost_curvature(const Metric_triangles& t, const std::vector<double>& curv
 // Looks for the polyhedron while the curvatures of pyramids decrease.
 class Polyhedron_search {
 public:
-  Polyhedron_search(const Metric_triangles& t, Convex_polyhedron& result)
-      : triangles(t), result_(result) {}
+  Polyhedron_search(const Metric_triangles& t, Convex_polyhedron& result, Embedding_run& run)
+      : triangles(t), result_(result), run_(run) {}
 
   // Whether it is found. It is tried seldom: that takes longer than a step.
   bool try_at(const Glued_pyramids& p) {
@@ -144,9 +145,10 @@ public:
   // \return whether lengths are right and no edge is concave
   bool fit(const Glued_pyramids& p) {
     constexpr double concave = 1e-13;
+    run_.begin(Embedding_stage::fit);
     triangles = p.triangles;
     points = lay_out_pyramids(p);
-    return fit_lengths(triangles, points, concave * extent_of(points), result_.steps);
+    return fit_lengths(triangles, points, concave * extent_of(points), run_);
   }
 
   Metric_triangles triangles;
@@ -154,23 +156,33 @@ public:
 
 private:
   Convex_polyhedron& result_;
+  Embedding_run& run_;
   double next_ = 1e-5; // of the curvature that is left
 };
 
-Polyhedron_search find_points(const Metric_triangles& t, const Embed_options& options,
+Polyhedron_search cancelled(Polyhedron_search search, Convex_polyhedron& result) {
+  result.status = Status::cancelled;
+  search.points.clear();
+  return search;
+}
+
+Polyhedron_search find_points(const Metric_triangles& t, Embedding_run& run,
                               Convex_polyhedron& result) {
-  Polyhedron_search search(t, result);
-  Glued_pyramids p{t, {}, 1};
-  result.status = decrease_curvatures(
-      p, options, result.steps, [&](const Glued_pyramids& now) { return search.try_at(now); });
+  Polyhedron_search search(t, result, run);
+  Glued_pyramids p{t, {1, Vertex_weights(t.number_of_vertices())}, 1};
+  result.status =
+      decrease_curvatures(p, run, [&](const Glued_pyramids& now) { return search.try_at(now); });
   if (result.status == Status::stopped)
     result.status = Status::done;
   else if (result.status == Status::done)
     result.status = search.fit(p) ? Status::done : Status::inaccurate;
   else
     search.points.clear();
+  if (run.is_cancelled()) return cancelled(std::move(search), result);
   if (search.points.empty() || result.shape == Convex_shape::doubly_covered_polygon) return search;
-  result.certificate = certify_polyhedron(search.triangles, search.points);
+  run.begin(Embedding_stage::certificate);
+  result.certificate = certify_polyhedron(search.triangles, search.points, run);
+  if (run.is_cancelled()) return cancelled(std::move(search), result);
   const Convexity_certificate& c = result.certificate;
   if (c.concave_edges != 0 || !c.encloses_its_centre) result.status = Status::inaccurate;
   return search;
@@ -190,7 +202,52 @@ void name_points(const Input& surface, const Whole_faces& whole, int scale,
 
 } // namespace
 
+// Curvatures near 0 are what hinders each of the stages.
+std::string remedy_of(Embedding_stage stage) {
+  switch (stage) {
+  case Embedding_stage::flat_vertices:
+    return "lengths there are not those of a flat surface; lower flat_within, so that fewer "
+           "vertices count as flat";
+  case Embedding_stage::start:
+    return "angles may sum to nearly 360 degrees; raise flat_within above the curvature of such "
+           "vertices, or remove them";
+  case Embedding_stage::curvatures:
+    return "some vertices may have hardly any curvature; raise flat_within, or remove them";
+  case Embedding_stage::fit:
+  case Embedding_stage::certificate:
+    break;
+  }
+  return "edges may be too short for doubles beside others; make them longer";
+}
+
 } // namespace internal
+
+const char* name_of(Embedding_stage stage) {
+  switch (stage) {
+  case Embedding_stage::flat_vertices:
+    return "removing flat vertices";
+  case Embedding_stage::start:
+    return "starting far away";
+  case Embedding_stage::curvatures:
+    return "decreasing curvatures";
+  case Embedding_stage::fit:
+    return "fitting lengths";
+  case Embedding_stage::certificate:
+    break;
+  }
+  return "proving convexity";
+}
+
+std::string reason_without_points(const Convex_polyhedron& found) {
+  if (!found.points.empty()) return {};
+  const std::string where = std::string("while ") + name_of(found.stage);
+  if (found.status == Status::cancelled) return "the search for the polyhedron was ended " + where;
+  if (found.status == Status::cap)
+    return "the polyhedron is not found after " + std::to_string(found.steps) + " steps, " + where +
+           "; allow more steps";
+  return "the polyhedron is not found: the solver has stalled " + where + "; " +
+         internal::remedy_of(found.stage);
+}
 
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options) {
   using namespace internal;
@@ -202,15 +259,17 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   std::vector<double> flat = flat_curvatures(t, options.flat_within);
   for (std::uint32_t v = 0; v < flat.size(); ++v)
     if (is_flat[v] != 0) flat[v] = std::max(flat[v], std::abs(curvature[v]));
-  flip_to_convex(t, std::vector<double>(t.number_of_vertices(), 1)); // Delaunay: fewer loops
+  flip_to_convex(t, Vertex_weights(t.number_of_vertices())); // Delaunay: fewer loops
   expect_convex(surface, t, flat);
   Convex_polyhedron result;
-  if (!remove_flat(t, flat)) {
-    result.status = Status::stalled;
+  Embedding_run run(options, result);
+  run.begin(Embedding_stage::flat_vertices);
+  if (!remove_flat(t, flat, run)) {
+    result.status = run.status();
     return result;
   }
   const std::vector<std::uint32_t> left = t.compress();
-  const Polyhedron_search found = find_points(t, options, result);
+  const Polyhedron_search found = find_points(t, run, result);
   if (found.points.empty()) return result;
   result.largest_error = greatest_error(found.triangles, found.points) / extent_of(found.points);
   if (const double lost = lost_curvature(t, curvature, rounding, is_flat); lost > 0) {

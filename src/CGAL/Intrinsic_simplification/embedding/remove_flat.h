@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_REMOVE_FLAT_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_REMOVE_FLAT_H
 
+#include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 
 #include <vector>
@@ -13,7 +14,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Removes the vertices whose curvature is at most `within` there, by flips until they have three
 // faces. Numbers of vertices stay; see `Metric_triangles::compress()`.
 // \return whether all could be removed
-bool remove_flat(Metric_triangles& t, const std::vector<double>& within);
+bool remove_flat(Metric_triangles& t, const std::vector<double>& within, Embedding_run& run);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.h>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_matching.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Joined_numbers.h>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.h>
 
@@ -190,6 +191,7 @@ void Dart_matching::find_symmetries(Group& group, Joined_numbers& orbits,
 
 bool Dart_matching::try_walk(std::uint32_t from, Directed_dart to) {
   ++number_of_walks_;
+  if ((number_of_walks_ & 0xffU) == 0) expect_to_go_on(); // short ones
   return walk(from, to, image_, visited_);
 }
 
@@ -211,7 +213,7 @@ bool Dart_matching::walk(std::uint32_t from, Directed_dart to, std::vector<std::
   if (!visit(from, to.dart)) return false;
   for (; i < visited.size(); ++i) {
     const std::uint32_t d = visited[i], e = image[d], od = opposite_[d], oe = opposite_[e];
-    ++steps_;
+    if ((++steps_ & 0x3ffU) == 0) expect_to_go_on();
     if ((od == none) != (oe == none)) return false;
     if (od != none && !visit(od, oe)) return false;
     if (!visit(next_[d], to.is_mirrored ? previous_[e] : next_[e])) return false;

@@ -1,14 +1,21 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_search.h>
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -39,13 +46,14 @@ std::uint32_t sheets_of(const Singular_surface& s) { return s.delaunay().input()
 
 } // namespace
 
-Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(std::move(b)) {
+Isometry_search::Isometry_search(Surface a, Surface b, Isometry_run& run)
+    : a_(std::move(a)), b_(std::move(b)) {
   if (sheets_of(*a_) != sheets_of(*b_)) { // isometric covers say nothing about the meshes
     note_ = "one surface is a cover of its mesh, with another number of sheets than the other one";
     return;
   }
   try {
-    search();
+    search(run);
   } catch (const Undecidable& e) {
     note_ = both(note_, e.what());
     matching_.reset();
@@ -53,20 +61,29 @@ Isometry_search::Isometry_search(Surface a, Surface b) : a_(std::move(a)), b_(st
   if (sheets_of(*a_) > 1) note_ = both(note_, "compared are the covers of the meshes");
 }
 
-void Isometry_search::search() {
-  decide_exactly();
+void Isometry_search::search(Isometry_run& run) {
+  run.begin(Isometry_stage::lengths);
+  if (have_sizes_far_apart()) {
+    answer_ = Isometry_answer::not_isometric;
+    return;
+  }
+  decide_exactly(run);
+  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended() &&
+      have_different_areas())
+    answer_ = Isometry_answer::not_isometric;
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
-    if (decide_within(error)) return;
+    if (decide_within(error, run)) return;
   const auto has_flat = [](const Surface& s) { return s->number_of_flat_vertices() > 0; };
   if (has_flat(a_) || has_flat(b_)) { // vertices that rounding has bent are flat in one of them
-    const auto with_all = [](const Surface& s) {
-      return std::make_shared<const Singular_surface>(s->delaunay(), Tessellation_vertices::all);
+    const auto with_all = [&run](const Surface& s) {
+      return std::make_shared<const Singular_surface>(s->delaunay(), Tessellation_vertices::all,
+                                                      run);
     };
     a_ = with_all(a_);
     b_ = with_all(b_);
     for (const double error : rounding_errors)
-      if (decide_within(error)) return;
+      if (decide_within(error, run)) return;
   }
 }
 
@@ -78,7 +95,39 @@ void Isometry_search::match(const Length_classes& classes) {
   first_map_ = 0;
 }
 
-void Isometry_search::decide_exactly() {
+bool Isometry_search::have_sizes_far_apart() const {
+  constexpr int most_bits = 800; // squared lengths in common units do not overflow
+  const int exponent = exponent_to_units_of(*b_, *a_);
+  if (std::abs(exponent) <= most_bits) return false;
+  // A surface fills its units up to a factor that is far below 2^800; areas tell even where flat
+  // vertices could not be removed.
+  const auto area = [](const Singular_surface& s) {
+    double sum = 0;
+    const Input_metric& metric = s.delaunay().input().metric();
+    for (std::uint32_t f = 0; f < s.delaunay().input().number_of_faces(); ++f)
+      sum += std::sqrt(std::max(metric.squared_quadruple_area<double>(f), 0.));
+    return std::log2(sum);
+  };
+  return std::abs(area(*b_) + exponent - area(*a_)) > 1;
+}
+
+bool Isometry_search::have_different_areas() const {
+  const auto area = [](const Singular_surface& s, int exponent) {
+    const Moved_triangulation& t = s.triangulation();
+    Short_ball sum(0);
+    for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h) {
+      const Gluing_map::Halfedge side{h};
+      if (t.mesh().is_removed(side)) continue;
+      const Gluing_map::Face f = t.mesh().face(side); // of each face three sides
+      if (f.index != Gluing::none) sum = sum + t.narrow_enclosure(t.area(f.index));
+    }
+    return sum * Short_ball(std::ldexp(1.0, exponent));
+  };
+  const Uncertain<Sign> sign = (area(*a_, 0) - area(*b_, exponent_to_units_of(*b_, *a_))).sign();
+  return is_certain(sign) && get_certain(sign) != ZERO;
+}
+
+void Isometry_search::decide_exactly(Isometry_run& run) {
   const auto exact = [](const Singular_surface& s) { return Tessellation{s.ties(), s.darts()}; };
   first_ = exact(*a_);
   std::vector<const Singular_surface*> surfaces{a_.get()};
@@ -88,12 +137,8 @@ void Isometry_search::decide_exactly() {
   }
   note_ = both(a_->choice(), b_->choice());
   if (!a_->is_proven() || !b_->is_proven()) return;
-  constexpr int most_bits = 800; // squared lengths in common units do not overflow
-  if (std::abs(exponent_to_units_of(*b_, *a_)) > most_bits) {
-    note_ = both(note_, too_wide);
-    return;
-  }
   const Length_classes classes = exact_length_classes(surfaces);
+  run.begin(Isometry_stage::maps);
   match(classes);
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
@@ -116,7 +161,8 @@ void Isometry_search::decide_exactly() {
     matching_.reset();
 }
 
-bool Isometry_search::decide_within(double error) {
+bool Isometry_search::decide_within(double error, Isometry_run& run) {
+  run.begin(Isometry_stage::maps);
   const auto rounded = [error](const Singular_surface& s) {
     std::vector<char> ties = s.ties_within(error);
     Dart_complex darts(s.triangulation().mesh(), ties);
@@ -143,11 +189,13 @@ bool Isometry_search::decide_within(double error) {
 bool Isometry_search::find_first_map() {
   constexpr double most_maps = 1000;
   const auto number = static_cast<std::size_t>(std::min(count(), most_maps));
-  for (std::size_t n = 0; n < number; ++n)
+  for (std::size_t n = 0; n < number; ++n) {
+    expect_to_go_on();
     if (respects_vertices(own(n))) {
       first_map_ = n;
       return true;
     }
+  }
   return false;
 }
 

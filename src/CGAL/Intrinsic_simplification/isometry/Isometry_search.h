@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.h>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_matching.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
@@ -28,7 +29,7 @@ class Isometry_search {
 public:
   using Surface = std::shared_ptr<const Singular_surface>;
 
-  Isometry_search(Surface a, Surface b);
+  Isometry_search(Surface a, Surface b, Isometry_run& run);
 
   Isometry_answer answer() const { return answer_; }
   const std::string& note() const { return note_; }
@@ -51,9 +52,13 @@ private:
     Dart_complex darts;
   };
 
-  void search();
-  void decide_exactly();
-  bool decide_within(double error);
+  void search(Isometry_run& run);
+  // whether areas show that the sizes differ by a factor for which numbers are not made
+  bool have_sizes_far_apart() const;
+  // whether areas are different by proof, also where vertices of tessellations are arbitrary
+  bool have_different_areas() const;
+  void decide_exactly(Isometry_run& run);
+  bool decide_within(double error, Isometry_run& run);
   void match(const Length_classes& classes);
   Isometry own(std::size_t n) const; // does not keep this object
   // whether fans of faces that meet at a vertex go to fans that meet at one

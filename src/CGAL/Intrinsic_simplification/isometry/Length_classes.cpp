@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Developed_faces.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
@@ -110,7 +112,7 @@ private:
     exact_.clear(); // its numbers refer to the field
     field_ = std::make_unique<Square_root_field>();
     for (const Singular_surface* s : surfaces_)
-      exact_.emplace_back(s->triangulation().recipes(), field_.get());
+      exact_.emplace_back(s->triangulation().developed(), field_.get());
   }
 
   // words of coefficients that one comparison may cost, and all together:
@@ -122,7 +124,7 @@ private:
   Strip_names names_;
   std::unordered_map<std::uint64_t, std::optional<Strip_names::Name>> known_names_;
   std::unique_ptr<Square_root_field> field_;
-  std::vector<Value_recipes::Evaluation<Number>> exact_;
+  std::vector<Developed_faces::Evaluation> exact_;
 };
 
 // The squared lengths of all edges of the tessellations, by size.
@@ -134,6 +136,7 @@ std::vector<Length> sorted_lengths(std::span<const Singular_surface* const> surf
     const Short_ball factor(std::ldexp(1.0, exponent_to_units_of(*surfaces[s], *surfaces[0])));
     for (std::uint32_t d = 0; d < darts.size(); ++d) {
       if (darts.opposite[d] < d) continue; // its edge was added
+      expect_to_go_on();
       const Value_recipes::Id id = surfaces[s]->triangulation().length(darts.halfedge[d] / 2);
       all.push_back({s, id, surfaces[s]->triangulation().narrow_enclosure(id) * factor});
     }
@@ -198,6 +201,7 @@ Length_classes exact_length_classes(std::span<const Singular_surface* const> sur
   for_each_run(all, [&](std::span<const Length> run) {
     std::vector<std::pair<const Length*, std::uint32_t>> classes;
     for (const Length& x : run) {
+      expect_to_go_on();
       const auto is_same = [&](const auto& c) {
         if (is_certain((x.value - c.first->value).sign()) &&
             get_certain((x.value - c.first->value).sign()) != ZERO)

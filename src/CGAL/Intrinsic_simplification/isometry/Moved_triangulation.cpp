@@ -20,7 +20,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 Moved_triangulation::Moved_triangulation(const Corresponding_triangulation& t)
-    : numbered_(t.mesh()), recipes_(t), short_(recipes_) {
+    : numbered_(t.mesh()), recipes_(t), developed_(recipes_), short_(recipes_) {
   for (std::uint32_t e = 0; e < t.mesh().number_of_edges(); ++e)
     length_.push_back(recipes_.length_of_edge(e));
   for (std::uint32_t f = 0; f < t.mesh().number_of_faces(); ++f)
@@ -31,8 +31,7 @@ Moved_triangulation::Moved_triangulation(const Corresponding_triangulation& t)
 void Moved_triangulation::start_field() const {
   exact_ = nullptr; // its numbers refer to the field
   field_ = std::make_unique<Square_root_field>();
-  exact_ = std::make_unique<Value_recipes::Evaluation<Square_root_field::Number>>(recipes_,
-                                                                                  field_.get());
+  exact_ = std::make_unique<Developed_faces::Evaluation>(developed_, field_.get());
 }
 
 Short_ball Moved_triangulation::narrow_enclosure(Id id) const {
@@ -112,6 +111,10 @@ void Moved_triangulation::flip(Halfedge h) {
   const Moved_face new_f{f.face, {h.index, mj.index, jk.index}, {{k, apex, j}}},
       new_g{g.face, {o.index, ki.index, im.index}, {{apex, k, i}}};
   moves_.push_back(Repartition{{f, g}, {new_f, new_g}});
+  developed_.bring_across(m, h);
+  developed_.close(h, mj, jk, km, left);
+  developed_.close(o, ki, im, km, right);
+  developed_.join(h);
   length_[h.index / 2] = km;
   area_[f.face] = left;
   area_[g.face] = right;
@@ -134,6 +137,9 @@ void Moved_triangulation::remove_inner_vertex(Halfedge h) {
       third{e, {ki.index, ip.index, pk.index}, {{k, i, p}}},
       whole{f, {h.index, jk.index, ki.index}, {{i, j, k}}};
   moves_.push_back(Repartition{{first, second, third}, {whole}});
+  developed_.bring_across(m, jp);
+  developed_.bring_across(m, m.next(jp));
+  developed_.set_area(area_[f], h, jk);
   remove_degree_3_vertex(h, m, numbered_.numbers);
 }
 
@@ -146,6 +152,8 @@ void Moved_triangulation::remove_border_vertex(Halfedge h) {
   const auto [length, area] = recipes_.straighten(diamond(pk));
   const Moved_face whole{f.face, {h.index, jk.index, ki.index}, {{i, j, k}}};
   moves_.push_back(Repartition{{f, g}, {whole}});
+  developed_.bring_across(m, pk);
+  developed_.close(h, jk, ki, length, area);
   length_[h.index / 2] = length;
   area_[f.face] = area;
   Intrinsic_triangulations::remove_border_vertex(h, m, numbered_.numbers);

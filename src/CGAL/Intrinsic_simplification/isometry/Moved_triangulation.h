@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_MOVED_TRIANGULATION_H
 
 #include <CGAL/Corresponding_triangulation.h>
+#include <CGAL/Intrinsic_simplification/isometry/Developed_faces.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/Value_recipes.h>
@@ -47,6 +48,7 @@ public:
 
   const Gluing_map& mesh() const { return numbered_.mesh; }
   const Value_recipes& recipes() const { return recipes_; }
+  const Developed_faces& developed() const { return developed_; }
   // all moves so far
   const std::vector<Repartition>& moves() const { return moves_; }
   Id length(std::uint32_t edge) const { return length_[edge]; }
@@ -152,12 +154,13 @@ private:
 
   Mesh_with_numbers<Gluing_map> numbered_;
   Value_recipes recipes_;
+  Developed_faces developed_;
   std::vector<Id> length_, area_;
   std::vector<Repartition> moves_;
   mutable Value_recipes::Evaluation<Short_ball> short_;
   mutable std::map<unsigned, Value_recipes::Evaluation<Long_ball>> long_; // by precision
   mutable std::unique_ptr<Square_root_field> field_;
-  mutable std::unique_ptr<Value_recipes::Evaluation<Square_root_field::Number>> exact_;
+  mutable std::unique_ptr<Developed_faces::Evaluation> exact_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Joined_numbers.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +26,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t) {
-  flip_to_delaunay(t);
+Corresponding_triangulation flipped_to_delaunay(Corresponding_triangulation t, Isometry_run& run) {
+  struct Visitor {
+    Isometry_run* run;
+    bool progress(const Flip_to_delaunay_result&) { return run->ask(); }
+  };
+  if (run.ask()) flip_to_delaunay(t, parameters::visitor(Visitor{&run}));
   return t;
 }
 
@@ -71,22 +77,27 @@ void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size
 
 } // namespace
 
-Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices)
-    : delaunay_(flipped_to_delaunay(std::move(t))), moved_(delaunay_) {
+Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices,
+                                   Isometry_run& run)
+    : delaunay_(flipped_to_delaunay(std::move(t), run)), moved_(delaunay_) {
   try {
+    run.begin(Isometry_stage::flat_vertices);
     if (vertices == Tessellation_vertices::not_flat) {
       std::vector<char> are_removed = flat_or_isolated_vertices(delaunay_);
+      expect_to_go_on();
       choose_vertices(are_removed);
       remove_vertices(moved_, are_removed);
     }
+    run.begin(Isometry_stage::ties);
     find_ties();
   } catch (const Undecidable& e) {
     is_proven_ = false;
+    is_ended_ = run.is_ended();
     choice_ = e.what();
     ties_.assign(moved_.mesh().number_of_edges(), 0);
   }
   darts_.emplace(moved_.mesh(), ties_);
-  if (delaunay_.metric().statistics().probable_zero == 0) return;
+  if (is_ended_ || delaunay_.metric().statistics().probable_zero == 0) return;
   is_proven_ = false;
   choice_ = "exact arithmetic took some values for zero without a proof";
 }
@@ -132,6 +143,7 @@ void Singular_surface::find_ties() {
     for (std::uint32_t e = 0; e < ties_.size(); ++e) {
       const Gluing_map::Halfedge h{2 * e};
       if (mesh.is_removed(h) || !moved_.has_diamond(h)) continue;
+      expect_to_go_on();
       if (moved_.is_original(mesh.face(h).index) &&
           moved_.is_original(mesh.face(Gluing_map::opposite(h)).index))
         ties_[e] = session.delaunay_sign(h) == ZERO ? 1 : 0;
@@ -139,10 +151,11 @@ void Singular_surface::find_ties() {
         moved.push_back(e);
     }
   }
-  for (const std::uint32_t e : moved)
-    ties_[e] =
-        moved_.sign(moved_.diamond(Gluing_map::Halfedge{2 * e}), Delaunay_expression()) == ZERO ? 1
-                                                                                                : 0;
+  for (const std::uint32_t e : moved) {
+    expect_to_go_on();
+    const Sign s = moved_.sign(moved_.diamond(Gluing_map::Halfedge{2 * e}), Delaunay_expression());
+    ties_[e] = s == ZERO ? 1 : 0;
+  }
 }
 
 std::vector<char> Singular_surface::ties_within(double error) const {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -28,7 +29,8 @@ cocircular faces are left out, and flat vertices if wanted.
 class Singular_surface {
 public:
   // flips the triangulation until it is Delaunay
-  Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices);
+  Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices,
+                   Isometry_run& run);
   Singular_surface(const Singular_surface&) = delete;
   Singular_surface& operator=(const Singular_surface&) = delete;
 
@@ -44,6 +46,8 @@ public:
   const std::string& continuous_part() const { return continuous_part_; }
   // whether everything was proven, though a choice may be arbitrary
   bool is_proven() const { return is_proven_; }
+  // whether the caller has ended the computation
+  bool is_ended() const { return is_ended_; }
 
   std::uint32_t source(std::uint32_t dart) const {
     return moved_.mesh().source(Gluing_map::Halfedge{darts_->halfedge[dart]}).index;
@@ -69,7 +73,7 @@ private:
   std::optional<Dart_complex> darts_;
   std::uint32_t number_of_flat_vertices_ = 0;
   std::string choice_, continuous_part_;
-  bool is_proven_ = true;
+  bool is_proven_ = true, is_ended_ = false;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

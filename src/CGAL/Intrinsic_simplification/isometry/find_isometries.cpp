@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_search.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -54,9 +55,11 @@ double Isometries::largest_difference() const { return search_->largest_differen
 std::string Isometries::note() const { return search_->note(); }
 std::size_t Isometries::number_of_walks() const { return search_->number_of_walks(); }
 
-Isometries find_isometries(const Canonical_form& a, const Canonical_form& b) {
+Isometries find_isometries(const Canonical_form& a, const Canonical_form& b,
+                           const Isometry_options& options) {
+  internal::Isometry_run run(options);
   return Isometries(
-      std::make_shared<const internal::Isometry_search>(a.shared_parts(), b.shared_parts()));
+      std::make_shared<const internal::Isometry_search>(a.shared_parts(), b.shared_parts(), run));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

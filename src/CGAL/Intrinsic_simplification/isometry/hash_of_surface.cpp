@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
@@ -70,6 +71,7 @@ private:
 
 double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
   try {
+    expect_to_go_on();
     return std::ldexp(s.triangulation().nearest(s.length(dart)),
                       -2 * s.delaunay().input().scale_exponent());
   } catch (const Undecidable& e) {
@@ -78,13 +80,20 @@ double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
   }
 }
 
-std::uint64_t hash_of_surface(const Singular_surface& s) {
+std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run) {
   const Dart_complex& darts = s.darts();
   const std::uint32_t sheets = s.delaunay().input().names().sheets; // a cover is another surface
+  const auto refuse = [](const std::string& why) {
+    throw Invalid_input(Element_kind::none, 0, "the surface gets no hash, since " + why);
+  };
+  if (s.is_ended()) refuse(s.choice());
   if (!s.is_proven()) // another triangulation of the surface might get a hash
-    throw Invalid_input(Element_kind::none, 0,
-                        "the surface gets no hash, since " + s.choice() +
-                            "; remove flat vertices from the mesh");
+    refuse(s.choice() + "; remove flat vertices from the mesh");
+  try {
+    run.begin(Isometry_stage::lengths);
+  } catch (const Undecidable& e) {
+    refuse(e.what());
+  }
   if (!s.choice().empty()) return mixed(darts.number_of_components, sheets);
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {

@@ -8,6 +8,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+class Isometry_run;
 class Singular_surface;
 
 // The double nearest to a squared length, in the units of the user. It does not
@@ -15,7 +16,7 @@ class Singular_surface;
 double rounded_squared_length(const Singular_surface& s, std::uint32_t dart);
 
 // See `Canonical_form::hash()`.
-std::uint64_t hash_of_surface(const Singular_surface& s);
+std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
@@ -85,6 +86,7 @@ std::vector<std::uint32_t> refine_partition(const std::vector<std::uint32_t>& la
   while (!open.empty()) {
     const std::span<const std::uint32_t> states = partition.states(open.back());
     open.pop_back();
+    expect_to_go_on();
     splitter.assign(states.begin(), states.end());
     for (const std::vector<std::uint32_t>& inverse : inverses) {
       for (const std::uint32_t s : splitter)

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
@@ -8,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Proof_watch.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 
 #include <CGAL/enum.h>
@@ -133,7 +135,9 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
   while (!stack.empty()) {
     const Gluing_map::Halfedge h{2 * stack.back()};
     stack.pop_back();
-    if (!t.has_diamond(h) || t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
+    if (!t.has_diamond(h)) continue;
+    expect_to_go_on();
+    if (t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
     t.flip(h);
     for (const Gluing_map::Halfedge s : {h, Gluing_map::opposite(h)})
       for (Gluing_map::Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
@@ -158,7 +162,10 @@ std::vector<Gluing_map::Vertex> cluster_of(Gluing_map::Vertex v, const Gluing_ma
 // \return whether a vertex was removed
 bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertices) {
   const std::size_t before = vertices.size();
-  std::erase_if(vertices, [&](Gluing_map::Vertex v) { return One_vertex_remover(t, v).remove(); });
+  std::erase_if(vertices, [&](Gluing_map::Vertex v) {
+    expect_to_go_on();
+    return One_vertex_remover(t, v).remove();
+  });
   return vertices.size() != before;
 }
 
