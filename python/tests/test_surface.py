@@ -126,6 +126,24 @@ class Work(With_folder):
             s.refine(min_angle=32, max_edge_length=0.01, progress=stop)
         self.assertEqual(s.delaunay().certificate, "exact")  # nothing is spoilt
 
+    def test_statistics_are_found_when_they_are_asked_for_and_are_the_same_then(self):
+        for points, faces in bumpy(12), bumpy(12, 5), (V, F):
+            s, stages = it.Surface(points, faces), set()
+            keep = [faces[0][:2], faces[7][:2]]
+            early = s.delaunay(keep=keep, progress=lambda stage, *counts: stages.add(stage))
+            self.assertNotIn("verifying", stages)
+            expected = early.statistics
+            late = s.delaunay(keep=keep)
+            self.assertEqual((early.laplacian() != late.laplacian()).nnz, 0)
+            np.testing.assert_allclose(early.lengths, late.lengths, rtol=1e-12)
+            for found in late.statistics, copy.copy(late).statistics:
+                for key in "delaunay", "constraints", "certificate", "input":
+                    self.assertEqual(found[key], expected[key])
+                for key in "quality", "area", "laplacian":
+                    for name, value in expected[key].items():
+                        np.testing.assert_allclose(found[key][name], value, rtol=1e-8)
+            self.assertEqual(expected["constraints"]["input_edges"], 2)
+
     def test_interrupts(self):
         s = it.Surface(*bumpy(40))
         timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))

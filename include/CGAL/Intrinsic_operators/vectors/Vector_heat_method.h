@@ -102,8 +102,17 @@ public:
   template <NamedParameters NP = parameters::Parameters<>>
   Status factor(const NP& np = parameters::default_values()) const {
     internal::expect_names<internal::tags::visitor>(np);
-    return heat_.factor(internal::progress_of(np)) ? Status::done : Status::cancelled;
+    const auto progress = internal::progress_of(np);
+    factor(Transport_step::functions_factored);
+    if (progress && !progress(Transport_step::functions_factored)) return Status::cancelled;
+    factor(Transport_step::vectors_factored);
+    if (progress) progress(Transport_step::vectors_factored); // nothing is left to be stopped
+    return Status::done;
   }
+  /// factors one matrix before the first query that needs it, see `Transport_step`: transport of
+  /// one vector needs that for vectors alone.
+  /// \complexity that of factoring it, once
+  void factor(Transport_step matrix) const { heat_.factor(matrix); }
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return frames_.triangulation(); }

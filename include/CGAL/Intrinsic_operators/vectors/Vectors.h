@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -84,7 +85,10 @@ public:
       const Point_cloud_vectors& c = cloud(options);
       return of_points(c.transport(at_points(c, given)));
     }
-    const Heat* const method = heat(options);
+    // vectors at one place have one length, which needs no heat of functions
+    const Heat* const method = given.places.size() > 1
+                                   ? heat(options, {functions_factored, vectors_factored})
+                                   : heat(options, {vectors_factored});
     if (method == nullptr) return cancelled();
     Finder find(t_, points_);
     Found_vectors found;
@@ -114,7 +118,7 @@ public:
       for (std::size_t i = 0; i < extended.size(); ++i) result[i] = extended[i];
       return result;
     }
-    const Heat* const method = heat(options);
+    const Heat* const method = heat(options, {functions_factored});
     if (method == nullptr) return {};
     Place_finder<Triangulation> find(t_);
     std::vector<std::pair<Surface_point, double>> sources;
@@ -144,7 +148,10 @@ public:
                "affine");
       return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
     }
-    const Heat* const by_heat = method == Logarithm_method::exact ? nullptr : heat(options);
+    const Heat* const by_heat = method == Logarithm_method::exact ? nullptr
+                                : method == Logarithm_method::polar
+                                    ? heat(options, {vectors_factored})
+                                    : heat(options, {functions_factored, vectors_factored});
     if (by_heat == nullptr && method != Logarithm_method::exact) return cancelled();
     Visitor visitor{&options, Vector_step::windows};
     Found_vectors found;
@@ -211,6 +218,7 @@ public:
 private:
   using Heat = Vector_heat_method<Triangulation>;
   using Vertex = typename Triangulation::vertex_descriptor;
+  using enum Transport_step;
 
   // Asks the caller whether to go on, with a number if the step counts.
   struct Visitor {
@@ -274,13 +282,16 @@ private:
 
   static Found_vectors cancelled() { return {{}, {}, Status::cancelled}; }
 
-  // The method with its matrices; null if the caller has ended the work.
-  const Heat* heat(const Vector_options& options) {
+  // The method with the matrices that are needed; null if the caller has ended the work.
+  const Heat* heat(const Vector_options& options, std::initializer_list<Transport_step> needed) {
     if (heat_ && time_factor_ != options.time_factor) heat_.reset();
     if (!heat_) heat_.emplace(t_, parameters::time_factor(options.time_factor));
     time_factor_ = options.time_factor;
     Visitor visitor{&options, Vector_step::factorization};
-    if (heat_->factor(parameters::visitor(std::ref(visitor))) == Status::cancelled) return nullptr;
+    for (const Transport_step matrix : needed) {
+      heat_->factor(matrix);
+      if (!visitor.progress(0U)) return nullptr;
+    }
     visitor.step = Vector_step::solution;
     return visitor.progress(0U) ? &*heat_ : nullptr;
   }
