@@ -89,7 +89,8 @@ void measure_vectors(const Exact& d, const Mesh& mesh, Times& times) {
   IT::Vectors<Exact> vectors(d, mesh.points);
   const auto field = times("transport", [&] { return vectors.transport(vector_at(0)); });
   times("again: transport", [&] { return vectors.transport(vector_at(n / 3)); });
-  const auto sectors = times("sectors", [&] { return IT::Vertex_sectors(d, mesh.points); });
+  times("vectors", [&] { return IT::Vertex_sectors(d, mesh.points).in_space(field.vectors); });
+  const IT::Vertex_sectors sectors(d, mesh.points);
   times("again: vectors", [&] { return sectors.in_space(field.vectors); });
   for (const auto& [name, method] : {std::pair("exact", IT::Logarithm_method::exact),
                                      std::pair("affine", IT::Logarithm_method::affine),

@@ -19,7 +19,7 @@ from distance_tasks import read
 
 # name of the call in C++, what is made before, and the call
 CALLS = [
-    ("Surface", "", "s = it.Surface(V, F)"),
+    ("Surface", "", "it.Surface(V, F)"),
     ("delaunay", "", "s.delaunay()"),
     ("refine", "", "s.refine()"),
     ("laplacian", "d = s.delaunay()", "d.laplacian()"),
@@ -28,11 +28,10 @@ CALLS = [
     ("statistics", "d = s.delaunay()", "d.statistics"),
     ("distance by heat", "s.laplacian()", "s.distance(a, method='heat')"),
     ("distance", "s.laplacian()", "s.distance(a)"),
-    ("path", "s.copy()", "s.path(a, b)"),
-    ("path by flips", "s.copy()", "s.path(a, b, method='flips')"),
-    ("transport", "s.laplacian()", "z = s.transport(a, [1, 0])"),
-    ("sectors", "z = s.transport(a, [1, 0])", "z.vectors"),
-    ("vectors", "z = s.transport(a, [1, 0])\nz.vectors", "z.vectors"),
+    ("path", "", "s.path(a, b)"),
+    ("path by flips", "", "s.path(a, b, method='flips')"),
+    ("transport", "s.laplacian()", "s.transport(a, [1, 0])"),
+    ("vectors", "z = s.transport(a, [1, 0])", "z.vectors"),
     ("log_map exact", "s.laplacian()", "s.log_map(a)"),
     ("log_map affine", "s.laplacian()", "s.log_map(a, method='affine')"),
     ("log_map polar", "s.laplacian()", "s.log_map(a, method='polar')"),
@@ -50,10 +49,11 @@ def measure(before, call, V, F):
     """Returns the times of a call, and of the same again with another vertex."""
     names = {"it": it, "V": V, "F": F, "a": 0, "b": len(V) // 2, "s": it.Surface(V, F)}
     exec(before, names)
-    code = compile(call, "call", "exec")
-    first = milliseconds(code, names)
+    first = compile("first = " + call, "first", "exec")  # which is not destroyed in the time
+    again = compile("again = " + call, "again", "exec")
+    time_of_first = milliseconds(first, names)
     names["a"] = len(V) // 3
-    return first, milliseconds(code, names)
+    return time_of_first, milliseconds(again, names)
 
 
 def main(path, program, repetitions="5"):

@@ -289,7 +289,6 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
             save_surface(path, self, (), plain)
         elif path.lower().endswith(".idt"):
-            _core.statistics(self._core)  # makes stored values as accurate as the program does
             _core.save(self._core, path)
         else:
             raise ValueError(f"{path}: the extension must be .idt, .ply, .obj, .off, .stl or .vtp")

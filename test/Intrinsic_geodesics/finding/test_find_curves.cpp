@@ -245,7 +245,7 @@ TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
       double length = 0, initial = 0;
       const std::vector<IT::Wanted_curve> wanted{random_curve(m, random, length, initial)};
       IT::Find_curves_options options;
-      options.is_along_edges = call % 3 == 1; // geodesics in a square are straight all the same
+      options.is_along_edges = call % 3 == 1; // then a curve may have to go around its own ends
       unsigned steps = 0;
       if (call % 6 == 2) options.progress = [&](auto, std::uint64_t) { return ++steps < 3; };
       IT::Found_curves found, alone;
@@ -257,7 +257,9 @@ TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
       EXPECT_EQ(found.shortening.flips, alone.shortening.flips);
       for (std::size_t i = 0; i < found.curves.size(); ++i) {
         const IT::Found_curve& c = found.curves[i];
-        EXPECT_NEAR(c.way.length, length, 1e-9);
+        if (!options.is_along_edges) {
+          EXPECT_NEAR(c.way.length, length, 1e-9);
+        }
         EXPECT_EQ(c.way.length, alone.curves[i].way.length);
         EXPECT_EQ(c.way.points.size(), alone.curves[i].way.points.size());
         EXPECT_EQ(c.way.faces, alone.curves[i].way.faces);

@@ -109,10 +109,7 @@ public:
     if (progress) progress(Transport_step::vectors_factored); // nothing is left to be stopped
     return Status::done;
   }
-  /// factors one matrix before the first query that needs it, see `Transport_step`: transport of
-  /// one vector needs that for vectors alone.
-  /// \complexity that of factoring it, once
-  void factor(Transport_step matrix) const { heat_.factor(matrix); }
+  void factor(Transport_step step) const { heat_.factor(step); } ///< factors one matrix, once
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return frames_.triangulation(); }

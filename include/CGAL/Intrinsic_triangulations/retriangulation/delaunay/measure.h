@@ -146,7 +146,7 @@ double area_in_space(const std::array<double, 3>& p, const std::array<double, 3>
 
 namespace internal {
 
-// Multiplies by a power of two, as `std::ldexp()` does, which took a tenth of the time of statistics.
+// Multiplies by a power of two; `std::ldexp()` took a tenth of the time of statistics.
 class Binary_scale {
 public:
   explicit Binary_scale(int exponent)
