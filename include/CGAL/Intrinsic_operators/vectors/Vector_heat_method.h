@@ -102,11 +102,11 @@ public:
   template <NamedParameters NP = parameters::Parameters<>>
   Status factor(const NP& np = parameters::default_values()) const {
     internal::expect_names<internal::tags::visitor>(np);
-    const auto progress = internal::progress_of(np);
+    auto progress = internal::progress_of(np);
     factor(Transport_step::functions_factored);
-    if (progress && !progress(Transport_step::functions_factored)) return Status::cancelled;
+    if (!progress(Transport_step::functions_factored)) return Status::cancelled;
     factor(Transport_step::vectors_factored);
-    if (progress) progress(Transport_step::vectors_factored); // nothing is left to be stopped
+    progress(Transport_step::vectors_factored); // nothing is left to be stopped
     return Status::done;
   }
   void factor(Transport_step step) const { heat_.factor(step); } ///< factors one matrix, once
