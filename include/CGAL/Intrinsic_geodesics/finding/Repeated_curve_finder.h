@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_GEODESICS_FINDING_REPEATED_CURVE_FINDER_H
 
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
+#include <CGAL/Intrinsic_geodesics/finding/Curve_tools.h>
 #include <CGAL/Intrinsic_geodesics/finding/Found_curves.h>
 #include <CGAL/Intrinsic_geodesics/finding/Wanted_curve.h>
 #include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
@@ -21,9 +22,9 @@ namespace CGAL::Intrinsic_triangulations {
 /*!
 \brief finds curves as `find_curves()` does, again and again: each time as if it was the first.
 
-It works on a copy of the triangulation, and takes flips back. Only where vertices were inserted, for
-places inside of faces or where a curve crosses itself, the next call makes a new copy. Curves are
-known by their ways over the input: their edges are gone.
+It works on a copy of the triangulation, and takes flips back. Only where vertices were inserted,
+for places inside of faces or where a curve crosses itself, the next call makes a new copy. Curves
+are known by their ways over the input: their edges are gone.
 \tparam Triangulation see `find_curves()`
 */
 template <GeodesicTriangulation Triangulation>

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
-#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/finding/Curve_tools.h>
 #include <CGAL/Intrinsic_geodesics/finding/Found_curves.h>
 #include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
@@ -45,17 +45,6 @@ using Edge_marker = std::function<Marked_edges<Triangulation>(const Triangulatio
 
 namespace internal {
 
-// What finds curves on a triangulation: it takes time linear in the mesh to make, and serves again.
-template <class Triangulation>
-struct Curve_tools {
-  explicit Curve_tools(Triangulation& t) : network(t), find(t) {}
-
-  Curve_network<Triangulation> network;
-  Edge_path_finder<Triangulation> find;
-  // Remembers flips, if these are to be taken back: then no edges are labelled.
-  Flip_log<Triangulation>* log = nullptr;
-};
-
 // Finds curves, see `find_curves()`.
 template <class Triangulation>
 class Curve_finder {
@@ -66,8 +55,8 @@ class Curve_finder {
 
 public:
   Curve_finder(Curve_tools<Triangulation>& tools, const Find_curves_options& options)
-      : t_(tools.network.triangulation()), options_(options), network_(tools.network),
-        find_(tools.find),
+      : t_(tools.network.triangulation()), options_(options), tools_(tools),
+        network_(tools.network),
         log_(tools.log), found_{{}, Marked_edges<Triangulation, std::uint32_t>(t_)} {}
 
   Curves_along_edges<Triangulation> run(const Wanted& wanted,
@@ -107,11 +96,6 @@ private:
       throw Invalid_input(e.kind(), e.index(), curve.name + ": " + e.what());
     }
   }
-  std::string name(Vertex v) const {
-    return t_.is_inserted(v) ? "a point inside of a face"
-                             : "vertex " + std::to_string(t_.input_vertex(v));
-  }
-
   // Shortest paths on the faces under a cover, which are no edges.
   void find_on_faces(const Wanted& wanted) {
     if (!t_.input().names().is_cover() || !begin(Curve_stage::paths_on_faces)) return;
@@ -153,7 +137,8 @@ private:
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i)
       if (are_copies(t_, c.vertices[i], c.vertices[(i + 1) % n]))
         throw Invalid_input(Element_kind::vertex, t_.input_vertex(c.vertices[i]),
-                            name(c.vertices[i]) + " follows itself on a curve; give it once");
+                            name_of_vertex(t_, c.vertices[i]) +
+                                " follows itself on a curve; give it once");
   }
 
   // False if vertices are not connected, or rounding has spoilt a path.
@@ -178,7 +163,7 @@ private:
   void add(const Wanted_curve& wanted, const Curve& curve) {
     if (wanted.kind == Curve_kind::tree) return add_tree(curve.vertices.front());
     if (wanted.kind == Curve_kind::bezier) return add_bezier_curve(curve.vertices);
-    const std::vector<Halfedge> way = way_along_edges(curve);
+    const std::vector<Halfedge> way = tools_.way_along_edges(curve);
     naming_crossing([&] { curve.is_loop ? network_.add_loop(way) : network_.add_path(way); });
   }
 
@@ -215,27 +200,10 @@ private:
       if (e.kind() != Element_kind::vertex) throw;
       const Vertex v = t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()));
       throw Invalid_input(Element_kind::vertex, t_.input_vertex(v),
-                          "the curve crosses another or itself at " + name(v) +
+                          "the curve crosses another or itself at " + name_of_vertex(t_, v) +
                               ", where none may pass another; let curves end there, let this one "
                               "stay at that point (waypoints), or find each geodesic alone");
     }
-  }
-
-  std::vector<Halfedge> way_along_edges(const Curve& c) {
-    std::vector<Halfedge> way;
-    const std::size_t n = c.vertices.size();
-    for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
-      const Vertex from = c.vertices[i], to = c.vertices[(i + 1) % n];
-      std::vector<Halfedge> piece = find_(from, to);
-      if (piece.empty()) // from another copy, and to one
-        piece = find_(copies_of_vertex(t_, from), copies_of_vertex(t_, to));
-      if (piece.empty())
-        throw Invalid_input(Element_kind::vertex, t_.input_vertex(from),
-                            "no path leads from " + name(from) + " to " + name(to) +
-                                ", which are in different components; choose points of one");
-      way.insert(way.end(), piece.begin(), piece.end());
-    }
-    return way;
   }
 
   void shorten() {
@@ -316,8 +284,8 @@ private:
 
   Triangulation& t_;
   const Find_curves_options& options_;
+  Curve_tools<Triangulation>& tools_;
   Curve_network<Triangulation>& network_;
-  Edge_path_finder<Triangulation>& find_;
   Flip_log<Triangulation>* log_;
   Curves_along_edges<Triangulation> found_;
   std::vector<Curve> curves_;                     // those that are not on faces
