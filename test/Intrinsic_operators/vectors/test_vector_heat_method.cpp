@@ -122,8 +122,9 @@ TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
   one_by_one.factor(Step::vectors_factored);
   EXPECT_EQ(heat.transport(v, {1, 2}), one_by_one.transport(v, {1, 2}));
   one_by_one.factor(Step::functions_factored);
-  EXPECT_EQ(heat.extend_scalars(std::vector{std::pair(v, 1.), std::pair(w, 2.)}),
-            one_by_one.extend_scalars(std::vector{std::pair(v, 1.), std::pair(w, 2.)}));
+  const std::vector<std::pair<typename TypeParam::vertex_descriptor, double>> sources{{v, 1.},
+                                                                                      {w, 2.}};
+  EXPECT_EQ(heat.extend_scalars(sources), one_by_one.extend_scalars(sources));
 }
 
 TEST(Vector_heat_method, does_not_depend_on_the_order_of_sources_nor_change_single_lengths) {
