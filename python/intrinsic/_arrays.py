@@ -17,6 +17,8 @@ def expect_word(x, name, words):
 
 def is_single(x):
     """Tells whether something is one element: no sequence, and no array with axes."""
+    if type(x) in (int, float):  # `np.ndim()` takes longer than a short trace
+        return True
     return not isinstance(x, (list, tuple)) and np.ndim(x) == 0
 
 
@@ -44,7 +46,7 @@ def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
     `holds` tells whether it may be given, and `wanted` says to users which may.
     """
     try:
-        if np.ndim(x) == 0 and not isinstance(x, (str, bytes, bool, np.bool_)) and holds(float(x)):
+        if is_single(x) and not isinstance(x, (str, bytes, bool, np.bool_)) and holds(float(x)):
             return float(x)
     except (TypeError, ValueError, OverflowError):
         pass

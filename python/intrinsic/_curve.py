@@ -56,14 +56,15 @@ class Curve(_Shown):
                  "is_closed", "status", "initial_length", "level", "number_of_level", "left",
                  "right", "_way", "_surface")
 
+    _parts = tuple((name, name.lstrip("_")) for name in __slots__ if name != "_surface")
+
     def __init__(self, parts, surface=None):
-        for name in self.__slots__:
-            setattr(self, name, parts.get(name.lstrip("_")))
+        for name, part in self._parts:
+            setattr(self, name, parts.get(part))
         self._surface = surface
 
     def __reduce__(self):
-        return type(self), ({name.lstrip("_"): getattr(self, name) for name in self.__slots__
-                             if name != "_surface"},)
+        return type(self), ({part: getattr(self, name) for name, part in self._parts},)
 
     def _add_to_page(self, contents):
         contents.add_curve(self)

@@ -60,7 +60,7 @@ class _Curves:
         expect_one(b, "b")
         places = joined(*(self._places(x, name)
                           for name, x in (("a", a), ("through", through), ("b", b))))
-        return self._network([(places, False)], waypoints, method, False, progress)[0]
+        return self._alone((places, False), waypoints, method, progress)
 
     def loop(self, points: Places, *, waypoints: bool = False, method: CurveMethod = "exact",
              progress: Progress = None) -> Curve:
@@ -71,7 +71,7 @@ class _Curves:
         loops stay on the double cover. See `path()` for the options.
         """
         loop = self._curve_through(points, "points", 3), True
-        return self._network([loop], waypoints, method, False, progress)[0]
+        return self._alone(loop, waypoints, method, progress)
 
     def network(self, paths: Iterable[Places] = (), loops: Iterable[Places] = (), *,
                 waypoints: bool = False, method: CurveMethod = "exact", certify: bool = False,
@@ -90,7 +90,7 @@ class _Curves:
                   enumerate(_arrays.sequence(lists, kind, "a sequence of curves"))]
         if not curves:
             raise ValueError("a network needs a curve; give paths or loops")
-        return self._network(curves, waypoints, method, certify, progress)
+        return Network(self._found(curves, waypoints, method, certify, True, progress), self)
 
     def _curve_through(self, points, name, least):
         places = self._places(points, name)
@@ -98,10 +98,15 @@ class _Curves:
             raise ValueError(f"{name} has {len(places[0])} points; give {least} at least")
         return places
 
-    def _network(self, curves, waypoints, method, certify, progress):
+    def _alone(self, curve, waypoints, method, progress):
+        """Returns a path or a loop, along which nothing is cut unless it is inserted again."""
+        return Curve(self._found([curve], waypoints, method, False, False, progress)["curves"][0],
+                     self)
+
+    def _found(self, curves, waypoints, method, certify, keeps_edges, progress):
         options = (_is_shortest(method), _arrays.flag(waypoints, "waypoints"),
-                   _arrays.flag(certify, "certify"))
-        return Network(_core.curves(self._core, curves, *options, progress), self)
+                   _arrays.flag(certify, "certify"), keeps_edges)
+        return _core.curves(self._core, curves, *options, progress)
 
     def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.

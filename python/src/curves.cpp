@@ -6,6 +6,7 @@
 #include "places.h"
 
 #include <CGAL/Intrinsic_geodesics/compiled.h>
+#include <CGAL/Intrinsic_geodesics/finding/Repeated_curve_finder.h>
 #include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_curve.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
@@ -35,8 +36,17 @@ namespace {
 struct Found {
   std::shared_ptr<const IT::Input> input;
   std::shared_ptr<IT::Found_curves> curves;
-  std::shared_ptr<Curve_edges> edges; // null if curves are no edges
+  std::shared_ptr<Curve_edges> edges; // null if curves are no edges, or these are not wanted
 };
+
+// Finds curves whose edges are not wanted, by what is kept from call to call.
+template <class T>
+Found find_ways(Surface& s, const T& t, const std::vector<IT::Wanted_curve>& wanted,
+                const IT::Find_curves_options& options) {
+  using Finder = IT::Repeated_curve_finder<T>;
+  auto& find = s.cached<Finder>("curves", [&] { return std::make_unique<Finder>(t); });
+  return {t.shared_input(), std::make_shared<IT::Found_curves>(find(wanted, options)), nullptr};
+}
 
 // Finds curves on a copy of a triangulation, which cuts keep.
 template <class T>
@@ -52,8 +62,10 @@ Found find_on_copy(const T& t, const std::vector<IT::Wanted_curve>& wanted,
   return result;
 }
 
+// \param keeps_edges whether the curves may be cut along
 py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& asked,
-                bool is_shortest, bool stays_at_points, bool is_certified, Watch& watch) {
+                bool is_shortest, bool stays_at_points, bool is_certified, bool keeps_edges,
+                Watch& watch) {
   std::vector<IT::Wanted_curve> wanted;
   for (const auto& [points, is_loop] : asked)
     wanted.push_back({places_of(s, points), is_loop, stays_at_points});
@@ -63,8 +75,9 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
   options.progress = [&](IT::Curve_stage stage, std::uint64_t count) {
     return watch(stage == IT::Curve_stage::paths_on_faces ? "windows" : "flips", count);
   };
-  Found found = with_triangulation(
-      s, watch, [&]<class T>(const T& t) { return find_on_copy(t, wanted, options); });
+  Found found = with_triangulation(s, watch, [&]<class T>(const T& t) {
+    return keeps_edges ? find_on_copy(t, wanted, options) : find_ways(s, t, wanted, options);
+  });
   py::list list;
   for (IT::Found_curve& c : found.curves->curves) {
     py::dict curve = curve_arrays(*found.input, s.points, {std::move(c.way), c.is_closed()});

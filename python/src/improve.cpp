@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/improvement/improve_and_measure.h>
 #include <CGAL/Intrinsic_operators/improvement/reports.h>
 #include <CGAL/Intrinsic_triangulations/IO/idt/stored_surface.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/has_accurate_values.h>
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
 #include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
@@ -69,52 +70,72 @@ IT::Report report_of(const Surface& s, const T& t) {
 
 // ---- Improving ---------------------------------------------------------------------------------
 
-// Improves a triangulation and measures it, as all commands of the program do: measuring checks
-// rounding, and sharpens what is stored, so that values that are computed later are those of the
-// program to the last bit.
-template <class T>
-IT::Report improved_report(const Surface& s, T& t, IT::Improve_options options,
-                           const std::vector<char>& marks, Watch& watch) {
-  options.progress = [&watch](IT::Improve_step step, std::uint64_t count) {
-    static constexpr std::array stages{"flipping to Delaunay", "refining", "moving vertices",
-                                       "refining adaptively"};
-    return watch(stages[static_cast<std::size_t>(step)], count);
-  };
-  IT::Report report = report_of(s, t);
-  const IT::Marked_edges<T, std::uint32_t> constrained = IT::labelled_input_edges(t, marks);
-  const std::vector<Point> none;
-  const std::vector<Point>& points = s.is_in_space ? s.points : none;
-  IT::Improved_surface improved =
-      naming(s.name, [&] { return IT::improve_soundly(t, points, options, constrained); });
-  if (const std::string what = improved.shortcoming(); !what.empty())
-    watch.warn(s.name + ": " + what);
-  watch("verifying");
-  IT::measure_improved(t, points, constrained, false, improved);
-  std::optional<std::size_t> count;
-  if (!marks.empty())
-    count = static_cast<std::size_t>(std::count(marks.begin(), marks.end(), char{1}));
-  IT::report_improvement(report, improved, options, count);
-  return report;
+// What was done to a triangulation. What it is since then, statistics find when they are asked for,
+// unless measuring changes stored values.
+struct Improved {
+  IT::Improve_options options;
+  std::vector<char> marks; // nonzero for each edge of the input that is kept; empty: none is
+  IT::Improved_surface surface;
+};
+
+const std::vector<Point>& points_in_space(const Surface& s) {
+  static const std::vector<Point> none;
+  return s.is_in_space ? s.points : none;
+}
+
+// Calls a function; what rounding has spoilt gets the name of the surface.
+template <class Function>
+auto naming_spoilt(const Surface& s, const Function& function) {
+  try {
+    return naming(s.name, function);
+  } catch (const IT::Rounding_error& e) {
+    throw std::runtime_error(s.name + ": " + e.what());
+  }
 }
 
 template <class T>
-const IT::Report& improve(Surface& s, T& t, const IT::Improve_options& options,
-                          const std::vector<char>& marks, Watch& watch) {
-  return s.cached<IT::Report>("statistics", [&] {
-    try {
-      return new IT::Report(improved_report(s, t, options, marks, watch));
-    } catch (const IT::Rounding_error& e) {
-      throw std::runtime_error(s.name + ": " + e.what());
-    }
+const Improved& improve(Surface& s, T& t, const IT::Improve_options& options,
+                        const std::vector<char>& marks, Watch& watch) {
+  return s.cached<Improved>("improvement", [&] {
+    IT::Improve_options watched = options;
+    watched.progress = [&watch](IT::Improve_step step, std::uint64_t count) {
+      static constexpr std::array stages{"flipping to Delaunay", "refining", "moving vertices",
+                                         "refining adaptively"};
+      return watch(stages[static_cast<std::size_t>(step)], count);
+    };
+    auto result = std::make_unique<Improved>(Improved{options, marks, {}});
+    naming_spoilt(s, [&] {
+      result->surface =
+          IT::improve_soundly(t, points_in_space(s), watched, IT::labelled_input_edges(t, marks));
+      IT::expect_area_kept(t, false, result->surface);
+    });
+    if (const std::string what = result->surface.shortcoming(); !what.empty())
+      watch.warn(s.name + ": " + what);
+    return result;
   });
 }
 
-// The lock is held.
+// What the program reports of a triangulation, which was improved or is as it was read. The lock is
+// held.
 template <class T>
 const IT::Report& statistics(Surface& s, T& t, Watch& watch) {
-  IT::Improve_options options;
-  options.flips = false;
-  return improve(s, t, options, {}, watch); // has been done if edges were flipped
+  return s.cached<IT::Report>("statistics", [&] {
+    IT::Improve_options as_it_is;
+    as_it_is.flips = false;
+    const Improved& done = improve(s, t, as_it_is, {}, watch);
+    watch("verifying");
+    IT::Improved_surface found = done.surface;
+    naming_spoilt(s, [&] {
+      IT::measure_improved(t, points_in_space(s), IT::labelled_input_edges(t, done.marks), false,
+                           found);
+    });
+    std::optional<std::size_t> count;
+    if (!done.marks.empty())
+      count = static_cast<std::size_t>(std::count(done.marks.begin(), done.marks.end(), char{1}));
+    auto report = std::make_unique<IT::Report>(report_of(s, t));
+    IT::report_improvement(*report, found, done.options, count);
+    return report;
+  });
 }
 
 // \param is_improved whether the copy will be, so that other statistics hold
@@ -124,8 +145,10 @@ Surface_ptr copy(Surface& s, bool is_improved) {
     auto result = std::make_shared<Surface>(IT::Built_surface<T>{t, s.points, s.facts}, s.name);
     result->is_in_space = s.is_in_space;
     result->is_flipped = s.is_flipped;
-    if (const auto known = s.cache.find("statistics"); known != s.cache.end() && !is_improved)
-      result->cache.insert(*known);
+    if (is_improved) return result;
+    for (const char* const key : {"improvement", "statistics"})
+      if (const auto known = s.cache.find(key); known != s.cache.end())
+        result->cache.insert(*known);
     return result;
   });
 }
@@ -138,6 +161,8 @@ Surface_ptr improved_copy(Surface& s, const IT::Improve_options& options, const 
     if (const std::string missing = IT::restore_kept_edges(t, marks); !missing.empty())
       throw std::runtime_error(s.name + ": " + missing);
     improve(*result, t, options, marks, watch);
+    // else now, as the program does before it computes anything: values are the same, bit for bit
+    if (!IT::has_accurate_values(t)) statistics(*result, t, watch);
   });
   result->is_flipped = true;
   return result;

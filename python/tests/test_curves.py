@@ -57,6 +57,24 @@ class Shapes(unittest.TestCase):
 
 
 class Paths(Shapes):
+    def test_each_is_that_of_a_new_surface_whatever_was_found_before(self):
+        V, F = torus()
+        s, random = it.Surface(V, F), np.random.default_rng(3)
+        for i in range(24):
+            method = ("flips", "exact")[i % 2]
+            a, b, c = (int(v) for v in random.choice(len(V), 3, replace=False))
+            if i % 6 == 4:  # a vertex is inserted
+                b = it.Point(int(random.integers(len(F))), (0.2, 0.3, 0.5))
+            if i % 6 == 5:
+                with self.assertRaises(ValueError):
+                    s.path(a, a, method=method)
+            find = (lambda s: s.loop([a, b, c], method=method)) if i % 5 == 4 else \
+                (lambda s: s.path(a, b, through=[c] if i % 4 == 3 else (), method=method))
+            found, alone = find(s), find(it.Surface(V, F))
+            np.testing.assert_array_equal(found.points, alone.points)
+            self.assertEqual((found.length, found.status, found.initial_length),
+                             (alone.length, alone.status, alone.initial_length))
+
     def test_paths_in_a_square_are_straight(self):
         V, F = unit_grid(5)
         s = it.Surface(V, F)

@@ -16,7 +16,8 @@ import unittest
 
 import intrinsic as it
 import numpy as np
-from support import BOOK, PART, With_folder, bumpy, failures_of_threads, grown_memory, has_sanitizer
+from support import (BOOK, PART, With_folder, bumpy, failures_of_threads, grown_memory,
+                     has_sanitizer, unit_grid)
 
 V, F = bumpy()
 
@@ -125,6 +126,26 @@ class Work(With_folder):
         with self.assertRaisesRegex(LookupError, "enough"):
             s.refine(min_angle=32, max_edge_length=0.01, progress=stop)
         self.assertEqual(s.delaunay().certificate, "exact")  # nothing is spoilt
+
+    def test_statistics_are_found_when_they_are_asked_for_and_are_the_same_then(self):
+        part = it.read(PART)
+        for points, faces in unit_grid(6), (V, F), bumpy(12, 5), (part.points, part.faces):
+            s, stages = it.Surface(points, faces), set()
+            keep = [faces[0][:2], faces[7][:2]]
+            early = s.delaunay(keep=keep, progress=lambda stage, *counts: stages.add(stage))
+            if len(points) == 49:  # no slivers
+                self.assertNotIn("verifying", stages)
+            expected = early.statistics
+            late = s.delaunay(keep=keep)
+            self.assertEqual((early.laplacian() != late.laplacian()).nnz, 0)
+            np.testing.assert_array_equal(early.lengths, late.lengths)
+            for found in late.statistics, copy.copy(late).statistics:
+                for key in "delaunay", "constraints", "certificate", "input":
+                    self.assertEqual(found[key], expected[key])
+                for key in "quality", "area", "laplacian":
+                    for name, value in expected[key].items():
+                        np.testing.assert_allclose(found[key][name], value, rtol=1e-8)
+            self.assertEqual(expected["constraints"]["input_edges"], 2)
 
     def test_interrupts(self):
         s = it.Surface(*bumpy(40))

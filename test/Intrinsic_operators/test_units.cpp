@@ -310,6 +310,7 @@ TEST(units, areas_of_improved_surfaces) {
     }
     const auto kept = IT::labelled_input_edges(t, {});
     IT::Improved_surface result = IT::improve_soundly(t, points, {}, kept);
+    EXPECT_NO_THROW(IT::expect_area_kept(t, false, result));
     IT::measure_improved(t, points, kept, false, result);
     const double area = cells * cells * scale * scale;
     EXPECT_NEAR(result.input_area / area, 1, 1e-12);

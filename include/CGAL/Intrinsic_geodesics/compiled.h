@@ -17,6 +17,7 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
 #include <CGAL/Intrinsic_geodesics/cuts/cut_along.h>
 #include <CGAL/Intrinsic_geodesics/cuts/flip_to_geodesic_cut.h>
 #include <CGAL/Intrinsic_geodesics/distance/Corner_table.h>
+#include <CGAL/Intrinsic_geodesics/finding/Repeated_curve_finder.h>
 #include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
@@ -37,10 +38,10 @@ triangulations, as `CGAL/Intrinsic_triangulations/compiled.h` does for triangula
 #define CGAL_INTRINSIC_GEODESICS_FUNCTIONS(prefix, ...)                                            \
   prefix Added_geodesics<__VA_ARGS__> internal::find_and_add(                                      \
       Curve_network<__VA_ARGS__>&, const std::vector<Curve_through_vertices<__VA_ARGS__>>&,        \
-      internal::Any_shortening_visitor&);                                                          \
-  prefix Curves_along_edges<__VA_ARGS__> find_curves(                                              \
-      __VA_ARGS__&, const std::vector<Wanted_curve>&, const Find_curves_options&,                  \
-      const Edge_marker<__VA_ARGS__>&);                                                            \
+      Flip_log<__VA_ARGS__>*, internal::Any_shortening_visitor&);                                  \
+  prefix Curves_along_edges<__VA_ARGS__> internal::find_curves_with(                               \
+      internal::Curve_tools<__VA_ARGS__>&, const std::vector<Wanted_curve>&,                       \
+      const Find_curves_options&, const Edge_marker<__VA_ARGS__>&);                                \
   prefix Bezier_curve<__VA_ARGS__> make_bezier_curve(                                              \
       __VA_ARGS__&, const std::vector<Gluing_map::Vertex>&, const parameters::Parameters<>&);      \
   prefix Geodesic_tree<__VA_ARGS__> flip_to_geodesic_tree(__VA_ARGS__&, Gluing_map::Vertex,        \

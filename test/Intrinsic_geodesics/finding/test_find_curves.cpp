@@ -5,6 +5,7 @@
 #include "planar_bezier.h"
 #include "soups.h"
 
+#include <CGAL/Intrinsic_geodesics/finding/Repeated_curve_finder.h>
 #include <CGAL/Intrinsic_geodesics/finding/find_curves.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -220,6 +221,53 @@ TYPED_TEST(FindCurves, add_chains_of_marked_edges_first) {
   EXPECT_NEAR(found.curves[1].way.length, planar_bezier::distance(m.points[0], m.points[9]), 1e-9);
 }
 
+template <class Function>
+std::string message_of(const Function& function) {
+  try {
+    function();
+  } catch (const IT::Invalid_input& e) {
+    return e.what();
+  }
+  return {};
+}
+
+// Whatever was found, inserted, refused or cancelled before: each call finds the curve that is found
+// on a triangulation of its own.
+TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const meshes::Mesh m = planar_bezier::random_square(30 + seed, random);
+    TypeParam t(m.input());
+    IT::flip_to_delaunay(t);
+    IT::Repeated_curve_finder<TypeParam> find(t);
+    for (unsigned call = 0; call < 12; ++call) {
+      double length = 0, initial = 0;
+      const std::vector<IT::Wanted_curve> wanted{random_curve(m, random, length, initial)};
+      IT::Find_curves_options options;
+      options.is_along_edges = call % 3 == 1; // then a curve may have to go around its own ends
+      unsigned steps = 0;
+      if (call % 6 == 2) options.progress = [&](auto, std::uint64_t) { return ++steps < 3; };
+      IT::Found_curves found, alone;
+      const std::string refused = message_of([&] { found = find(wanted, options); });
+      steps = 0;
+      TypeParam copy = t;
+      EXPECT_EQ(refused, message_of([&] { alone = IT::find_curves(copy, wanted, options); }));
+      ASSERT_EQ(found.curves.size(), alone.curves.size());
+      EXPECT_EQ(found.shortening.flips, alone.shortening.flips);
+      for (std::size_t i = 0; i < found.curves.size(); ++i) {
+        const IT::Found_curve& c = found.curves[i];
+        if (!options.is_along_edges) {
+          EXPECT_NEAR(c.way.length, length, 1e-9);
+        }
+        EXPECT_EQ(c.way.length, alone.curves[i].way.length);
+        EXPECT_EQ(c.way.points.size(), alone.curves[i].way.points.size());
+        EXPECT_EQ(c.way.faces, alone.curves[i].way.faces);
+      }
+    }
+  }
+}
+
 // Pages at an edge: a path from one to another is straight when both are laid flat, and is on the
 // faces unless it is to be edges.
 TEST(FindCurvesOnPages, are_on_faces_or_edges) {
@@ -246,16 +294,6 @@ TEST(FindCurvesOnPages, are_on_faces_or_edges) {
       EXPECT_TRUE(found.is_certified) << found.obstacle;
     }
   }
-}
-
-template <class Function>
-std::string message_of(const Function& function) {
-  try {
-    function();
-  } catch (const IT::Invalid_input& e) {
-    return e.what();
-  }
-  return {};
 }
 
 TYPED_TEST(FindCurves, name_what_cannot_be_found) {

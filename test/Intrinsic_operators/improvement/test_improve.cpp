@@ -79,6 +79,43 @@ TEST(improve, flips_and_measure_agrees_with_matrices) {
   }
 }
 
+// One pass over the edges has the signs, and the weights, that single questions have; on grids with
+// ties, of which some are kept.
+TEST(measure, tests_and_weighs_edges_as_single_questions_do) {
+  std::size_t ties = 0, bad = 0, bad_kept = 0;
+  for (unsigned seed = 0; seed <= 6; ++seed)
+    for (const bool flips : {false, true}) {
+      const Shape s = seed == 0 ? rough_grid(5, 0, 0, 1) : rough(seed);
+      Triangulation t(s.input());
+      if (flips) IT::flip_to_delaunay(t);
+      Labels kept(t);
+      for (const auto e : edges(t.mesh()))
+        if (t.index(e) % 5 == 0) put(kept, e, 1);
+      const IT::Tested_edges tested = IT::measure_shapes(t, kept).edges;
+      std::size_t constrained = 0, tied = 0, constrained_bad = 0, other_bad = 0;
+      for (const auto e : edges(t.mesh())) {
+        const auto h = halfedge(e, t.mesh());
+        const CGAL::Sign sign = CGAL::is_border(e, t.mesh()) ? CGAL::POSITIVE : t.delaunay_sign(h);
+        const double weight = Triangulation::Const_session(t).cotangent_weight(e);
+        const bool is_kept = get(kept, e) != 0;
+        constrained += std::size_t{is_kept};
+        tied += std::size_t{!is_kept && sign == CGAL::ZERO};
+        if (sign == CGAL::NEGATIVE) ++(is_kept ? constrained_bad : other_bad);
+        EXPECT_NEAR(tested.weights[t.index(e)], weight, 1e-9);
+        EXPECT_TRUE(sign != CGAL::ZERO || tested.weights[t.index(e)] == 0);
+      }
+      EXPECT_EQ(tested.constrained, constrained);
+      EXPECT_EQ(tested.cocircular, tied);
+      EXPECT_EQ(tested.non_delaunay, other_bad);
+      EXPECT_EQ(tested.constrained_non_delaunay, constrained_bad);
+      EXPECT_EQ(tested.probable_zero, 0U);
+      ties += tied, bad += other_bad, bad_kept += constrained_bad;
+    }
+  EXPECT_GT(ties, 0U);
+  EXPECT_GT(bad, 0U);
+  EXPECT_GT(bad_kept, 0U);
+}
+
 TEST(measure, area_of_points_is_that_of_the_input_after_flips_also_of_doubles_alone) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Shape s = rough(seed);

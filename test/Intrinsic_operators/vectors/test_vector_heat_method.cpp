@@ -104,7 +104,7 @@ TYPED_TEST(Vector_heat_on, transports_from_vertices_and_points_in_the_plane_exac
 
 TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
   const TypeParam t(meshes::surface_mesh<Surface_mesh>(meshes::random_planar(60, 100, 2)));
-  const auto v = *vertices(t.mesh()).begin();
+  const auto v = *vertices(t.mesh()).begin(), w = *std::next(vertices(t.mesh()).begin(), 20);
   const IT::Vector_heat_method<TypeParam> heat(t), other(t);
   std::vector<IT::Transport_step> steps;
   const auto follow = IT::parameters::visitor(Following{[&](IT::Transport_step step) {
@@ -118,6 +118,13 @@ TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
                                       Step::vectors_factored}));
   EXPECT_EQ(heat.factor(), IT::Status::done);
   EXPECT_EQ(heat.transport(v, {1, 2}), other.transport(v, {1, 2}));
+  const IT::Vector_heat_method<TypeParam> one_by_one(t);
+  one_by_one.factor(Step::vectors_factored);
+  EXPECT_EQ(heat.transport(v, {1, 2}), one_by_one.transport(v, {1, 2}));
+  one_by_one.factor(Step::functions_factored);
+  const std::vector<std::pair<typename TypeParam::vertex_descriptor, double>> sources{{v, 1.},
+                                                                                      {w, 2.}};
+  EXPECT_EQ(heat.extend_scalars(sources), one_by_one.extend_scalars(sources));
 }
 
 TEST(Vector_heat_method, does_not_depend_on_the_order_of_sources_nor_change_single_lengths) {

@@ -101,6 +101,9 @@ public:
     return t_->index(v) < fixed_.size() && fixed_[t_->index(v)];
   }
 
+  /// lets go of all fixed vertices. \pre there are no curves
+  void unfix() { fixed_.clear(); }
+
   /// returns the number of curves.
   std::uint32_t number_of_curves() const { return static_cast<std::uint32_t>(curves_.size()); }
   /// returns whether a curve is a loop.

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_geodesics/bezier/make_bezier_curve.h>
 #include <CGAL/Intrinsic_geodesics/curves/Curve_network.h>
-#include <CGAL/Intrinsic_geodesics/curves/Edge_path_finder.h>
 #include <CGAL/Intrinsic_geodesics/curves/GeodesicTriangulation.h>
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
+#include <CGAL/Intrinsic_geodesics/finding/Curve_tools.h>
 #include <CGAL/Intrinsic_geodesics/finding/Found_curves.h>
 #include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
@@ -54,9 +54,10 @@ class Curve_finder {
   using Wanted = std::vector<Wanted_curve>;
 
 public:
-  Curve_finder(Triangulation& t, const Find_curves_options& options)
-      : t_(t), options_(options),
-        network_(t), found_{{}, Marked_edges<Triangulation, std::uint32_t>(t)} {}
+  Curve_finder(Curve_tools<Triangulation>& tools, const Find_curves_options& options)
+      : t_(tools.network.triangulation()), options_(options), tools_(tools),
+        network_(tools.network),
+        log_(tools.log), found_{{}, Marked_edges<Triangulation, std::uint32_t>(t_)} {}
 
   Curves_along_edges<Triangulation> run(const Wanted& wanted,
                                         const Edge_marker<Triangulation>& mark) {
@@ -95,11 +96,6 @@ private:
       throw Invalid_input(e.kind(), e.index(), curve.name + ": " + e.what());
     }
   }
-  std::string name(Vertex v) const {
-    return t_.is_inserted(v) ? "a point inside of a face"
-                             : "vertex " + std::to_string(t_.input_vertex(v));
-  }
-
   // Shortest paths on the faces under a cover, which are no edges.
   void find_on_faces(const Wanted& wanted) {
     if (!t_.input().names().is_cover() || !begin(Curve_stage::paths_on_faces)) return;
@@ -119,9 +115,8 @@ private:
     fix_junctions(network_, curves_);
     if (mark) naming_crossing([&] { add_marked_edges(network_, mark(t_)); });
     if (is_alone && add_geodesics()) return;
-    Edge_path_finder<Triangulation> find(t_);
     for (std::size_t i = 0; i < curves_.size() && !is_cancelled_; ++i)
-      naming(wanted[number_[i]], [&] { add(wanted[number_[i]], curves_[i], find); });
+      naming(wanted[number_[i]], [&] { add(wanted[number_[i]], curves_[i]); });
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
       Found_curve& curve = found_.curves.emplace_back();
       curve.initial_length = network_.length(c);
@@ -142,14 +137,15 @@ private:
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i)
       if (are_copies(t_, c.vertices[i], c.vertices[(i + 1) % n]))
         throw Invalid_input(Element_kind::vertex, t_.input_vertex(c.vertices[i]),
-                            name(c.vertices[i]) + " follows itself on a curve; give it once");
+                            name_of_vertex(t_, c.vertices[i]) +
+                                " follows itself on a curve; give it once");
   }
 
   // False if vertices are not connected, or rounding has spoilt a path.
   bool add_geodesics() {
     Visitor visitor{this};
-    auto added = Intrinsic_triangulations::add_geodesics(network_, curves_,
-                                                         parameters::visitor(std::ref(visitor)));
+    auto added =
+        internal::add_geodesics(network_, curves_, log_, parameters::visitor(std::ref(visitor)));
     if (added.status != Status::done) {
       network_.clear();
       return added.status == Status::cancelled;
@@ -164,10 +160,10 @@ private:
     return true;
   }
 
-  void add(const Wanted_curve& wanted, const Curve& curve, Edge_path_finder<Triangulation>& find) {
+  void add(const Wanted_curve& wanted, const Curve& curve) {
     if (wanted.kind == Curve_kind::tree) return add_tree(curve.vertices.front());
     if (wanted.kind == Curve_kind::bezier) return add_bezier_curve(curve.vertices);
-    const std::vector<Halfedge> way = way_along_edges(curve, find);
+    const std::vector<Halfedge> way = tools_.way_along_edges(curve);
     naming_crossing([&] { curve.is_loop ? network_.add_loop(way) : network_.add_path(way); });
   }
 
@@ -204,34 +200,17 @@ private:
       if (e.kind() != Element_kind::vertex) throw;
       const Vertex v = t_.numbers().vertex_at(static_cast<std::uint32_t>(e.index()));
       throw Invalid_input(Element_kind::vertex, t_.input_vertex(v),
-                          "the curve crosses another or itself at " + name(v) +
+                          "the curve crosses another or itself at " + name_of_vertex(t_, v) +
                               ", where none may pass another; let curves end there, let this one "
                               "stay at that point (waypoints), or find each geodesic alone");
     }
   }
 
-  std::vector<Halfedge> way_along_edges(const Curve& c,
-                                        Edge_path_finder<Triangulation>& find) const {
-    std::vector<Halfedge> way;
-    const std::size_t n = c.vertices.size();
-    for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i) {
-      const Vertex from = c.vertices[i], to = c.vertices[(i + 1) % n];
-      std::vector<Halfedge> piece = find(from, to);
-      if (piece.empty()) // from another copy, and to one
-        piece = find(copies_of_vertex(t_, from), copies_of_vertex(t_, to));
-      if (piece.empty())
-        throw Invalid_input(Element_kind::vertex, t_.input_vertex(from),
-                            "no path leads from " + name(from) + " to " + name(to) +
-                                ", which are in different components; choose points of one");
-      way.insert(way.end(), piece.begin(), piece.end());
-    }
-    return way;
-  }
-
   void shorten() {
     if (!begin(Curve_stage::shortening)) return;
     found_.shortening +=
-        shorten_curves(network_, parameters::visitor(Visitor{this})
+        internal::shorten_curves(network_, log_,
+                                 parameters::visitor(Visitor{this})
                                      .relative_length(options_.relative_length)
                                      .minimum_joint_angle(options_.minimum_joint_angle));
   }
@@ -268,8 +247,9 @@ private:
       found_.curves[c].way.points = std::move(traced.points);
       found_.curves[c].way.faces = std::move(traced.faces);
     }
-    found_.labels = curve_labels(network_);
     for (auto& [number, path] : on_faces_) put_between(number, std::move(path));
+    if (log_ != nullptr) return;
+    found_.labels = curve_labels(network_);
     if (!on_faces_.empty())
       for (const auto e : edges(t_.mesh()))
         if (const std::uint32_t label = get(found_.labels, e); label != 0)
@@ -304,7 +284,9 @@ private:
 
   Triangulation& t_;
   const Find_curves_options& options_;
-  Curve_network<Triangulation> network_;
+  Curve_tools<Triangulation>& tools_;
+  Curve_network<Triangulation>& network_;
+  Flip_log<Triangulation>* log_;
   Curves_along_edges<Triangulation> found_;
   std::vector<Curve> curves_;                     // those that are not on faces
   std::vector<std::size_t> number_;               // of each among the wanted ones
@@ -312,6 +294,14 @@ private:
   Curve_stage stage_ = Curve_stage::paths;
   bool is_cancelled_ = false;
 };
+
+// see `find_curves()`
+template <class Triangulation>
+Curves_along_edges<Triangulation>
+find_curves_with(Curve_tools<Triangulation>& tools, const std::vector<Wanted_curve>& wanted,
+                 const Find_curves_options& options, const Edge_marker<Triangulation>& mark) {
+  return Curve_finder<Triangulation>(tools, options).run(wanted, mark);
+}
 
 } // namespace internal
 
@@ -340,7 +330,8 @@ template <GeodesicTriangulation Triangulation>
   find_curves(Triangulation& t, const std::vector<Wanted_curve>& wanted,
               const Find_curves_options& options = {},
               const std::type_identity_t<Edge_marker<Triangulation>>& mark = {}) {
-    return internal::Curve_finder<Triangulation>(t, options).run(wanted, mark);
+    internal::Curve_tools<Triangulation> tools(t);
+    return internal::find_curves_with(tools, wanted, options, mark);
   }
 
 } // namespace CGAL::Intrinsic_triangulations

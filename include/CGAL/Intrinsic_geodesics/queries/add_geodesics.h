@@ -138,8 +138,9 @@ class Geodesics_adder {
   using Sides = std::vector<Curve_side<Triangulation>>;
 
 public:
-  Geodesics_adder(Curve_network<Triangulation>& network, const NP& np)
-      : t_(network.triangulation()), network_(network), np_(np), finder_(t_), inserter_(t_) {}
+  Geodesics_adder(Curve_network<Triangulation>& network, Flip_log<Triangulation>* log, const NP& np)
+      : t_(network.triangulation()), network_(network), log_(log), np_(np), finder_(t_),
+        inserter_(t_, log) {}
 
   Added_geodesics<Triangulation> run(const std::vector<Curve>& curves) {
     for (const Curve& c : curves) {
@@ -154,7 +155,7 @@ public:
       ++result_.failed;
     }
     for (std::size_t i = 0; i < curves.size(); ++i) add(curves[i], i);
-    const Shortening_result r = shorten_curves(network_, np_);
+    const Shortening_result r = internal::shorten_curves(network_, log_, np_);
     result_.shortening += r;
     result_.status = r.status;
     return result_;
@@ -223,6 +224,7 @@ private:
 
   Triangulation& t_;
   Curve_network<Triangulation>& network_;
+  Flip_log<Triangulation>* log_;
   const NP& np_;
   Lone_curve_finder<Triangulation> finder_;
   Curve_inserter<Triangulation> inserter_;
@@ -230,13 +232,28 @@ private:
   Added_geodesics<Triangulation> result_;
 };
 
+// \param log remembers flips, but not the vertices that are inserted where curves cross
 template <class Triangulation>
 Added_geodesics<Triangulation>
 find_and_add(Curve_network<Triangulation>& network,
              const std::vector<Curve_through_vertices<Triangulation>>& curves,
-             Any_shortening_visitor& visitor) {
+             Flip_log<Triangulation>* log, Any_shortening_visitor& visitor) {
   const auto np = parameters::visitor(std::ref(visitor));
-  return Geodesics_adder<Triangulation, std::remove_const_t<decltype(np)>>(network, np).run(curves);
+  return Geodesics_adder<Triangulation, std::remove_const_t<decltype(np)>>(network, log, np)
+      .run(curves);
+}
+
+// see `Intrinsic_triangulations::add_geodesics()`
+template <class Triangulation, class NP>
+Added_geodesics<Triangulation>
+add_geodesics(Curve_network<Triangulation>& network,
+              const std::vector<Curve_through_vertices<Triangulation>>& curves,
+              Flip_log<Triangulation>* log, const NP& np) {
+  expect_names<tags::visitor>(np);
+  auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
+  auto& observed = unwrapped(stored_visitor);
+  Any_shortening_visitor visitor{[&](const Shortening_result& r) { return observed.progress(r); }};
+  return find_and_add(network, curves, log, visitor);
 }
 
 } // namespace internal
@@ -263,12 +280,8 @@ template <GeodesicTriangulation Triangulation, NamedParameters NP = parameters::
   add_geodesics(Curve_network<Triangulation>& network,
                 const std::vector<Curve_through_vertices<Triangulation>>& curves,
                 const NP& np = parameters::default_values()) {
-    internal::expect_names<internal::tags::visitor>(np);
-    auto stored_visitor = internal::object_or<internal::tags::visitor>(np, Shortening_visitor());
-    auto& observed = internal::unwrapped(stored_visitor);
-    internal::Any_shortening_visitor visitor{
-        [&](const Shortening_result& r) { return observed.progress(r); }};
-    return internal::find_and_add(network, curves, visitor);
+    return internal::add_geodesics(network, curves, static_cast<Flip_log<Triangulation>*>(nullptr),
+                                   np);
   }
 
 } // namespace CGAL::Intrinsic_triangulations

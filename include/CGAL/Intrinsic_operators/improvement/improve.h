@@ -142,7 +142,7 @@ private:
   void refine() {
     const Refine_criteria& criteria = *options_.refine;
     Refined_faces& refined = result_.refined.emplace();
-    refined.quality_before = measure_quality(t_, test_edges(t_, constrained_));
+    refined.quality_before = measure_shapes(t_, constrained_).quality;
     watch_.lap();
     Visitor visitor = visitor_of();
     visitor.lengths = Wanted_lengths(criteria.lengths);

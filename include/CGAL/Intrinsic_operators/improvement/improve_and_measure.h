@@ -40,7 +40,7 @@ public:
 struct Improved_surface {
   Improvement done{};              ///< of `improve_soundly()`
   Measurements measured{};         ///< of `measure_improved()`
-  double input_area = 0;           ///< see `area_of_points()`
+  double input_area = 0;           ///< of `measure_improved()`: see `area_of_points()`
   bool is_exact = false;           ///< whether predicates were exact
   double seconds_of_measuring = 0; ///< of `measure_improved()`
 
@@ -94,12 +94,10 @@ inline void expect_sound(const Improvement& done) {
   if (done.inaccuracy) refuse_spoilt(*done.inaccuracy);
 }
 
-inline void expect_area_kept(double before, double after) {
-  if (std::abs(after - before) <= 1e-6 * before) return; // false for what is not a number
-  std::ostringstream message;
-  append_areas(message, before, after);
-  refuse_spoilt(message.str());
-}
+// Whether the area of the input is only a figure, which can be found after moves, too.
+template <class Triangulation>
+inline constexpr bool knows_input_later =
+    Triangulation::Metric::is_exact&& Triangulation::has_correspondence;
 
 } // namespace internal
 
@@ -139,10 +137,32 @@ Improved_surface improve_soundly(Triangulation& t, const std::vector<std::array<
                                  const Marked_edges<Triangulation, std::uint32_t>& constrained) {
   Improved_surface result;
   result.is_exact = Triangulation::Metric::is_exact;
-  result.input_area = area_of_points(t, points);
+  if (!internal::knows_input_later<Triangulation>) result.input_area = area_of_points(t, points);
   result.done = improve(t, options, constrained);
   internal::expect_sound(result.done);
   return result;
+}
+
+/*!
+\brief refuses a triangulation that was improved if rounding has changed its area.
+\param t the triangulation
+\param are_lengths_changed whether lengths are not those between the points
+\param improved the result of `improve_soundly()`
+\throws Rounding_error if rounding has spoilt the triangulation; never with exact traits
+\complexity linear; constant with exact traits
+*/
+template <RefinableTriangulation Triangulation>
+void expect_area_kept(const Triangulation& t, bool are_lengths_changed,
+                      const Improved_surface& improved) {
+  if (improved.is_exact) return;
+  const double area = improved.input_area, after = stored_area(t);
+  const bool is_known = std::isfinite(area) && area > 0 && !are_lengths_changed &&
+                        t.report().mollification.kind != Mollification::lengths;
+  const double before = is_known ? area : improved.done.area_before;
+  if (std::abs(after - before) <= 1e-6 * before) return; // false for what is not a number
+  std::ostringstream message;
+  internal::append_areas(message, before, after);
+  internal::refuse_spoilt(message.str());
 }
 
 /*!
@@ -167,12 +187,8 @@ void measure_improved(Triangulation& t, const std::vector<std::array<double, 3>>
   const bool has_points = num_vertices(t.mesh()) == t.input().number_of_vertices();
   improved.measured =
       measure(t, constrained, has_points ? points : std::vector<std::array<double, 3>>());
-  const double area = improved.input_area;
-  const bool is_area_known = std::isfinite(area) && area > 0 && !are_lengths_changed &&
-                             t.report().mollification.kind != Mollification::lengths;
-  if (!improved.is_exact)
-    internal::expect_area_kept(is_area_known ? area : improved.done.area_before,
-                               improved.measured.area);
+  if (internal::knows_input_later<Triangulation>) improved.input_area = area_of_points(t, points);
+  expect_area_kept(t, are_lengths_changed, improved);
   improved.seconds_of_measuring = watch.lap();
 }
 

@@ -13,7 +13,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,6 +31,11 @@ template <class Scalar>
 struct Heat;
 class Function_flow;
 class Vector_flow;
+
+// The directions of each edge at its ends.
+struct Edge_directions {
+  std::vector<std::complex<double>> at_source, at_target;
+};
 
 // Vectors at vertices or points, with the lengths to diffuse.
 struct Vector_sources {
@@ -66,9 +70,8 @@ public:
 
   const Connection_graph& graph() const { return graph_; }
 
-  // Factors both matrices of heat, unless they are. \param progress is called after each; returns
-  // whether to go on \return whether both are factored
-  bool factor(const std::function<bool(Transport_step)>& progress) const;
+  // Factors the matrix whose factor a step names, unless it is.
+  void factor(Transport_step step) const;
 
   // for each vertex, the representative of its part, which heat connects
   const std::vector<std::uint32_t>& parts() const { return part_; }
@@ -90,6 +93,7 @@ private:
   Heat<double> heat(const Eigen::VectorXd& weights) const;
   const Function_flow& functions() const;
   const Vector_flow& vectors() const;
+  const Edge_directions& directions() const;
   std::vector<char> reached(const Eigen::VectorXd& weights) const;
   Eigen::VectorXd unit_weight(Eigen::Index source) const;
   Eigen::VectorXcd outward_vectors(Eigen::Index source) const;
@@ -101,8 +105,8 @@ private:
   Connection_graph graph_;
   std::vector<std::uint32_t> part_;
   double time_;
-  std::vector<std::complex<double>> at_source_, at_target_; // directions of edges
-  Eigen::VectorXd masses_;                                  // areas, ones at isolated vertices
+  Eigen::VectorXd masses_; // areas, ones at isolated vertices
+  mutable std::optional<Edge_directions> directions_;
   mutable Shared_analysis analysis_; // of all matrices: they have entries in the same places
   mutable std::optional<Laplacian_factorization> poisson_;
   mutable std::shared_ptr<const Function_flow> functions_;

@@ -102,8 +102,14 @@ public:
   template <NamedParameters NP = parameters::Parameters<>>
   Status factor(const NP& np = parameters::default_values()) const {
     internal::expect_names<internal::tags::visitor>(np);
-    return heat_.factor(internal::progress_of(np)) ? Status::done : Status::cancelled;
+    auto progress = internal::progress_of(np);
+    factor(Transport_step::functions_factored);
+    if (!progress(Transport_step::functions_factored)) return Status::cancelled;
+    factor(Transport_step::vectors_factored);
+    progress(Transport_step::vectors_factored); // nothing is left to be stopped
+    return Status::done;
   }
+  void factor(Transport_step step) const { heat_.factor(step); } ///< factors one matrix, once
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return frames_.triangulation(); }

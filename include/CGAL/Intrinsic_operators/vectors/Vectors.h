@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTORS_H
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTORS_H
 
+#include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_heat_method.h>
 #include <CGAL/Intrinsic_operators/vectors/Vector_options.h>
@@ -33,7 +34,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -84,13 +84,12 @@ public:
       const Point_cloud_vectors& c = cloud(options);
       return of_points(c.transport(at_points(c, given)));
     }
-    const Heat* const method = heat(options);
+    const Heat* const method = heat(options, given.places.size() > 1, true); // else of one length
     if (method == nullptr) return cancelled();
     Finder find(t_, points_);
-    Found_vectors found;
-    found.vectors =
-        find.sheets.averaged(given.are_at_vertices() ? method->transport(find.at_vertices(given))
-                                                     : method->transport(find.in_faces(given)));
+    Found_vectors found{find.sheets.averaged(given.are_at_vertices()
+                                                 ? method->transport(find.at_vertices(given))
+                                                 : method->transport(find.in_faces(given)))};
     found.of_row = Vertex_copies(t_).known_of_rows(found.vectors);
     return found;
   }
@@ -105,7 +104,7 @@ public:
   */
   std::vector<double> extend(const std::vector<Place>& places, const std::vector<double>& values,
                              const Vector_options& options = {}) {
-    std::vector<double> result(t_.number_of_vertices(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> result(t_.number_of_vertices(), internal::unknown_vector.real());
     if (is_cloud()) {
       std::vector<std::pair<std::size_t, double>> sources;
       for (std::size_t i = 0; i < places.size(); ++i)
@@ -114,7 +113,7 @@ public:
       for (std::size_t i = 0; i < extended.size(); ++i) result[i] = extended[i];
       return result;
     }
-    const Heat* const method = heat(options);
+    const Heat* const method = heat(options, true, false);
     if (method == nullptr) return {};
     Place_finder<Triangulation> find(t_);
     std::vector<std::pair<Surface_point, double>> sources;
@@ -144,16 +143,16 @@ public:
                "affine");
       return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
     }
-    const Heat* const by_heat = method == Logarithm_method::exact ? nullptr : heat(options);
-    if (by_heat == nullptr && method != Logarithm_method::exact) return cancelled();
+    using enum Logarithm_method;
+    const Heat* const by_heat = method == exact ? nullptr : heat(options, method != polar, true);
+    if (by_heat == nullptr && method != exact) return cancelled();
     Visitor visitor{&options, Vector_step::windows};
-    Found_vectors found;
-    found.vectors = logarithms_from_place(t_, place, method, [&](const auto& from) {
+    Found_vectors found{logarithms_from_place(t_, place, method, [&](const auto& from) {
       if (by_heat != nullptr) return by_heat->logarithmic_map(from, method);
       return logarithmic_map(
           t_, from,
           parameters::maximum_distance(options.maximum_distance).visitor(std::ref(visitor)));
-    });
+    })};
     if (!visitor.goes_on) return cancelled();
     found.of_row = Vertex_copies(t_).nearest_of_rows(found.vectors);
     return found;
@@ -274,13 +273,15 @@ private:
 
   static Found_vectors cancelled() { return {{}, {}, Status::cancelled}; }
 
-  // The method with its matrices; null if the caller has ended the work.
-  const Heat* heat(const Vector_options& options) {
+  // The method with the matrices that are needed; null if the caller has ended the work.
+  const Heat* heat(const Vector_options& options, bool of_functions, bool of_vectors) {
     if (heat_ && time_factor_ != options.time_factor) heat_.reset();
     if (!heat_) heat_.emplace(t_, parameters::time_factor(options.time_factor));
     time_factor_ = options.time_factor;
     Visitor visitor{&options, Vector_step::factorization};
-    if (heat_->factor(parameters::visitor(std::ref(visitor))) == Status::cancelled) return nullptr;
+    if (of_functions) heat_->factor(Transport_step::functions_factored);
+    if (!visitor.progress(0U)) return nullptr;
+    if (of_vectors) heat_->factor(Transport_step::vectors_factored);
     visitor.step = Vector_step::solution;
     return visitor.progress(0U) ? &*heat_ : nullptr;
   }
@@ -317,9 +318,8 @@ private:
   }
   // The vectors of a cloud, each of its own row.
   Found_vectors of_points(Tangent_field vectors) const {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    Found_vectors found{std::move(vectors), {}};
-    found.vectors.resize(t_.number_of_vertices(), std::complex<double>(unknown, unknown));
+    Found_vectors found{std::move(vectors)};
+    found.vectors.resize(t_.number_of_vertices(), internal::unknown_vector);
     for (std::uint32_t r = 0; r < found.vectors.size(); ++r) found.of_row.push_back(r);
     return found;
   }

@@ -124,8 +124,7 @@ Karcher_mean karcher_mean(const Vector_heat_method<Triangulation>& heat,
   std::complex<double> step = seen.mean(mean.point, mean.energy);
   mean.residual = std::abs(step);
   const double enough = internal::value_or<tags::tolerance>(np, 1e-4) * heat.mean_edge_length();
-  double part =
-      1; // of the step; below it, errors of logarithmic maps dominate the energy
+  double part = 1; // of the step; below it, errors of logarithmic maps dominate the energy
   for (mean.steps = 1; mean.residual > enough && part >= 0x1p-10; ++mean.steps) {
     if (mean.steps >= maximum_steps) {
       mean.status = Status::cap;

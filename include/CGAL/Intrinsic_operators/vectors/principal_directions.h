@@ -84,9 +84,8 @@ Tangent_field principal_directions(const Triangulation& t,
     throw std::invalid_argument("there must be a point per vertex of the input, " +
                                 std::to_string(input.number_of_rows()) + ", not " +
                                 std::to_string(points.size()));
-  return internal::principal_directions_at(t, [&](std::uint32_t h) {
-    return points[input.names().row(input.source(h))];
-  });
+  return internal::principal_directions_at(
+      t, [&](std::uint32_t h) { return points[input.names().row(input.source(h))]; });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <numeric>
 
 namespace {
@@ -62,6 +65,32 @@ TYPED_TEST(Measure_quality, counts_obtuse_angles_and_negative_weights) {
   EXPECT_GT(std::accumulate(q.angles.begin() + 9, q.angles.end(), std::size_t{0}), 0U);
   EXPECT_GT(q.weights[0], 0U);
   EXPECT_LT(q.minimum_weight, 0);
+}
+
+// Brute force: the arc tangent of every angle. Angles of all sizes, from slivers to obtuse ones.
+TYPED_TEST(Measure_quality, counts_angles_as_arc_tangents_do) {
+  for (const double shear : {0., .1, 1., 7., 60., 1e4}) {
+    TypeParam t(meshes::sheared_grid(7, 5, shear).input());
+    const IT::Quality q = IT::measure_quality(t);
+    std::array<std::size_t, 18> angles{};
+    double least = 180, greatest = 0;
+    for (const auto f : faces(t.mesh())) {
+      auto h = halfedge(f, t.mesh());
+      for (int k = 0; k < 3; ++k, h = next(h, t.mesh())) {
+        const auto squared = [&](auto g) { return t.squared_length(edge(g, t.mesh())); };
+        const auto after = next(h, t.mesh()), last = next(after, t.mesh());
+        const double angle =
+            std::atan2(4 * t.area(f), squared(h) + squared(last) - squared(after)) *
+            (180 / std::numbers::pi);
+        ++angles[std::min(17, static_cast<int>(angle / 10))];
+        least = std::min(least, angle);
+        greatest = std::max(greatest, angle);
+      }
+    }
+    EXPECT_NEAR(q.minimum_angle, least, 4e-16 * least);
+    EXPECT_NEAR(q.maximum_angle, greatest, 4e-16 * greatest);
+    EXPECT_EQ(q.angles, angles) << shear;
+  }
 }
 
 TYPED_TEST(Measure_quality, believes_what_it_is_told_of_ties) {

@@ -68,11 +68,18 @@ face_axes_in_space(const Input& input, std::uint32_t h, const Source& source) {
   return std::array{e, f};
 }
 
-// A vector in a face of the input, in space. If the face has no area there, the vector goes
-// straight on to the nearest face that has one; not numbers if none of the component has.
+// A vector along the axes of a face, in space.
+inline std::array<double, 3> along(const std::array<std::array<double, 3>, 2>& axes,
+                                   const Unscaled_vector& x) {
+  const auto& [e, f] = axes;
+  return {x[0] * e[0] + x[1] * f[0], x[0] * e[1] + x[1] * f[1], x[0] * e[2] + x[1] * f[2]};
+}
+
+// A vector in a face without area goes straight on to the nearest face that has one; not numbers if
+// none of the component has.
 template <class Source>
-std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
-                                      const Source& source) {
+std::array<double, 3> vector_beyond_face(const Input& input, const Input_vector& v,
+                                         const Source& source) {
   std::vector<Input_vector> faces{v}; // by the number of edges that are crossed
   const auto is_new = [&](std::uint32_t h) {
     return std::none_of(faces.begin(), faces.end(), [&](const Input_vector& known) {
@@ -81,20 +88,25 @@ std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
   };
   for (std::size_t n = 0; n < faces.size(); ++n) {
     const auto [h, x] = faces[n];
-    if (const auto axes = face_axes_in_space(input, h, source)) {
-      const auto& [e, f] = *axes;
-      return {x[0] * e[0] + x[1] * f[0], x[0] * e[1] + x[1] * f[1], x[0] * e[2] + x[1] * f[2]};
-    }
+    if (const auto axes = face_axes_in_space(input, h, source)) return along(*axes, x);
     const Geodesic_face face(input, h);
     for (unsigned s = 0; s < 3; ++s) {
       const std::uint32_t beyond = face.side[s] ^ 1U;
       if (input.is_border(beyond) || !is_new(beyond)) continue;
-      const Unscaled_vector along = face.relative_to(s, x);
-      faces.push_back({beyond, {-along[0], -along[1]}});
+      const Unscaled_vector to = face.relative_to(s, x);
+      faces.push_back({beyond, {-to[0], -to[1]}});
     }
   }
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   return {unknown, unknown, unknown};
+}
+
+// A vector in a face of the input, in space.
+template <class Source>
+std::array<double, 3> vector_in_space(const Input& input, const Input_vector& v,
+                                      const Source& source) {
+  const auto axes = face_axes_in_space(input, v.halfedge, source);
+  return axes ? along(*axes, v.vector) : vector_beyond_face(input, v, source);
 }
 
 // Takes a vector in the frame of an intrinsic face to space, by the rotation that fits the corners

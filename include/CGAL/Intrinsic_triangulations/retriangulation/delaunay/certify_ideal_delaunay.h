@@ -20,24 +20,24 @@ namespace CGAL::Intrinsic_triangulations {
 template <MutableDeltaComplex Mesh, IntrinsicTriangulationTraits Traits, class Correspondence>
   requires internal::Scales_vertices<typename Traits::Metric> &&
       IntegerCorrespondence<Correspondence>
-Delaunay_certificate
-certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& ideal) {
-  using Exact = Intrinsic_triangulation<Mesh, Exact_ideal_hyperbolic_traits, Integer_coordinates>;
-  const Input& input = ideal.input();
-  Exact exact(ideal, Exact_ideal_hyperbolic_metric(input.mesh(), input.metric()),
-              ideal.correspondence().integer_coordinates());
-  if (!ideal.metric().relative_factors().empty())
-    exact.scale_vertices(ideal.metric().relative_factors(), ideal.metric().rests());
-  const typename Exact::Metric::Scope scope;
-  for (const auto e : edges(exact.mesh())) exact.decider().sharpen(exact.index(e));
-  exact.metric().statistics() = {};
-  const auto report = check_delaunay(exact);
-  Delaunay_certificate certificate;
-  certificate.non_delaunay_edges = report.non_delaunay_edges;
-  certificate.ties = report.cocircular_edges.size();
-  certificate.statistics = exact.metric().statistics();
-  return certificate;
-}
+          Delaunay_certificate
+          certify_delaunay(const Intrinsic_triangulation<Mesh, Traits, Correspondence>& ideal) {
+    using Exact = Intrinsic_triangulation<Mesh, Exact_ideal_hyperbolic_traits, Integer_coordinates>;
+    const Input& input = ideal.input();
+    Exact exact(ideal, Exact_ideal_hyperbolic_metric(input.mesh(), input.metric()),
+                ideal.correspondence().integer_coordinates());
+    if (!ideal.metric().relative_factors().empty())
+      exact.scale_vertices(ideal.metric().relative_factors(), ideal.metric().rests());
+    const typename Exact::Metric::Scope scope;
+    for (const auto e : edges(exact.mesh())) exact.decider().sharpen(exact.index(e));
+    exact.metric().statistics() = {};
+    const auto report = check_delaunay(exact);
+    Delaunay_certificate certificate;
+    certificate.non_delaunay_edges = report.non_delaunay_edges;
+    certificate.ties = report.cocircular_edges.size();
+    certificate.statistics = exact.metric().statistics();
+    return certificate;
+  }
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -95,10 +95,15 @@ void Vertex_sectors::place(std::span<const std::array<double, 3>> points) {
 std::vector<std::array<double, 3>> Vertex_sectors::in_space(const Tangent_field& field) const {
   internal::expect_size(field, size());
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
-  const auto source = [this](std::uint32_t h) { return points_[input_->source(h)]; };
-  for (const Fan& fan : fans_)
-    result[fan.vertex] =
-        internal::vector_in_space(*input_, on_input(fan, field[fan.vertex]), source);
+  const auto source = [this](std::uint32_t h) -> const std::array<double, 3>& {
+    return points_[input_->source(h)];
+  };
+  // in a loop of their own, short enough that the reads of several faces overlap
+  std::vector<Input_vector> vectors;
+  vectors.reserve(fans_.size());
+  for (const Fan& fan : fans_) vectors.push_back(on_input(fan, field[fan.vertex]));
+  for (std::size_t i = 0; i < fans_.size(); ++i)
+    result[fans_[i].vertex] = internal::vector_in_space(*input_, vectors[i], source);
   return result;
 }
 
