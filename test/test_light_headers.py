@@ -17,8 +17,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FLAGS = ["-std=c++20", "-frounding-math", "-DCGAL_USE_GMP=1", "-DCGAL_USE_MPFR=1",
          f"-I{ROOT / 'include'}", f"-I{ROOT / 'src'}"]
 COMPILED = "-DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED=1"
-HEAVY = re.compile(r"(CGAL/(Triangulation_2|Constrained_\w+|Filtered_kernel|Lazy_\w+)\.h"
-                   r"|boost/multiprecision/\w+\.hpp)$")
+HEAVY = re.compile(r"(CGAL/(Triangulation_2|Constrained_\w+|Filtered_kernel|Lazy_\w+|Mpzf)\.h"
+                   r"|c\+\+/\d+/ranges|boost/multiprecision/\w+\.hpp)$")
 PROGRAM = """
 #include <CGAL/Intrinsic_triangulations.h>
 namespace IT = CGAL::Intrinsic_triangulations;

@@ -104,11 +104,12 @@ inline void write_mesh(std::ostream& out, const std::string& extension,
 }
 
 /// writes a matrix. \param what what it is, for the comment in the file
-template <class Scalar>
-void write_matrix(const std::string& path, const Eigen::SparseMatrix<Scalar>& matrix,
-                  const std::string& what, Output_files& files) {
+template <class Matrix>
+void write_matrix(const std::string& path, const Matrix& matrix, const std::string& what,
+                  Output_files& files) {
+  const Eigen::SparseMatrix<typename Matrix::Scalar>& in_columns = matrix; // made of one in rows
   files.write(path, [&](std::ostream& out) {
-    IT::write_matrix_market(out, matrix,
+    IT::write_matrix_market(out, in_columns,
                             what + ",\nby intrinsic " + INTRINSIC_TRIANGULATIONS_VERSION);
   });
 }

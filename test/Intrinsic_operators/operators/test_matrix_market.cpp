@@ -12,6 +12,7 @@
 #include <unsupported/Eigen/SparseExtra>
 
 #include <cmath>
+#include <complex>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -70,6 +71,19 @@ TEST_F(Matrix_market, of_a_symmetric_matrix_holds_the_lower_triangle_counted_fro
                      "2 1 -0.5\n"
                      "2 2 1e+100\n"
                      "3 3 0\n");
+}
+
+TEST_F(Matrix_market, of_other_matrices_and_of_expressions) {
+  const Matrix m = matrix(1, 2, {{0, 1, 0.5}});
+  const std::string expected = "%%MatrixMarket matrix coordinate real general\n1 2 1\n1 2 ";
+  std::ostringstream rows, product, complex;
+  IT::write_matrix_market(rows, Eigen::SparseMatrix<double, Eigen::RowMajor>(m));
+  EXPECT_EQ(rows.str(), expected + "0.5\n");
+  IT::write_matrix_market(product, 3 * m);
+  EXPECT_EQ(product.str(), expected + "1.5\n");
+  IT::write_matrix_market(
+      complex, Eigen::SparseMatrix<std::complex<double>>(m * std::complex<double>(2, -1)));
+  EXPECT_EQ(complex.str(), "%%MatrixMarket matrix coordinate complex general\n1 2 1\n1 2 1 -0.5\n");
 }
 
 TEST_F(Matrix_market, of_a_matrix_that_is_not_symmetric_holds_all) {

@@ -15,9 +15,9 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
-#include <ranges>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {

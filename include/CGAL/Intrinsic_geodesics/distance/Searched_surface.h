@@ -19,10 +19,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <memory>
-#include <ranges>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 

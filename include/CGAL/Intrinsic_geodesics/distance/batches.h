@@ -20,7 +20,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string>

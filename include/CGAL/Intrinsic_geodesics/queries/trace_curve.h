@@ -18,10 +18,10 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {

@@ -21,10 +21,10 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <string>
 #include <vector>
 

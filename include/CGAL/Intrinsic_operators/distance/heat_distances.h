@@ -17,7 +17,6 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
-#include <ranges>
 #include <span>
 #include <vector>
 

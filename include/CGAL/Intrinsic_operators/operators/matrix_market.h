@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <concepts>
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -21,6 +22,13 @@ header that announces one, and it does not notice that the disk is full.
 */
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+void write_complex_matrix(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
+                          const std::string& comment);
+
+} // namespace internal
 
 /*!
 \brief writes a sparse matrix in Matrix Market coordinate format.
@@ -38,8 +46,12 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
                          const std::string& comment = {});
 
 /// writes a complex matrix, `general`, see above: the real and the imaginary part of each value.
-void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
-                         const std::string& comment = {});
+/// \tparam Complex `std::complex<double>`; a parameter, so that real expressions go to the other one
+template <std::same_as<std::complex<double>> Complex>
+void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<Complex>& m,
+                         const std::string& comment = {}) {
+  internal::write_complex_matrix(out, m, comment);
+}
 
 /*!
 \brief writes a sparse matrix to a Matrix Market file, ordinarily with extension `.mtx`.

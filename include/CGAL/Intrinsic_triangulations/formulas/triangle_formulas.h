@@ -11,12 +11,12 @@
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <ranges>
 #include <type_traits>
 #include <utility>
 

@@ -11,7 +11,6 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Gmpz.h>
-#include <CGAL/Mpzf.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

@@ -27,10 +27,6 @@ static bool is_symmetric(const Eigen::SparseMatrix<double>& m) {
   return rest.nonZeros() == m.nonZeros() && (rest.coeffs() == 0).all();
 }
 
-} // namespace internal
-
-namespace internal {
-
 namespace {
 
 // Numbers as text, which goes to a stream in blocks.
@@ -93,6 +89,12 @@ void write_market_entries(std::ostream& out, const Eigen::SparseMatrix<Scalar>& 
 
 } // namespace
 
+void write_complex_matrix(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
+                          const std::string& comment) {
+  write_market_header(out, "complex general", comment);
+  write_market_entries(out, m, false);
+}
+
 } // namespace internal
 
 void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m,
@@ -100,12 +102,6 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
   const bool symmetric = internal::is_symmetric(m);
   internal::write_market_header(out, symmetric ? "real symmetric" : "real general", comment);
   internal::write_market_entries(out, m, symmetric);
-}
-
-void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<std::complex<double>>& m,
-                         const std::string& comment) {
-  internal::write_market_header(out, "complex general", comment);
-  internal::write_market_entries(out, m, false);
 }
 
 void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,
