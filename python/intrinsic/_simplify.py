@@ -161,6 +161,8 @@ def _cost(cost, count):
 def _masses(values, count):
     values = _arrays.numbers(values, "cost")
     _arrays.expect_shape(values, "cost", (count,) if values.ndim == 1 else (count, None))
+    if values.size == 0:
+        raise ValueError("cost has no column; give the values of one function or more")
     return np.ascontiguousarray(values.reshape(count, -1).T)
 
 

@@ -238,7 +238,10 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
 
     @property
     def statistics(self) -> dict[str, Any]:
-        """What was found and done, a dict with the keys of `intrinsic --stats`."""
+        """What was found and done, a dict with the keys of `intrinsic --stats`.
+
+        Matrices make stored values more accurate: if you ask after them, last digits may differ.
+        """
         return _core.statistics(self._core)
 
     @property

@@ -159,8 +159,7 @@ py::list simplify(Surface& s, std::optional<std::size_t> vertices, std::optional
       if (get(labels, e)) options.kept_edges.push_back(t.index(e));
     if (flat_within) return one_surface(IT::remove_flat_vertices(t, *flat_within, options));
     return with_cost(t, cost, watch, [&](auto&& c) {
-      if (levels)
-        return IT::hierarchy(t, levels->first, levels->second, options, std::move(c));
+      if (levels) return IT::hierarchy(t, levels->first, levels->second, options, std::move(c));
       return one_surface(IT::simplify(t, options, std::move(c)));
     });
   });

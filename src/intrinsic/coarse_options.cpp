@@ -38,16 +38,18 @@ void add_simplify_options(CLI::App& command, Options& options) {
   add("--stretch", s.stretch, {in_range(ranges::stretch)},
       "no length on the surface is multiplied by more than this, or by less than its inverse; a "
       "vertex whose removal would break this stays");
-  add("--flat", s.flat, {in_range(ranges::within), Type{"RADIANS"}},
+  CLI::Option* const flat = add(
+      "--flat", s.flat, {in_range(ranges::within), Type{"RADIANS"}},
       "remove only vertices where the angles sum to a full turn, or half a turn on the border, up "
-      "to this; 0: exactly")
-      ->excludes(vertices);
+      "to this; 0: exactly");
+  flat->excludes(vertices);
   const Words costs({{"stretch", "those that stretch the surface least"},
                      {"curvature", "those whose curvature moves least"},
                      {"area", "those whose area moves least"},
                      {"balanced", "those whose curvature and area move least, for operators"}},
                     defaults::removal_cost);
-  add("--cost", s.cost, {costs.check()}, "which vertices go first: " + costs.help());
+  add("--cost", s.cost, {costs.check()}, "which vertices go first: " + costs.help())
+      ->excludes(flat);
   add("--keep-vertices", s.kept_vertices, {file_name},
       "text file: the number of a vertex that stays on each line");
   add_output_option(command, options, "-o", options.output,
@@ -61,6 +63,12 @@ void add_simplify_options(CLI::App& command, Options& options) {
       "write where each vertex is on the coarse surface, a face and the weights of its corners, or "
       "a vertex, to .txt");
   add_view_option(command, options, "the fine and the coarse surface side by side");
+}
+
+void add_embed_options(CLI::App& command, Options& options) {
+  const Option_adder add(command);
+  add("--flat-within", options.flat_within, {in_range(ranges::within), Type{"RADIANS"}},
+      "vertices whose angles sum to a full turn up to this are put on faces; by default 1e-10");
 }
 
 } // namespace program

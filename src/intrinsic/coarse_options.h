@@ -12,6 +12,8 @@ namespace program {
 
 /// how coarse a surface becomes, and what is written.
 void add_simplify_options(CLI::App& command, Options& options);
+/// which vertices of a polyhedron count as flat.
+void add_embed_options(CLI::App& command, Options& options);
 
 } // namespace program
 

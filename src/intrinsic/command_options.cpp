@@ -210,7 +210,7 @@ const std::vector<Command> table{
     {"embed",
      "find the convex polyhedron whose surface has the lengths of the input",
      run_embed,
-     {common, add_metric_option, add_polyhedron_option}},
+     {common, add_metric_option, add_embed_options, add_polyhedron_option}},
     {"info",
      "describe a mesh or an intrinsic triangulation as it is, and say whether it is "
      "Delaunay",

@@ -150,6 +150,7 @@ struct Options {
   Cut_options cut;
   Uniformize_options uniformize;
   Simplify_command simplify;
+  std::optional<double> flat_within{}; ///< radians: vertices that `embed` takes for flat
 };
 
 /// A file that is written.

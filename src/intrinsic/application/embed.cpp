@@ -85,6 +85,7 @@ void write_page_of(std::ostream& out, const IT::Convex_polyhedron& found, const 
 void run_embed(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress& progress) {
     IT::Embed_options asked;
+    if (options.flat_within) asked.flat_within = *options.flat_within;
     asked.progress = [&progress](const IT::Embedding_progress& p) {
       return progress.show(IT::name_of(p.stage), std::to_string(p.steps) + " steps");
     };

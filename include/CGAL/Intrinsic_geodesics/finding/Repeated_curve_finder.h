@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/Flip_log.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -20,11 +21,13 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief finds curves as `find_curves()` does, again and again: each time as if it was the first.
+\brief finds curves as `find_curves()` does, again and again: each time nearly as if it was the first.
 
-It works on a copy of the triangulation, and takes flips back. Only where vertices were inserted,
-for places inside of faces or where a curve crosses itself, the next call makes a new copy. Curves
-are known by their ways over the input: their edges are gone.
+It works on a copy of the triangulation, and takes flips back. Where vertices were inserted, for
+places inside of faces or where a curve crosses itself, and after trees and Bezier curves, the next
+call makes a new copy. Curves are known by their ways over the input: their edges are gone. What the
+calls before may change: the last digits of lengths with exact traits, as values become more
+accurate; and which face is named for the point that a loop contracts to.
 \tparam Triangulation see `find_curves()`
 */
 template <GeodesicTriangulation Triangulation>
@@ -50,7 +53,11 @@ public:
     // an error leaves nothing that could be taken back
     std::unique_ptr<Copy> copy = copy_ ? std::move(copy_) : std::make_unique<Copy>(t_);
     Found_curves found = internal::find_curves_with(copy->tools, wanted, options, {});
-    if (num_vertices(copy->t.mesh()) == num_vertices(t_.mesh())) {
+    const bool are_flips_known =
+        std::all_of(wanted.begin(), wanted.end(), [](const Wanted_curve& c) {
+          return c.kind == Curve_kind::geodesic; // others flip without the log
+        });
+    if (are_flips_known && num_vertices(copy->t.mesh()) == num_vertices(t_.mesh())) {
       copy->take_back();
       copy_ = std::move(copy);
     }

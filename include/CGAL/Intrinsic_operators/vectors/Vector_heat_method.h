@@ -54,7 +54,8 @@ components without a source, and without direction, as where sources cancel. Hea
 distance, below the range of doubles after some hundred edges; values have separate exponents, so
 distances and lengths may have any size.
 
-The first call of a const function factors matrices: only then may threads call them at once.
+Const functions factor matrices when they are first needed: threads may call them at once after
+`factor()` and one call of each.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 */
 template <ConnectedTriangulation Triangulation_>

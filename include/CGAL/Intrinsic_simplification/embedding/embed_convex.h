@@ -48,7 +48,7 @@ struct Embed_options {
   /// the curvature c may lose a height of the square root of c, times the size: 1e-5 of it for the
   /// default. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
   double flat_within = 1e-10;
-  std::size_t maximum_steps = 1000; ///< Newton steps; then the status is `cap`
+  std::size_t maximum_steps = 10000; ///< Newton steps; then the status is `cap`
   /// Is called before each step of every stage, and returns whether to go on.
   std::function<bool(const Embedding_progress&)> progress;
 };
@@ -80,7 +80,7 @@ struct Convexity_certificate {
 
 /// What `embed_convex()` has found.
 struct Convex_polyhedron {
-  /// `done`; `inaccurate` if distances are wrong by more than 1e-10 of the diameter or edges are
+  /// `done`; `inaccurate` if lengths could not be fitted to rounding, or edges or the whole may be
   /// concave; `stalled` or `cap` if the solver has stopped; `cancelled`. There are points only if
   /// it is `done` or `inaccurate`.
   Status status = Status::done;

@@ -85,19 +85,23 @@ private:
   // between the places of its ends is taken for the image of an edge.
   Complex turn_at(typename Fine::vertex_descriptor v, std::uint32_t row) {
     Complex sum = 0;
+    double weights = 0;
     const std::uint32_t begin = fine_view_.outgoing_halfedge(fine_.index(v));
     double before = 0; // the corner before the edge
     for (std::uint32_t h = begin;;) {
       const bool is_last = fine_view_.is_border(h);
       const double after = is_last ? 0 : fine_angles_.scale(h) * angle_at_source(fine_view_, h);
       if (h == begin) before = corner_before(begin);
-      sum += (before + after) * image_of(h, row);
+      const Complex image = image_of(h, row);
+      sum += (before + after) * image;
+      weights += (before + after) * std::abs(image);
       before = after;
       if (is_last) break;
       h = next_around_source(fine_view_, h);
       if (h == begin) break;
     }
-    return unit_vector(sum);
+    // opposite rotations leave nothing but rounding
+    return std::abs(sum) > 0x1p-20 * weights ? unit_vector(sum) : 0;
   }
 
   double corner_before(std::uint32_t h) const {
@@ -163,7 +167,7 @@ Vectors are those of a `Tangent_field` on both triangulations, in the polar coor
 vertices. From the corners of its coarse face, vectors are transported along straight lines to the
 place of a fine vertex, and averaged there with its weights. Then they are turned as the map from
 the fine to the coarse surface turns the edges at the fine vertex, in the mean. Parallel fields on
-flat surfaces stay parallel.
+flat surfaces stay parallel where one shortest segment joins the places of neighbours.
 
 A change of the axes at a vertex changes a row or a column by a factor of absolute value 1.
 \tparam Fine a model of `NumberedTriangulation`
@@ -172,10 +176,11 @@ A change of the axes at a vertex changes a row or a column by a factor of absolu
   vertices
 \param coarse a triangulation of `s.surface`; it may have been flipped or refined
 \param s the simplification
-\return fine by coarse vectors; the absolute values in a row are those of `prolongation()` and sum
-  to 1, up to rounding. The rows of isolated vertices have no entries, and on a cover those of all
-  copies of a vertex but the first one; neither has a row of a vertex of which no edge is known on
-  the coarse surface, since faces there are too thin
+\return fine by coarse vectors; the absolute values in a row are weights of the place in its face of
+  `coarse`, and sum to 1 up to rounding, or less where corners of the face are one vertex. Rows are
+  empty of isolated vertices, on a cover of all copies of a vertex but the first one, and of vertices
+  whose turn is not known: edges that become loops do not tell it, nor edges whose images cancel, as
+  where several shortest segments join two vertices
 \throws Invalid_input if a place is not found
 \complexity linear in the number of fine edges, times the faces that one of them crosses
 */

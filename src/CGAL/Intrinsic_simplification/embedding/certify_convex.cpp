@@ -107,7 +107,12 @@ double least_eigenvalue_bound(const Eigen::SparseMatrix<double>& p, Embedding_ru
   int most = 0; // entries of a row
   for (int i = 0; i < rows.cols(); ++i)
     most = std::max(most, rows.outerIndexPtr()[i + 1] - rows.outerIndexPtr()[i]);
-  constexpr int of_entries = 16; // products that make p p^T, and the shift
+  // an entry of p p^T sums as many products as a column of p^T has entries; six for the shift
+  const Eigen::SparseMatrix<double> columns = p.transpose();
+  int of_entries = 16;
+  for (int i = 0; i < columns.cols(); ++i)
+    of_entries =
+        std::max(of_entries, 6 + columns.outerIndexPtr()[i + 1] - columns.outerIndexPtr()[i]);
   const double rounding = 0x1p-53 * (1 + 0x1p-20) *
                           ((most + 1) * greatest_row_sum(l) + of_entries * greatest_row_sum(p));
   return std::max(shift - rounding, 0.);

@@ -113,14 +113,13 @@ void expect_convex(const Input& surface, const Metric_triangles& t,
           " degrees more than 360, the most on a convex polyhedron; change lengths there");
 }
 
-// What removed vertices lose if they have curvature, more than rounding: a vertex with the
-// curvature c may be higher than its face by the square root of c, times the diameter.
+// What removed vertices lose that are not exactly flat: a vertex with the curvature c may be higher
+// than its face by the square root of c, times the diameter.
 double lost_curvature(const Metric_triangles& t, const std::vector<double>& curvature,
                       const std::vector<double>& rounding, const std::vector<char>& is_flat) {
   double lost = 0;
   for (const Removed_vertex& r : t.removed())
-    if (is_flat[r.vertex] == 0 && std::abs(curvature[r.vertex]) > 4 * rounding[r.vertex])
-      lost += std::abs(curvature[r.vertex]);
+    if (is_flat[r.vertex] == 0) lost += std::abs(curvature[r.vertex]) + rounding[r.vertex];
   return lost;
 }
 
@@ -244,7 +243,7 @@ std::string reason_without_points(const Convex_polyhedron& found) {
   if (found.status == Status::cancelled) return "the search for the polyhedron was ended " + where;
   if (found.status == Status::cap)
     return "the polyhedron is not found after " + std::to_string(found.steps) + " steps, " + where +
-           "; allow more steps";
+           "; raise flat_within, so that fewer vertices have hardly any curvature";
   return "the polyhedron is not found: the solver has stalled " + where + "; " +
          internal::remedy_of(found.stage);
 }

@@ -69,8 +69,10 @@ void Isometry_search::search(Isometry_run& run) {
   }
   decide_exactly(run);
   if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended() &&
-      have_different_areas())
+      have_different_areas()) {
     answer_ = Isometry_answer::not_isometric;
+    note_.clear(); // it said why nothing was decided
+  }
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
     if (decide_within(error, run)) return;

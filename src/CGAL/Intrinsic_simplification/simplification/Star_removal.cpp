@@ -45,12 +45,10 @@ bool Star_removal::lay_out(const Vertex_star& star) {
 }
 
 void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& star) {
-  polygon_.clear();
+  for (auto* list : {&polygon_, &corners_, &outside_}) list->clear();
   polygon_sides_.clear();
   triangles_.clear();
   new_faces_.clear();
-  corners_.clear();
-  outside_.clear();
   for (std::uint32_t k = 0; k < points_.size(); ++k) {
     polygon_.push_back(k);
     if (k == star.size()) { // along the border
