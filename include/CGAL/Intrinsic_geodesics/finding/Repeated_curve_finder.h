@@ -21,7 +21,7 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /*!
-\brief finds curves as `find_curves()` does, again and again: each time nearly as if it was the first.
+\brief finds curves as `find_curves()` does, again and again: nearly as if each time was the first.
 
 It works on a copy of the triangulation, and takes flips back. Where vertices were inserted, for
 places inside of faces or where a curve crosses itself, and after trees and Bezier curves, the next

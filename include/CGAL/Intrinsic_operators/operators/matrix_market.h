@@ -46,7 +46,7 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
                          const std::string& comment = {});
 
 /// writes a complex matrix, `general`, see above: the real and the imaginary part of each value.
-/// \tparam Complex `std::complex<double>`; as a parameter it leaves real expressions to the other one
+/// \tparam Complex `std::complex<double>`; so real expressions go to the other one
 template <std::same_as<std::complex<double>> Complex>
 void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<Complex>& m,
                          const std::string& comment = {}) {

@@ -54,8 +54,7 @@ components without a source, and without direction, as where sources cancel. Hea
 distance, below the range of doubles after some hundred edges; values have separate exponents, so
 distances and lengths may have any size.
 
-Const functions factor matrices when they are first needed: threads may call them at once after
-`factor()` and one call of each.
+Const functions factor what they need: threads may share them after `factor()` and one call each.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 */
 template <ConnectedTriangulation Triangulation_>

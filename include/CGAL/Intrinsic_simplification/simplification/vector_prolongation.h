@@ -178,9 +178,9 @@ A change of the axes at a vertex changes a row or a column by a factor of absolu
 \param s the simplification
 \return fine by coarse vectors; the absolute values in a row are weights of the place in its face of
   `coarse`, and sum to 1 up to rounding, or less where corners of the face are one vertex. Rows are
-  empty of isolated vertices, on a cover of all copies of a vertex but the first one, and of vertices
-  whose turn is not known: edges that become loops do not tell it, nor edges whose images cancel, as
-  where several shortest segments join two vertices
+  empty of isolated vertices, on a cover of all copies of a vertex but the first one, and where the
+  turn is not known: edges that become loops do not tell it, nor edges whose images cancel, as where
+  several shortest segments join two vertices
 \throws Invalid_input if a place is not found
 \complexity linear in the number of fine edges, times the faces that one of them crosses
 */
