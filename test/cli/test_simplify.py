@@ -91,14 +91,14 @@ class Simplify(Cli_test):
         mesh = self.write_off("s.off", *icosphere(2))
         for cost in ("stretch", "curvature", "area", "balanced"):
             stats = self.stats("simplify", mesh, "--vertices", "40", "--cost", cost,
-                               "--prolongation", "P.mtx", "--vector-prolongation", "Q.mtx")
+                               "--vector-prolongation", "Q.mtx")
             self.assertEqual(stats["simplify"]["vertices"], 40)
-            weights, sums = self.read_matrix("P.mtx")[2], [0.] * 162
+            sums = [0.] * 162
             with open(self.path("Q.mtx"), encoding="ascii") as file:
                 lines = file.read().splitlines()
             self.assertEqual(lines[0], "%%MatrixMarket matrix coordinate complex general")
             entries = [line.split() for line in lines if not line.startswith("%")]
-            self.assertEqual(entries[0], ["162", "40", str(len(weights))])
+            self.assertEqual(entries[0][:2], ["162", "40"])
             for i, _, x, y in entries[1:]:  # of other faces than those for functions, at ties
                 sums[int(i) - 1] += math.hypot(float(x), float(y))
             for total in sums:
