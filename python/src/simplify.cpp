@@ -110,10 +110,7 @@ std::vector<IT::Simplification> with_cost(const Triangulation& t, const Asked_co
   if (!cost.function.is_none())
     return f([&](const IT::Removal_candidate& c) { return asked_cost(cost.function, c, watch); });
   if (cost.masses) return f(cost_of_masses(t, *cost.masses));
-  if (cost.word == "curvature") return f(IT::curvature_cost(t));
-  if (cost.word == "area") return f(IT::area_cost(t));
-  if (cost.word == "balanced") return f(IT::balanced_cost(t));
-  return f(IT::Stretch_cost());
+  return IT::with_named_cost(cost.word, t, f);
 }
 
 std::vector<IT::Simplification> one_surface(IT::Simplification s) {

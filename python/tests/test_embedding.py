@@ -63,7 +63,8 @@ class Embedding(With_folder):
         with self.assertRaisesRegex(ValueError, "has a border; .*closed"):
             it.Surface(*grid(3)).embed()
         V, F = hull(30, 2)
-        with self.assertRaisesRegex(ValueError, r"vertex \d+ has angles that sum to \d+\.?\d* degrees more"):
+        with self.assertRaisesRegex(
+                ValueError, r"vertex \d+ has angles that sum to \d+\.?\d* degrees more"):
             it.Surface(np.where(np.arange(30)[:, None] == 3, V / 2, V), F).embed()
 
     def test_flat_vertices_with_curvature_are_not_proven(self):

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // On a surface that is 2^30 times as large or as small, results are those on the surface times a
@@ -39,6 +40,13 @@ Found find(Shape shape, double unit) {
   found.results.push_back(IT::simplify(t, options, IT::curvature_cost(t)));
   found.results.push_back(IT::simplify(t, options, IT::area_cost(t)));
   found.results.push_back(IT::simplify(t, options, IT::balanced_cost(t)));
+  const auto by_name = [&](const char* name) {
+    return IT::with_named_cost(
+        name, t, [&](auto&& cost) { return IT::simplify(t, options, std::move(cost)); });
+  };
+  const std::array names{"stretch", "curvature", "area", "balanced"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    EXPECT_EQ(by_name(names[k]).kept, found.results[k].kept) << names[k];
   found.results.push_back(IT::simplify(t, options, [&](const IT::Removal_candidate& c) {
     found.lengths.push_back(c.mean_length);
     found.areas.push_back(c.area);

@@ -150,7 +150,8 @@ class Simplify(Cli_test):
         self.assertEqual(default["vertices"], tenth["vertices"])
         self.assertEqual(default["removed"], tenth["removed"])
         half = self.stats("simplify", mesh, "--vertices", "50%")["simplify"]
-        self.assertAlmostEqual(half["vertices"] / (half["vertices"] + half["removed"]), .5, delta=.02)
+        self.assertAlmostEqual(half["vertices"] / (half["vertices"] + half["removed"]), .5,
+                               delta=.02)
 
     def test_bad_options_are_refused(self):
         mesh = self.write_off("s.off", *icosphere(1))

@@ -72,10 +72,8 @@ template <class Triangulation>
 IT::Simplification simplified(const Triangulation& t, const Simplify_command& given,
                               const IT::Simplify_options& asked) {
   if (given.flat) return IT::remove_flat_vertices(t, *given.flat, asked);
-  if (given.cost == "curvature") return IT::simplify(t, asked, IT::curvature_cost(t));
-  if (given.cost == "area") return IT::simplify(t, asked, IT::area_cost(t));
-  if (given.cost == "balanced") return IT::simplify(t, asked, IT::balanced_cost(t));
-  return IT::simplify(t, asked);
+  return IT::with_named_cost(given.cost, t,
+                             [&](auto&& cost) { return IT::simplify(t, asked, std::move(cost)); });
 }
 
 Json json_of(const IT::Simplification& s, std::size_t kept) {

@@ -3,6 +3,7 @@
 
 #include "meshes.h"
 #include "planar_bezier.h"
+#include "refusals.h"
 #include "soups.h"
 
 #include <CGAL/Intrinsic_geodesics/finding/Repeated_curve_finder.h>
@@ -221,18 +222,8 @@ TYPED_TEST(FindCurves, add_chains_of_marked_edges_first) {
   EXPECT_NEAR(found.curves[1].way.length, planar_bezier::distance(m.points[0], m.points[9]), 1e-9);
 }
 
-template <class Function>
-std::string message_of(const Function& function) {
-  try {
-    function();
-  } catch (const IT::Invalid_input& e) {
-    return e.what();
-  }
-  return {};
-}
-
-// Whatever was found, inserted, refused or cancelled before: each call finds the curve that is found
-// on a triangulation of its own.
+// Whatever was found, inserted, refused or cancelled before: each call finds the curve that is
+// found on a triangulation of its own.
 TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -249,10 +240,11 @@ TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
       unsigned steps = 0;
       if (call % 6 == 2) options.progress = [&](auto, std::uint64_t) { return ++steps < 3; };
       IT::Found_curves found, alone;
-      const std::string refused = message_of([&] { found = find(wanted, options); });
+      const std::string refused = refusals::refusal([&] { found = find(wanted, options); });
       steps = 0;
       TypeParam copy = t;
-      EXPECT_EQ(refused, message_of([&] { alone = IT::find_curves(copy, wanted, options); }));
+      EXPECT_EQ(refused,
+                refusals::refusal([&] { alone = IT::find_curves(copy, wanted, options); }));
       ASSERT_EQ(found.curves.size(), alone.curves.size());
       EXPECT_EQ(found.shortening.flips, alone.shortening.flips);
       for (std::size_t i = 0; i < found.curves.size(); ++i) {
@@ -304,7 +296,7 @@ TYPED_TEST(FindCurves, name_what_cannot_be_found) {
     IT::flip_to_delaunay(t);
     IT::Find_curves_options options;
     options.is_along_edges = is_along_edges;
-    return message_of([&] { IT::find_curves(t, wanted, options); });
+    return refusals::refusal([&] { IT::find_curves(t, wanted, options); });
   };
   const auto at = [](std::uint32_t v) { return IT::Place::at_vertex(v); };
   EXPECT_EQ(find({{{at(3), at(3)}, false, false, IT::Curve_kind::geodesic, "line 7"}}),

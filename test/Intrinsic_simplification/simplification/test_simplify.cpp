@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
+#include "coarse_meshes.h"
 #include "gallery.h"
 #include "operator_test_meshes.h"
 
@@ -24,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -36,42 +36,6 @@ using T = IT::Corresponding_triangulation;
 T delaunay(IT::Intrinsic_input input) { return IT::delaunay_triangulation(std::move(input)); }
 
 T delaunay(const Shape& s) { return delaunay(s.input()); }
-
-IT::Simplify_options to(std::size_t vertices) {
-  IT::Simplify_options options;
-  options.vertices = vertices;
-  return options;
-}
-
-// A cube whose faces are grids of n times n squares.
-Shape cube_of_grids(int n) {
-  Shape s;
-  std::map<std::array<int, 3>, std::uint32_t> number;
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    const auto [at, is_new] = number.emplace(p, static_cast<std::uint32_t>(number.size()));
-    if (is_new)
-      s.points.push_back(
-          {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
-    return at->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int level : {0, n})
-      for (int x = 0; x < n; ++x)
-        for (int y = 0; y < n; ++y) {
-          const auto at = [&](int a, int b) {
-            std::array<int, 3> p;
-            p[axis] = level;
-            p[(axis + 1) % 3] = level > 0 ? a : b;
-            p[(axis + 2) % 3] = level > 0 ? b : a;
-            return vertex(p);
-          };
-          const std::uint32_t a = at(x, y), b = at(x + 1, y), c = at(x + 1, y + 1),
-                              d = at(x, y + 1);
-          s.triangles.push_back({a, b, c});
-          s.triangles.push_back({a, c, d});
-        }
-  return s;
-}
 
 double total_curvature(const T& t) {
   double sum = 0;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "coarse_meshes.h"
 #include "operator_test_meshes.h"
 
 #include <CGAL/Corresponding_triangulation.h>
@@ -17,7 +18,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -31,12 +31,6 @@ using T = IT::Corresponding_triangulation;
 using Complex = std::complex<double>;
 using Complex_matrix = Eigen::SparseMatrix<Complex>;
 using Field = Eigen::VectorXcd;
-
-IT::Simplify_options to(std::size_t vertices) {
-  IT::Simplify_options options;
-  options.vertices = vertices;
-  return options;
-}
 
 struct Prolonged {
   T fine;
@@ -202,33 +196,12 @@ TEST(VectorProlongation, has_the_moduli_of_the_prolongation_of_functions) {
 
 // A sphere: a cube of grids, projected.
 Shape sphere(int n) {
-  Shape s;
-  std::map<std::array<int, 3>, std::uint32_t> number;
-  const auto vertex = [&](const std::array<int, 3>& p) {
-    const auto [at, is_new] = number.emplace(p, static_cast<std::uint32_t>(number.size()));
-    if (is_new) {
-      const auto c = [&](std::size_t k) {
-        return std::tan(std::numbers::pi / 4 * (2. * p[k] / n - 1));
-      };
-      const double r = std::sqrt(c(0) * c(0) + c(1) * c(1) + c(2) * c(2));
-      s.points.push_back({c(0) / r, c(1) / r, c(2) / r});
-    }
-    return at->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int level : {0, n})
-      for (int x = 0; x < n; ++x)
-        for (int y = 0; y < n; ++y) {
-          const auto at = [&](int a, int b) {
-            std::array<int, 3> p;
-            p[axis] = level;
-            p[(axis + 1) % 3] = level > 0 ? a : b;
-            p[(axis + 2) % 3] = level > 0 ? b : a;
-            return vertex(p);
-          };
-          s.triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
-          s.triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
-        }
+  Shape s = cube_of_grids(n);
+  for (std::array<double, 3>& p : s.points) {
+    for (double& x : p) x = std::tan(std::numbers::pi / 4 * (2 * x / n - 1));
+    const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    for (double& x : p) x /= r;
+  }
   return s;
 }
 

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>

@@ -12,9 +12,11 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <complex>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -196,6 +198,23 @@ Transported_mass area_cost(const Triangulation& t) {
 template <NumberedTriangulation Triangulation>
 Moved_mass balanced_cost(const Triangulation& t) {
   return Moved_mass(internal::balanced_mass(internal::vertex_values(t)));
+}
+
+/*!
+\brief calls a function with the cost that a word names, for programs that take words.
+\tparam Triangulation see `simplify()`
+\tparam Function a functor that takes any of these costs, and returns the same type for each
+\param name "curvature", "area" or "balanced"; any other word is "stretch"
+\param t the triangulation that is simplified
+\param f the function
+\return what the function returns
+*/
+template <NumberedTriangulation Triangulation, std::invocable<Stretch_cost> Function>
+auto with_named_cost(std::string_view name, const Triangulation& t, const Function& f) {
+  if (name == "curvature") return f(curvature_cost(t));
+  if (name == "area") return f(area_cost(t));
+  if (name == "balanced") return f(balanced_cost(t));
+  return f(Stretch_cost());
 }
 
 namespace internal {

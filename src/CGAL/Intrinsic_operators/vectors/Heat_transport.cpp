@@ -64,7 +64,6 @@ const Vector_flow& Heat_transport::vectors() const {
 }
 
 void Heat_transport::factor(Transport_step step) const {
-  directions(); // what is found later only, threads would find at once
   if (step == Transport_step::functions_factored)
     functions();
   else

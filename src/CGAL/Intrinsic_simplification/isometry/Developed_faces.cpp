@@ -68,7 +68,8 @@ void Developed_faces::close(Halfedge h, Halfedge first, Halfedge second, Value s
 }
 
 void Developed_faces::set_area(Value area, Halfedge first, Halfedge second) {
-  quantities_.emplace(area, area_between(first, second));
+  quantities_.emplace(
+      area, Quantity{vector_[first.index], vector_[second.index], frame_[first.index], true});
 }
 
 const Developed_faces::Evaluation::Number& Developed_faces::Evaluation::operator()(Value id) {

@@ -71,9 +71,6 @@ private:
   // Numbers of the start come first: of each halfedge, as a vector and as a turn.
   Id one() const { return 2 * static_cast<Id>(face_.size()); }
   Id first_node() const { return one() + 1; }
-  Quantity area_between(Halfedge first, Halfedge second) const {
-    return {vector_[first.index], vector_[second.index], frame_[first.index], true};
-  }
   Value unit(std::uint32_t face) const { return recipes_.length_of_edge(first_side_[face] / 2); }
 
   const Value_recipes& recipes_;

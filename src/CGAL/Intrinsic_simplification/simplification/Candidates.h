@@ -26,7 +26,7 @@ public:
   bool are_stretches() const { return cost_.is_stretch(); }
   // Whether directions at vertices are needed.
   bool need_vectors() const { return cost_.needs_vectors(); }
-  // Whether costs are told what is removed.
+  // Whether the cost is told of each vertex that is removed.
   bool remember() const { return cost_.remembers(); }
   // Describes a vertex and its neighbours before it becomes flat.
   void describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);

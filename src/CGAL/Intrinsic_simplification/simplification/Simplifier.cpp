@@ -12,8 +12,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Above what proofs add to the spread of flat faces, and far below any that users can ask for: it
-// is no reason to try another vertex first.
+// Proofs add less than this to the spread of flat faces, and users ask for far more. If the spread
+// is greater than expected by no more than this, no other vertex is tried first.
 constexpr double negligible_spread = 1e-9;
 
 } // namespace

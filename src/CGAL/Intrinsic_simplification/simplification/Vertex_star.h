@@ -25,9 +25,8 @@ public:
   // A factor at which an edge is no longer Delaunay, or a face no longer a triangle.
   struct Bound {
     double factor;
-    std::uint32_t side; // of the edge; none: a face
-    std::uint32_t face =
-        Gluing::none; // its number in the star, if there is no edge and it is known
+    std::uint32_t side;                // of the edge; none: a face
+    std::uint32_t face = Gluing::none; // the face, by its number in the star; none: not known
   };
 
   // Finds the faces. Returns whether there are any.

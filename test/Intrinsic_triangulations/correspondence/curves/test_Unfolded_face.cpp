@@ -167,6 +167,19 @@ public:
                 CGAL::to_double(squared_length(difference(other, p))));
   }
 
+  // Places a point of a face at random, and checks all of it. `within`: the distance by rounding
+  template <class Face>
+  void place_a_point(std::uint32_t h, const IT::Corner_coordinates& curves, const Face& face,
+                     double within) {
+    const Weights w = mover.weights(false);
+    const auto place = face.place(w);
+    ASSERT_TRUE(place);
+    check(h, curves, *place, face.values(*place));
+    check_direction(h, face, *place);
+    const Position asked = places::combination(plane.view(), h, w, plane.position);
+    EXPECT_LT(places::distance(at(place->location), asked), within);
+  }
+
   Plane<T> plane;
   Mover<T> mover;
   std::vector<std::uint32_t> sides; // all halfedges with a face
@@ -192,15 +205,9 @@ TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_t
       const CGAL::Protect_FPU_rounding<true> upwards;
       Unfolder<T> unfold(moved.plane.t);
       for (const std::uint32_t h : moved.sides) {
-        const Weights w = moved.mover.weights(false);
         const auto curves = unfold.curves(h);
-        const auto& face = unfold(h);
-        const auto place = face.place(w);
-        ASSERT_TRUE(place);
-        moved.check(h, curves, *place, face.values(*place));
-        moved.check_direction(h, face, *place);
-        const Position asked = places::combination(moved.plane.view(), h, w, moved.plane.position);
-        EXPECT_LT(places::distance(moved.at(place->location), asked), 0x1p-34);
+        moved.place_a_point(h, curves, unfold(h), 0x1p-34);
+        if (this->HasFatalFailure()) return;
         const auto [a, b, c] = curves.cutting;
         fans += curves.fan_corner() < 3 && curves.emanating[curves.fan_corner()] > 1 ? 1 : 0;
         corners += (a > 0) + (b > 0) + (c > 0) > 1 ? 1 : 0;
@@ -243,14 +250,7 @@ TYPED_TEST(Unfolded_face, turns_about_a_vertex_of_many_edges) {
       if (std::max({a, b, c}) < 34) continue;
       ++long_turns;
       for (int i = 0; i < 3; ++i) { // the last two times with a tree of products
-        const Weights w = moved.mover.weights(false);
-        const auto& face = unfold(h);
-        const auto place = face.place(w);
-        ASSERT_TRUE(place);
-        moved.check(h, curves, *place, face.values(*place));
-        moved.check_direction(h, face, *place);
-        const Position asked = places::combination(moved.plane.view(), h, w, moved.plane.position);
-        EXPECT_LT(places::distance(moved.at(place->location), asked), 0x1p-16);
+        moved.place_a_point(h, curves, unfold(h), 0x1p-16);
         if (this->HasFailure()) return;
       }
     }

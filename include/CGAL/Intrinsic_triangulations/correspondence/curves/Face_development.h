@@ -167,7 +167,7 @@ private:
     return r;
   }
 
-  // the first of `count` numbers that is no example, where all examples come before it
+  // the first of `count` numbers for which a property does not hold; it holds for all before it
   template <class Is_example>
   static Normal_coordinate first_exception(Normal_coordinate count, const Is_example& is_example) {
     Normal_coordinate begin = 0, step = 1; // all before `begin` are examples
