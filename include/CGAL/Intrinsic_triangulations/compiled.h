@@ -86,11 +86,7 @@ sources of the library, see `src/instances/`.
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_PLACES, prefix);           \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(CGAL_INTRINSIC_TRIANGULATIONS_OWNER, prefix);          \
   CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, Exact_euclidean_metric);                          \
-  CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, Euclidean_metric<double>);                        \
-  prefix class Unfolded_face<double>;                                                              \
-  prefix class Unfolded_face<Interval_nt<false>>;                                                  \
-  prefix class Unfolded_face<Short_ball>;                                                          \
-  prefix class Unfolded_face<Long_ball>
+  CGAL_INTRINSIC_TRIANGULATIONS_PREPARED(prefix, Euclidean_metric<double>)
 // instantiates the usual functions on the usual triangulations.
 #define CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHM_INSTANCES(prefix)                                  \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_TRIANGULATIONS_ALGORITHMS, prefix);       \

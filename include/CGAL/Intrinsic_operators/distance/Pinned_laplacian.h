@@ -13,10 +13,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -43,9 +41,7 @@ public:
   };
 
   // \param component of each row, as the least of its rows
-  Pinned_laplacian(Eigen::SparseMatrix<double> laplacian, std::vector<std::uint32_t> component)
-      : laplacian_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(laplacian))),
-        component_(std::move(component)) {}
+  Pinned_laplacian(Eigen::SparseMatrix<double> laplacian, std::vector<std::uint32_t> component);
 
   const std::shared_ptr<const Eigen::SparseMatrix<double>>& laplacian() const { return laplacian_; }
 
@@ -63,11 +59,7 @@ public:
 
 private:
   // A factorization that the first thread makes that needs it.
-  struct Late_factorization {
-    std::once_flag once;
-    Shared_analysis analysis;
-    std::optional<Laplacian_factorization> made;
-  };
+  struct Late_factorization;
 
   // The pins of one column, by their components.
   struct Few_pins {
@@ -87,7 +79,7 @@ private:
 
   std::shared_ptr<const Eigen::SparseMatrix<double>> laplacian_;
   std::vector<std::uint32_t> component_;
-  std::shared_ptr<Late_factorization> late_ = std::make_shared<Late_factorization>();
+  std::shared_ptr<Late_factorization> late_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

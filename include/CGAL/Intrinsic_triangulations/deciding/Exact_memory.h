@@ -133,14 +133,8 @@ public:
   template <class View>
   Face_values<FT> values(const View& view, const Integer_coordinates& c, std::uint32_t h,
                          unsigned bits) {
-    face_.unfold(view, c, h, values_from(c.input(), input_.of(c.input().metric())));
-    if (bits <= 53) return face_.face_values();
-    const Face_values<Short_ball> v = to_nearest([&] {
-      short_face_.unfold(face_, values_from(c.input(), short_input_.of(c.input().metric())));
-      return short_face_.face_values();
-    });
-    const auto& l = v.squared_lengths;
-    return {{l[0].interval(), l[1].interval(), l[2].interval()}, v.quadruple_area.interval()};
+    face_.unfold(view, c, h, values_of(c.input()));
+    return bits <= 53 ? face_.face_values() : short_values(c.input());
   }
 
   // how many steps along curves were taken since the last call of this function
@@ -150,6 +144,11 @@ public:
   }
 
 private:
+  // of faces of the input
+  Unfolded_face<FT>::Values values_of(const Input& input);
+  // of the unfolded face, in 106 bits
+  Face_values<FT> short_values(const Input& input);
+
   Unfolded_face<FT> face_;
   Unfolded_face<Short_ball> short_face_;
   Input_face_intervals<FT> input_;

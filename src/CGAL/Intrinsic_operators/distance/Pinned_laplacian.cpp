@@ -8,12 +8,15 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +26,17 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // a factorization with its ordering takes the time of at least so many solutions: 20 at 26,000
 // vertices, 50 at 416,000
 static bool are_few(const Pinned_laplacian::Pins& pins) { return pins.size() <= 20; }
+
+struct Pinned_laplacian::Late_factorization {
+  std::once_flag once;
+  Shared_analysis analysis;
+  std::optional<Laplacian_factorization> made;
+};
+
+Pinned_laplacian::Pinned_laplacian(Eigen::SparseMatrix<double> laplacian,
+                                   std::vector<std::uint32_t> component)
+    : laplacian_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(laplacian))),
+      component_(std::move(component)), late_(std::make_shared<Late_factorization>()) {}
 
 Eigen::MatrixXd Pinned_laplacian::solve(const Eigen::MatrixXd& b, std::span<const Pins> pins,
                                         Kept& kept) const {

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Insertion_placer.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/flat.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
@@ -46,6 +50,19 @@ void Flat_parts::find_part(const Input& input, std::uint32_t name) try {
 } catch (...) { // memory is exhausted: a part is found as a whole or not at all
   std::replace(part_of_input_.begin(), part_of_input_.end(), name, unknown);
   throw;
+}
+
+Unfolded_face<Turned_faces::FT>::Values Turned_faces::values_of(const Input& input) {
+  return values_from(input, input_.of(input.metric()));
+}
+
+Face_values<Turned_faces::FT> Turned_faces::short_values(const Input& input) {
+  const Face_values<Short_ball> v = to_nearest([&] {
+    short_face_.unfold(face_, values_from(input, short_input_.of(input.metric())));
+    return short_face_.face_values();
+  });
+  const auto& l = v.squared_lengths;
+  return {{l[0].interval(), l[1].interval(), l[2].interval()}, v.quadruple_area.interval()};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -107,9 +107,7 @@ public:
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>) {
       short_.is_unfolded = false;
       for (auto& [bits, numbers] : long_) numbers.is_unfolded = false;
-      face_.unfold(
-          view, coordinates, h,
-          internal::values_from(coordinates.input(), intervals_.of(coordinates.input().metric())));
+      face_.unfold(view, coordinates, h, values_of(coordinates.input()));
       if (along_side || !face_.is_vague()) {
         const auto p = place_near(face_, t, coordinates, h, weights, along_side, wanted);
         if (p || along_side) return p;
@@ -252,26 +250,16 @@ private:
     bool is_unfolded = false;
   };
 
+  // of faces of the input
+  Unfolded_face<FT>::Values values_of(const Input& input);
+
   // rounding must be to the nearest
   template <class Center>
-  void unfold(Numbers<Center>& numbers, const Input& input) {
-    if (numbers.is_unfolded) return;
-    numbers.face.unfold(face_, internal::values_from(input, numbers.input.of(input.metric())));
-    numbers.is_unfolded = true;
-  }
+  void unfold(Numbers<Center>& numbers, const Input& input);
 
   // in more bits; if an area has no certain sign even there, the insertion is refused
   template <class Center>
-  void find_values(Numbers<Center>& numbers, const Input& input, bool along_side) {
-    const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {
-      unfold(numbers, input);
-      return numbers.face.values(place_);
-    });
-    for (std::size_t k = 0; k < 3; ++k) {
-      values_.squared_lengths[k] = wide.squared_lengths[k].interval();
-      if (!along_side || k > 0) values_.quadruple_areas[k] = wide.quadruple_areas[k].interval();
-    }
-  }
+  void find_values(Numbers<Center>& numbers, const Input& input, bool along_side);
 
   Unfolded_face<double> rough_;
   Unfolded_face<FT> face_;

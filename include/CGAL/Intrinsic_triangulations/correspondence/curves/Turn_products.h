@@ -7,12 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
-#include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -25,37 +25,25 @@ In each triangle at the vertex, the quotient of the vectors along its last and i
 corner, `apex()`. That over many triangles is their product; a tree of products per vertex gives it
 in a logarithmic number of steps. The tree of a vertex is made once products without it have taken
 as long.
-\tparam FT number type of the plane
+\tparam FT `double`, `Interval_nt<false>` or a `Ball`: the number type of the plane
 */
 template <FieldNumber FT>
 class Turn_products {
 public:
+  /// A functor from an input halfedge to the values of its face from it.
+  using Values = std::function<Face_values<FT>(std::uint32_t)>;
+
   /*!
   \brief returns the quotient for consecutive triangles, counterclockwise.
   \param input the input, always the same
   \param fans the halfedges around its vertices
-  \param values a functor from an input halfedge to the `Face_values<FT>` of its face from it
+  \param values gives the values of the face of an input halfedge, from it
   \param first slot of the halfedge with the first triangle
   \param count number of triangles
   \complexity logarithmic in the degree of the vertex, amortized over many calls
   */
-  template <class Values>
   Plane_vector<FT> operator()(const Input& input, const Vertex_fans& fans, const Values& values,
-                              std::uint32_t first, std::uint32_t count) {
-    const std::uint32_t begin = fans.first_slot(first), degree = fans.degree(first);
-    Tree& tree = trees_[begin];
-    if (tree.nodes.empty()) {
-      tree.steps += count;
-      if (tree.steps <= degree) return multiplied(fans, values, first, count);
-      build(tree, input, fans, values, begin, degree);
-    }
-    // a straight line goes round the tip of a thin spike many times
-    const std::size_t from = first - begin, to = from + count % degree;
-    const Plane_vector<FT> part = to <= degree
-                                      ? product(tree, from, to)
-                                      : product(tree, from, degree) * product(tree, 0, to - degree);
-    return part * power(product(tree, 0, degree), count / degree);
-  }
+                              std::uint32_t first, std::uint32_t count);
 
 private:
   // nodes n and n + 1 for even n are the factors of node n / 2; the leaves come last
@@ -64,52 +52,18 @@ private:
     std::vector<Plane_vector<FT>> nodes;
   };
 
-  template <class Values>
-  static Plane_vector<FT> corner(const Vertex_fans& fans, const Values& values,
-                                 std::uint32_t slot) {
-    const Face_values<FT> v = values(fans.halfedge(slot));
-    const auto& l = v.squared_lengths;
-    return apex(l[0], l[1], l[2], v.quadruple_area);
-  }
+  static Plane_vector<FT> corner(const Vertex_fans& fans, const Values& values, std::uint32_t slot);
 
-  template <class Values>
   static Plane_vector<FT> multiplied(const Vertex_fans& fans, const Values& values,
-                                     std::uint32_t first, std::uint32_t count) {
-    Plane_vector<FT> result = corner(fans, values, first);
-    for (std::uint32_t n = 1; n < count; ++n)
-      result = result * corner(fans, values, fans.advance(first, n));
-    return result;
-  }
+                                     std::uint32_t first, std::uint32_t count);
 
-  template <class Values>
   static void build(Tree& tree, const Input& input, const Vertex_fans& fans, const Values& values,
-                    std::uint32_t begin, std::uint32_t degree) {
-    tree.nodes.resize(2 * std::size_t{degree});
-    for (std::uint32_t n = 0; n < degree; ++n) // the last one of a border has no triangle
-      tree.nodes[degree + n] = input.is_border(fans.halfedge(begin + n))
-                                   ? Plane_vector<FT>{FT(1), FT(0)}
-                                   : corner(fans, values, begin + n);
-    for (std::size_t n = degree; --n > 0;)
-      tree.nodes[n] = tree.nodes[2 * n] * tree.nodes[2 * n + 1];
-  }
+                    std::uint32_t begin, std::uint32_t degree);
 
   // of leaves from one to another; products commute
-  static Plane_vector<FT> product(const Tree& tree, std::size_t from, std::size_t to) {
-    const std::size_t degree = tree.nodes.size() / 2;
-    Plane_vector<FT> result{FT(1), FT(0)};
-    for (from += degree, to += degree; from < to; from /= 2, to /= 2) {
-      if (from % 2 != 0) result = result * tree.nodes[from++];
-      if (to % 2 != 0) result = result * tree.nodes[--to];
-    }
-    return result;
-  }
+  static Plane_vector<FT> product(const Tree& tree, std::size_t from, std::size_t to);
 
-  static Plane_vector<FT> power(Plane_vector<FT> z, std::uint32_t exponent) {
-    Plane_vector<FT> result{FT(1), FT(0)};
-    for (; exponent > 0; exponent /= 2, z = z * z)
-      if (exponent % 2 != 0) result = result * z;
-    return result;
-  }
+  static Plane_vector<FT> power(Plane_vector<FT> z, std::uint32_t exponent);
 
   std::unordered_map<std::uint32_t, Tree> trees_; // by the first slot of the fan
 };

@@ -54,4 +54,31 @@ bool Insertion_placer::is_open(bool along_side) const {
   return !are_positive(along_side);
 }
 
+Unfolded_face<Insertion_placer::FT>::Values Insertion_placer::values_of(const Input& input) {
+  return internal::values_from(input, intervals_.of(input.metric()));
+}
+
+template <class Center>
+void Insertion_placer::unfold(Numbers<Center>& numbers, const Input& input) {
+  if (numbers.is_unfolded) return;
+  numbers.face.unfold(face_, internal::values_from(input, numbers.input.of(input.metric())));
+  numbers.is_unfolded = true;
+}
+
+template <class Center>
+void Insertion_placer::find_values(Numbers<Center>& numbers, const Input& input, bool along_side) {
+  const Vertex_move_values<Ball<Center>> wide = internal::to_nearest([&] {
+    unfold(numbers, input);
+    return numbers.face.values(place_);
+  });
+  for (std::size_t k = 0; k < 3; ++k) {
+    values_.squared_lengths[k] = wide.squared_lengths[k].interval();
+    if (!along_side || k > 0) values_.quadruple_areas[k] = wide.quadruple_areas[k].interval();
+  }
+}
+
+template void Insertion_placer::unfold(Numbers<Double_double>&, const Input&);
+template void Insertion_placer::find_values(Numbers<Double_double>&, const Input&, bool);
+template void Insertion_placer::find_values(Numbers<Mpfr_number>&, const Input&, bool);
+
 } // namespace CGAL::Intrinsic_triangulations
