@@ -70,6 +70,9 @@ convex up to that distance.
 struct Convexity_certificate {
   bool is_proven = false;           ///< whether that polyhedron exists
   double within = 0;                ///< in the unit of the lengths
+  /// On that polyhedron, lengths of curves of the surface are multiplied by at most 1 + stretch, and
+  /// divided by at most that: flat vertices with some curvature were made flat. 0: none had any.
+  double stretch = 0;
   std::size_t convex_edges = 0;     ///< edges that are convex for certain
   std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
   std::size_t concave_edges = 0;    ///< edges that are neither; 0 if the status is `done`
