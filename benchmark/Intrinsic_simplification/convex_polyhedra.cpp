@@ -248,9 +248,10 @@ void run(IT::Corresponding_triangulation t, const Mesh* mesh, double flat_within
 
 int main(int argc, char* argv[]) {
   const std::size_t asked = argc > 1 ? std::stoul(argv[1]) : 100;
-  std::cout << "| metrics | vertices | found | proven | greatest proven distance | greatest stretch | "
-               "greatest error of distances | mean steps | mean seconds | slowest |\n"
-               "|---|---|---|---|---|---|---|---|---|---|\n";
+  std::cout
+      << "| metrics | vertices | found | proven | greatest proven distance | greatest stretch | "
+         "greatest error of distances | mean steps | mean seconds | slowest |\n"
+         "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Family& f : families) {
     if (argc > 2 && f.name != argv[2]) continue;
     std::mt19937 random(1);
@@ -272,10 +273,10 @@ int main(int argc, char* argv[]) {
     }
     const auto mean = [&](double sum) { return sum / static_cast<double>(asked); };
     std::cout << std::setprecision(2) << "| " << f.name << " | " << f.least << " to " << f.most
-              << " | " << r.found << " of " << asked << " | " << r.proven << " | " << r.within << " | "
-              << r.stretch << " | " << r.error
-              << " | " << std::lround(mean(static_cast<double>(r.steps))) << " | "
-              << mean(r.seconds) << " | " << r.slowest << " |\n"
+              << " | " << r.found << " of " << asked << " | " << r.proven << " | " << r.within
+              << " | " << r.stretch << " | " << r.error << " | "
+              << std::lround(mean(static_cast<double>(r.steps))) << " | " << mean(r.seconds)
+              << " | " << r.slowest << " |\n"
               << std::flush;
   }
 }

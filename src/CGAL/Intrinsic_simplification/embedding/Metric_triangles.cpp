@@ -113,8 +113,7 @@ double Metric_triangles::stretch_exponent() const {
 // A quadratic form with the values q on the sides e of a triangle is, for a vector x, the sum of
 // (sum(q) / 2 - q_i) (x cross e_i)^2 / (4 A^2). With the change of squared lengths for q, and
 // |x cross e_i| <= |x| |e_i|, that bounds the relative change of |x|^2.
-void Metric_triangles::add_stretch(std::uint32_t face,
-                                   const std::array<Double_double, 3>& before) {
+void Metric_triangles::add_stretch(std::uint32_t face, const std::array<Double_double, 3>& before) {
   constexpr double rounding = 1 + 1e-7;
   std::array<double, 3> change{};
   for (std::uint32_t k = 0; k < 3; ++k)
@@ -134,8 +133,7 @@ void Metric_triangles::scale_edges(std::uint32_t vertex, const std::vector<Doubl
                                    const Double_double& factor) {
   std::size_t n = 0;
   for_outgoing(vertex, [&](std::uint32_t h) {
-    const Double_double length =
-        before[n++] * (target(h) == vertex ? factor * factor : factor);
+    const Double_double length = before[n++] * (target(h) == vertex ? factor * factor : factor);
     set_length(h, length);
     set_length(opposite(h), length);
   });

@@ -140,10 +140,11 @@ Real least_eigenvalue_bound(const Eigen::SparseMatrix<Real>& p, Embedding_run& r
   for (int i = 0; i < rows.cols(); ++i) sums[i] *= Real(1 + entries_of(rows, i));
   // an entry of p p^T sums as many products as a column of p^T has entries; six for the shift
   int products = 16;
-  for (int i = 0; i < columns.cols(); ++i) products = std::max(products, 6 + entries_of(columns, i));
+  for (int i = 0; i < columns.cols(); ++i)
+    products = std::max(products, 6 + entries_of(columns, i));
   constexpr Real unit = std::numeric_limits<Real>::epsilon() / 2;
-  const Real rounding = unit * Real(1 + 0x1p-20) *
-                        (sums.maxCoeff() + Real(products) * greatest_row_sum(p));
+  const Real rounding =
+      unit * Real(1 + 0x1p-20) * (sums.maxCoeff() + Real(products) * greatest_row_sum(p));
   return std::max(shift - rounding, Real(0));
 }
 
@@ -179,7 +180,8 @@ std::optional<double> distance_to_solution(const Metric_triangles& t, const Prec
   const double lipschitz =
       2 * std::sqrt(*std::max_element(around.begin(), around.end())) * rounding;
   std::optional<double> b = inverse_bound<double>(t, points, run);
-  if (!b && !run.is_cancelled()) b = inverse_bound<long double>(t, points, run); // hardly bent faces
+  if (!b && !run.is_cancelled())
+    b = inverse_bound<long double>(t, points, run); // hardly bent faces
   if (!b || !(2 * *b * *b * lipschitz * r <= 1)) return {};
   return 2 * *b * r * rounding;
 }
@@ -224,7 +226,8 @@ bool encloses_centre(const Metric_triangles& t, const Precise_points& points, do
 Convexity_certificate certify_polyhedron(const Metric_triangles& t, const Precise_points& points,
                                          Embedding_run& run) {
   Convexity_certificate result;
-  const double size = extent_of(points), rounding = 0x1p-51 * size; // of points to doubles, and more
+  const double size = extent_of(points),
+               rounding = 0x1p-51 * size; // of points to doubles, and more
   const std::optional<double> distance = distance_to_solution(t, points, run);
   result.is_proven = distance.has_value();
   result.within = distance.value_or(1e-12 * size) + rounding;

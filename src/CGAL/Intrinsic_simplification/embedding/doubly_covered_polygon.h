@@ -21,7 +21,7 @@ struct Covered_polygon {
 If the surface is a convex polygon, front and back, the pyramids become flat: near the end the
 dihedral angles are nearly 0 along the border of the polygon, and nearly straight elsewhere. Then
 the edges along the border are cut, and the two parts are laid out in the plane, from lengths alone.
-\return the polygon, if both parts are the same up to rounding, and all vertices are its corners
+\return the polygon, if both parts are nearly the same, and all vertices are its corners
 */
 std::optional<Covered_polygon> doubly_covered_polygon(const Glued_pyramids& p);
 

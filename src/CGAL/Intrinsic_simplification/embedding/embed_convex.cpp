@@ -123,9 +123,11 @@ public:
   // Whether it is found. It is tried seldom: that takes longer than a step.
   bool try_at(const Glued_pyramids& p) {
     if (std::optional<Covered_polygon> polygon = doubly_covered_polygon(p)) {
-      triangles = p.triangles;
-      take(*polygon);
-      return true;
+      nearly_.emplace(p.triangles, std::move(*polygon));
+      if (nearly_->second.difference <= 1e-14 * extent_of(nearly_->second.corners)) {
+        take_polygon();
+        return true;
+      }
     }
     if (p.curvature_left > next_) return false;
     next_ = 1e-3 * p.curvature_left;
@@ -140,19 +142,26 @@ public:
     return fit_lengths(triangles, points, concave * extent_of(points), run_);
   }
 
+  // A polyhedron as flat as its lengths are rounded may not be found, but the polygon near it.
+  // \return whether there is one
+  bool take_polygon() {
+    if (!nearly_) return false;
+    triangles = nearly_->first;
+    points = nearly_->second.corners;
+    result_.shape = Convex_shape::doubly_covered_polygon;
+    Convexity_certificate& c = result_.certificate;
+    c.is_proven = true;
+    c.within = nearly_->second.difference + 0x1p-51 * extent_of(points);
+    c.convex_edges = points.size(); // the border
+    c.flat_edges = 2 * points.size() - 6;
+    return true;
+  }
+
   Metric_triangles triangles;
   Precise_points points; // none: nothing is found
 
 private:
-  void take(Covered_polygon& polygon) {
-    points = std::move(polygon.corners);
-    result_.shape = Convex_shape::doubly_covered_polygon;
-    Convexity_certificate& c = result_.certificate;
-    c.is_proven = true;
-    c.within = polygon.difference + 0x1p-51 * extent_of(points);
-    c.convex_edges = points.size(); // the border
-    c.flat_edges = 2 * points.size() - 6;
-  }
+  std::optional<std::pair<Metric_triangles, Covered_polygon>> nearly_;
 
   Convex_polyhedron& result_;
   Embedding_run& run_;
@@ -174,10 +183,10 @@ Polyhedron_search find_points(const Metric_triangles& t, Embedding_run& run,
   if (result.status == Status::stopped)
     result.status = Status::done;
   else if (result.status == Status::done)
-    result.status = search.fit(p) == Fit::none ? Status::inaccurate : Status::done;
-  else
-    search.points.clear();
+    result.status = search.fit(p) == Fit::none ? Status::stalled : Status::done;
   if (run.is_cancelled()) return cancelled(std::move(search), result);
+  if (result.status == Status::stalled && search.take_polygon()) result.status = Status::done;
+  if (result.status != Status::done) search.points.clear();
   if (search.points.empty() || result.shape == Convex_shape::doubly_covered_polygon) return search;
   run.begin(Embedding_stage::certificate);
   result.certificate = certify_polyhedron(search.triangles, search.points, run);
@@ -209,7 +218,7 @@ std::string remedy_of(Embedding_stage stage) {
            "vertices count as flat";
   case Embedding_stage::start:
     return "angles may sum to nearly 360 degrees; raise flat_within above the curvature of such "
-           "vertices, or remove them";
+           "vertices, or remove them; or edges may be too short for doubles beside others";
   case Embedding_stage::curvatures:
     return "some vertices may have hardly any curvature; raise flat_within, or remove them";
   case Embedding_stage::fit:
@@ -250,6 +259,10 @@ std::string reason_without_points(const Convex_polyhedron& found) {
 
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options) {
   using namespace internal;
+  if (!(options.flat_within >= 0 && options.flat_within <= 0.1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "flat_within is " + std::to_string(options.flat_within) +
+                            "; give radians from 0 to 0.1");
   expect_sphere(surface);
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);
