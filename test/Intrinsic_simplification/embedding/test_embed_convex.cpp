@@ -246,7 +246,7 @@ TEST(EmbedConvex, putsFlatVerticesBack) {
   }
 }
 
-// Lengths without rounding: nothing is stretched, and a diagonal of each side is flat to the last bit.
+// Lengths without rounding: nothing is stretched, and a diagonal of each side is flat.
 TEST(EmbedConvex, findsExactBoxesWithoutStretch) {
   const IT::Convex_polyhedron p =
       IT::embed_convex(IT::Corresponding_triangulation(box({1, 1, .5}, 4)));
@@ -468,7 +468,7 @@ Mesh bent_box(int points_by_axis, double bend, unsigned seed) {
   return hull_of(points);
 }
 
-// Curvatures of the surface are 1e-9 to 1e-5, or 1e-13 to 1e-9 beside the rounding of lengths, 1e-15.
+// Curvatures of the surface are 1e-9 to 1e-5, or 1e-13 to 1e-9: lengths are rounded by 1e-16.
 TEST(EmbedConvex, findsFacesThatAreHardlyBent) {
   for (const double bend : {1e-3, 1e-5}) {
     SCOPED_TRACE(std::to_string(bend));

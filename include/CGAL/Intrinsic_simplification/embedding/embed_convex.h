@@ -45,7 +45,7 @@ struct Embedding_progress {
 struct Embed_options {
   /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
   /// to doubles can change, are flat. They are left out and put back on faces. If they have some
-  /// curvature c, the surface is stretched, see `Convexity_certificate::stretch`: by about c, though
+  /// curvature c, the surface is stretched by about c, see `Convexity_certificate::stretch`, though
   /// the vertex may lose a height of the square root of c, times the size.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 10000; ///< Newton steps; then the status is `cap`
@@ -84,8 +84,8 @@ struct Convexity_certificate {
 
 /// What `embed_convex()` has found.
 struct Convex_polyhedron {
-  /// `done`; `inaccurate` if edges or the whole may be concave; `stalled` or `cap` if the solver has
-  /// stopped; `cancelled`. There are points only if it is `done` or `inaccurate`.
+  /// `done`; `inaccurate` if edges or the whole may be concave; `stalled` or `cap` if the solver
+  /// has stopped; `cancelled`. There are points only if it is `done` or `inaccurate`.
   Status status = Status::done;
   Embedding_stage stage = Embedding_stage::certificate; ///< the last one: where it has stopped
   Convex_shape shape = Convex_shape::polyhedron;        ///< whether it has a volume

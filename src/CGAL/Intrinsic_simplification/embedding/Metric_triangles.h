@@ -67,7 +67,7 @@ public:
   bool is_in_two_faces(std::uint32_t h) const { return h / 3 != opposite(h) / 3; }
   // turns ij to mk: h runs from m to k. \pre the diamond is convex, maybe straight at one end
   void flip(std::uint32_t h, const Metric_diamond& d);
-  // multiplies squared lengths of edges by a factor at each end at a vertex, so that it becomes flat
+  // multiplies squared lengths of edges by a factor for each end at a vertex: it becomes flat
   // \return whether it is flat up to rounding of 106 bits; else nothing is proven
   bool flatten(std::uint32_t vertex);
   // removes a vertex with three faces, none of its edges a loop
@@ -76,8 +76,8 @@ public:
   std::vector<std::uint32_t> compress();
 
   const std::vector<Removed_vertex>& removed() const { return removed_; }
-  // A bound: since the beginning, no curve has become longer or shorter by more than the exponential
-  // of this. Infinite: nothing is proven.
+  // A bound: since the beginning, no curve has become longer or shorter by more than the
+  // exponential of this. Infinite: nothing is proven.
   double stretch_exponent() const;
 
 private:

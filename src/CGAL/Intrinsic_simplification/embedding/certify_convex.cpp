@@ -122,8 +122,9 @@ A number below the least eigenvalue of p p^T, or 0. If the Cholesky factorizatio
 an arithmetic with the rounding error u is L L^T, then this matrix differs from it by at most
 |L| |L^T| times u times the number of products in each entry, at most the entries of its row of L,
 see Higham, "Accuracy and stability of numerical algorithms" (2002), Theorem 10.3; so all
-eigenvalues of p p^T are above s less the greatest row sum of that. Entries of a row of L are few, and decrease far from the diagonal: the
-bound is far below that of full matrices, by which no proof succeeds beyond some thousand vertices.
+eigenvalues of p p^T are above s less the greatest row sum of that. Entries of a row of L are few,
+and decrease far from the diagonal: the bound is far below that of full matrices, by which no proof
+succeeds beyond some thousand vertices.
 */
 template <class Real>
 Real least_eigenvalue_bound(const Eigen::SparseMatrix<Real>& p, Embedding_run& run) {

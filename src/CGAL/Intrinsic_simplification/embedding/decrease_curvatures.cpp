@@ -49,9 +49,9 @@ bool solve_symmetric(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd
   return is_solved();
 }
 
-// Newton steps to one place of the path. Mostly they are enough, or the place is too far. Where faces
-// are hardly bent, full steps leave the curvatures that are allowed however near the place is: many
-// short ones are the remedy, twice as many after each failure.
+// Newton steps to one place of the path. Mostly they are enough, or the place is too far. Where
+// faces are hardly bent, full steps leave the curvatures that are allowed, however near the place
+// is: many short ones are the remedy, twice as many after each failure.
 constexpr int few_steps = 12;
 
 // Changes radii from those before, whose base may have been another one.
