@@ -140,7 +140,8 @@ void Metric_triangles::scale_edges(std::uint32_t vertex, const std::vector<Doubl
   for_outgoing(vertex, [&](std::uint32_t h) { set_corners(h / 3); });
 }
 
-// An angle, from an area with 106 bits, is wrong by its inverse sine times 2^-103 or so. The factor is 1 + x, found by the secant method: the curvature is nearly linear.
+// An angle, from an area with 106 bits, is wrong by its inverse sine times 2^-103 or so. The factor
+// is 1 + x, found by the secant method: the curvature is nearly linear.
 bool Metric_triangles::flatten(std::uint32_t vertex) {
   double left = curvature(vertex), slope = 0, flat = 0;
   for_outgoing(vertex, [&](std::uint32_t h) { flat += 0x1p-98 / sine_[h]; });
