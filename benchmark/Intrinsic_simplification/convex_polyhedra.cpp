@@ -182,7 +182,7 @@ IT::Intrinsic_input zipped_polygon(const Family& f, std::size_t n, std::mt19937&
 
 struct Result {
   std::size_t found = 0, proven = 0, steps = 0;
-  double error = 0, seconds = 0, slowest = 0;
+  double error = 0, stretch = 0, within = 0, seconds = 0, slowest = 0;
 };
 
 double error_of_distances(const Mesh& mesh, const std::vector<std::array<double, 3>>& points) {
@@ -230,7 +230,16 @@ void run(IT::Corresponding_triangulation t, const Mesh* mesh, double flat_within
     return;
   }
   ++result.found;
-  result.proven += p.certificate.is_proven ? 1 : 0;
+  const IT::Convexity_certificate& c = p.certificate;
+  if (c.is_proven) {
+    ++result.proven;
+    result.stretch = std::max(result.stretch, c.stretch);
+    result.within = std::max(result.within, c.within);
+  } else {
+    std::cerr << t.mesh().number_of_vertices() << " vertices: not proven, stretch " << c.stretch
+              << ", within " << c.within << ", " << c.convex_edges << " convex edges, "
+              << c.flat_edges << " flat ones\n";
+  }
   result.error = std::max(result.error,
                           mesh != nullptr ? error_of_distances(*mesh, p.points) : p.largest_error);
 }
@@ -239,8 +248,10 @@ void run(IT::Corresponding_triangulation t, const Mesh* mesh, double flat_within
 
 int main(int argc, char* argv[]) {
   const std::size_t asked = argc > 1 ? std::stoul(argv[1]) : 100;
-  std::cout << "| metrics | vertices | found | proven | greatest error of distances | mean steps | "
-               "mean seconds | slowest |\n|---|---|---|---|---|---|---|---|\n";
+  std::cout
+      << "| metrics | vertices | found | proven | greatest proven distance | greatest stretch | "
+         "greatest error of distances | mean steps | mean seconds | slowest |\n"
+         "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Family& f : families) {
     if (argc > 2 && f.name != argv[2]) continue;
     std::mt19937 random(1);
@@ -262,9 +273,10 @@ int main(int argc, char* argv[]) {
     }
     const auto mean = [&](double sum) { return sum / static_cast<double>(asked); };
     std::cout << std::setprecision(2) << "| " << f.name << " | " << f.least << " to " << f.most
-              << " | " << r.found << " of " << asked << " | " << r.proven << " | " << r.error
-              << " | " << std::lround(mean(static_cast<double>(r.steps))) << " | "
-              << mean(r.seconds) << " | " << r.slowest << " |\n"
+              << " | " << r.found << " of " << asked << " | " << r.proven << " | " << r.within
+              << " | " << r.stretch << " | " << r.error << " | "
+              << std::lround(mean(static_cast<double>(r.steps))) << " | " << mean(r.seconds)
+              << " | " << r.slowest << " |\n"
               << std::flush;
   }
 }

@@ -25,8 +25,10 @@ class ConvexPolyhedron(_Shown):
 
     `status` is "done", or says what is missing; `error` is the largest difference between a length
     of an edge in space and in the metric, by the size of the polyhedron. `certificate` is a dict:
-    if "proven", a polyhedron with exactly these lengths has its vertices no farther than "within"
-    from `points`; "convex_edges" are convex for certain, "flat_edges" are flat up to that distance.
+    if "proven", there is a polyhedron whose vertices are no farther than "within" from `points`,
+    and whose surface has these lengths: exactly if "stretch" is 0, else no curve is longer or
+    shorter by more than the factor 1 + "stretch". "convex_edges" are convex for certain,
+    "flat_edges" are flat up to "within".
     """
 
     points: Numbers
@@ -66,8 +68,8 @@ class _Embedding:
         one, up to motions, if the surface is a sphere without vertices of negative curvature.
 
         Only lengths are used, never points. Vertices whose angles sum to a full turn up to
-        `flat_within`, in radians, are put on faces; then the certificate proves nothing if they
-        have more curvature than rounding explains.
+        `flat_within`, in radians, are put on faces; the certificate says by how much that stretches
+        the surface.
 
         Raises:
             ValueError: the surface is no sphere, or a vertex, which it names, has negative

@@ -28,8 +28,8 @@ py::dict embed(Surface& s, double flat_within, Watch& watch) {
   if (found.points.empty()) throw std::runtime_error(IT::reason_without_points(found));
   const IT::Convexity_certificate& c = found.certificate;
   const py::dict certificate("proven"_a = c.is_proven, "within"_a = c.within,
-                             "convex_edges"_a = c.convex_edges, "flat_edges"_a = c.flat_edges,
-                             "concave_edges"_a = c.concave_edges);
+                             "stretch"_a = c.stretch, "convex_edges"_a = c.convex_edges,
+                             "flat_edges"_a = c.flat_edges, "concave_edges"_a = c.concave_edges);
   const bool is_polygon = found.shape == IT::Convex_shape::doubly_covered_polygon;
   return py::dict(
       "points"_a = array_of(std::move(found.points)), "faces"_a = array_of(std::move(found.faces)),

@@ -42,6 +42,7 @@ Json json_of(const IT::Convex_polyhedron& found) {
           {"flat_vertices", found.flat_vertices.size()},
           {"proven", c.is_proven},
           {"within", c.within},
+          {"stretch", c.stretch},
           {"edges",
            {{"convex", c.convex_edges}, {"flat", c.flat_edges}, {"concave", c.concave_edges}}}};
 }

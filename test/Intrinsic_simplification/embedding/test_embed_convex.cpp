@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -49,6 +50,13 @@ Mesh hull_of(const std::vector<Point>& points) {
   Mesh mesh;
   CGAL::convex_hull_3(all.begin(), all.end(), mesh);
   return mesh;
+}
+
+// From the first point.
+double distance_of_farthest(const std::vector<Point>& points) {
+  double result = 0;
+  for (const Point& p : points) result = std::max(result, distance(points.front(), p));
+  return result;
 }
 
 // Whether the lengths of a face, rounded to doubles, may violate the triangle inequality.
@@ -118,8 +126,9 @@ void expect_embeds(const Mesh& mesh, unsigned seed, double within = 1e-12) {
   EXPECT_LT(error_of_distances(p.points, mesh), within);
   EXPECT_LT(p.largest_error, 1e-14);
   EXPECT_EQ(p.certificate.concave_edges, 0U);
-  // rounded lengths leave some curvature at vertices of flat faces
-  EXPECT_TRUE(p.certificate.is_proven || !p.flat_vertices.empty());
+  EXPECT_TRUE(p.certificate.is_proven);
+  EXPECT_LT(p.certificate.within, 1e-14 * distance_of_farthest(p.points));
+  EXPECT_EQ(p.certificate.stretch, 0);
   EXPECT_TRUE(p.certificate.encloses_its_centre);
   EXPECT_EQ(p.faces.size(), 2 * p.points.size() - 4);
 }
@@ -225,10 +234,88 @@ TEST(EmbedConvex, putsFlatVerticesBack) {
     EXPECT_LT(error_of_distances(p.points, mesh), 1e-13);
     EXPECT_EQ(p.faces.size(), mesh.number_of_faces());
     EXPECT_LT(greatest_height(p), 1e-13);
-    EXPECT_EQ(p.certificate.flat_edges, 6U); // a diagonal of each side
+    EXPECT_TRUE(p.certificate.is_proven);
+    EXPECT_EQ(p.certificate.convex_edges + p.certificate.flat_edges, 18U);
     const IT::Convex_polyhedron flipped = IT::embed_convex(lengths_only(mesh, 3));
     ASSERT_EQ(flipped.status, IT::Status::done);
     EXPECT_LT(error_of_distances(flipped.points, mesh), 1e-12);
+    // rounded lengths leave some curvature at vertices of flat faces
+    EXPECT_TRUE(flipped.certificate.is_proven);
+    EXPECT_GT(flipped.certificate.stretch, 0);
+    EXPECT_LT(flipped.certificate.stretch, 1e-10);
+  }
+}
+
+// Lengths without rounding: nothing is stretched, and a diagonal of each side is flat.
+TEST(EmbedConvex, findsExactBoxesWithoutStretch) {
+  const IT::Convex_polyhedron p =
+      IT::embed_convex(IT::Corresponding_triangulation(box({1, 1, .5}, 4)));
+  EXPECT_TRUE(p.certificate.is_proven);
+  EXPECT_EQ(p.certificate.stretch, 0);
+  EXPECT_EQ(p.certificate.flat_edges, 6U);
+}
+
+// A low pyramid on a cube, whose tip is made flat: by symmetry all four edges at it take the length
+// of half a diagonal, and in their direction curves are stretched as they are.
+TEST(EmbedConvex, boundsTheStretchOfFlatVertices) {
+  for (const double height : {1e-6, 1e-4, 1e-2}) {
+    SCOPED_TRACE(std::to_string(height));
+    std::vector<Point> points{{.5, .5, 1 + height}};
+    for (int c = 0; c < 8; ++c) points.push_back({c % 2 * 1., c / 2 % 2 * 1., c / 4 * 1.});
+    const Mesh mesh = hull_of(points);
+    IT::Embed_options options;
+    options.flat_within = 10 * height * height;
+    const IT::Convex_polyhedron p =
+        IT::embed_convex(IT::Corresponding_triangulation(mesh), options);
+    ASSERT_EQ(p.status, IT::Status::done);
+    EXPECT_EQ(p.flat_vertices.size(), 1U);
+    EXPECT_TRUE(p.certificate.is_proven);
+    const double least = std::hypot(std::sqrt(.5), height) / std::sqrt(.5) - 1;
+    EXPECT_GT(p.certificate.stretch, least * (1 - 1e-3));
+    EXPECT_LT(p.certificate.stretch, 4 * least);
+  }
+}
+
+// The same lengths with other numbers, on another scale, in a mirror: the same polyhedron.
+TEST(EmbedConvex, doesNotDependOnNumbersScalesAndMirrors) {
+  const std::vector<Point> points = random_points(40, {1, .4, .1}, 5);
+  const auto embedded = [&](const std::vector<std::size_t>& order, double scale, double mirror) {
+    std::vector<Point> all;
+    for (const std::size_t v : order)
+      all.push_back({scale * points[v][0], scale * points[v][1], scale * mirror * points[v][2]});
+    const Mesh mesh = hull_of(all);
+    const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 1));
+    EXPECT_TRUE(p.certificate.is_proven);
+    EXPECT_LT(error_of_distances(p.points, mesh), 1e-13);
+    EXPECT_LT(greatest_height(p), 1e-13 * scale); // outside is outside
+    EXPECT_LT(p.certificate.within, 1e-14 * scale);
+  };
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  embedded(order, 0x1p-200, 1);
+  embedded(order, 1234.5, 1);
+  embedded(order, 1, -1);
+  std::mt19937 random(3);
+  std::shuffle(order.begin(), order.end(), random);
+  embedded(order, 1, 1);
+}
+
+// Lengths of a square, front and back, whose corners are nearly in a plane: a polyhedron with the
+// height 1e-5, not the polygon, from which distances differ by 1e-11.
+TEST(EmbedConvex, tellsThinPolyhedraFromPolygons) {
+  const Mesh thin = hull_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-5}});
+  const IT::Convex_polyhedron p = IT::embed_convex(IT::Corresponding_triangulation(thin));
+  EXPECT_EQ(p.status, IT::Status::done);
+  EXPECT_EQ(p.shape, IT::Convex_shape::polyhedron);
+  EXPECT_LT(error_of_distances(p.points, thin), 1e-14);
+}
+
+TEST(EmbedConvex, refusesAnglesThatAreNoneForFlatVertices) {
+  const IT::Corresponding_triangulation t(box({1, 1, 1}, 1));
+  for (const double angle : {-1., 1., std::nan("")}) {
+    IT::Embed_options options;
+    options.flat_within = angle;
+    EXPECT_THROW(IT::embed_convex(t, options), IT::Invalid_input);
   }
 }
 
@@ -364,25 +451,37 @@ TEST(EmbedConvex, stopsWhenAsked) {
   EXPECT_EQ(calls, 3U);
 }
 
-// Heights near 1e-3 of a box, on slopes of some 1e-3: curvatures of the surface are 1e-9 to 1e-5.
-TEST(EmbedConvex, findsFacesThatAreHardlyBent) {
+// A box whose faces are paraboloids.
+Mesh bent_box(int points_by_axis, double bend, unsigned seed) {
   std::vector<Point> points;
   for (int c = 0; c < 8; ++c)
     points.push_back({c % 2 * 2. - 1, c / 2 % 2 * 2. - 1, c / 4 * 2. - 1});
-  std::mt19937 random(2);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < points_by_axis; ++k) {
       Point p{uniform(random), uniform(random), uniform(random)};
       const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
-      p[axis] = (k % 2 * 2 - 1) * (1 + 1e-3 * (2 - p[a] * p[a] - p[b] * p[b]));
+      p[axis] = (k % 2 * 2 - 1) * (1 + bend * (2 - p[a] * p[a] - p[b] * p[b]));
       points.push_back(p);
     }
-  const Mesh mesh = hull_of(points);
-  const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 4));
-  ASSERT_EQ(p.status, IT::Status::done) << IT::reason_without_points(p);
-  EXPECT_LT(error_of_distances(p.points, mesh), 1e-10);
-  EXPECT_EQ(p.flat_vertices.size(), 0U);
+  return hull_of(points);
+}
+
+// Curvatures of the surface are 1e-9 to 1e-5, or 1e-13 to 1e-9: lengths are rounded by 1e-16.
+TEST(EmbedConvex, findsFacesThatAreHardlyBent) {
+  for (const double bend : {1e-3, 1e-5}) {
+    SCOPED_TRACE(std::to_string(bend));
+    const Mesh mesh = bent_box(40, bend, 2);
+    IT::Embed_options options;
+    options.flat_within = 1e-12;
+    const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 4), options);
+    ASSERT_EQ(p.status, IT::Status::done) << IT::reason_without_points(p);
+    EXPECT_LT(error_of_distances(p.points, mesh), bend * 1e-1);
+    EXPECT_TRUE(p.certificate.is_proven);
+    EXPECT_LT(p.certificate.within, 1e-14);
+    EXPECT_TRUE(bend < 1e-3 || p.flat_vertices.empty());
+  }
 }
 
 TEST(EmbedConvex, asksInEveryStageWhetherToGoOn) {

@@ -44,9 +44,9 @@ struct Embedding_progress {
 /// What `embed_convex()` is asked for.
 struct Embed_options {
   /// Vertices whose angles sum to a full turn, up to this many radians and what rounding of lengths
-  /// to doubles can change, are flat. They are left out and put back on faces. A vertex with
-  /// the curvature c may lose a height of the square root of c, times the size: 1e-5 of it for the
-  /// default. Then nothing is proven, and `Convexity_certificate::within` says how much is lost.
+  /// to doubles can change, are flat. They are left out and put back on faces. If they have some
+  /// curvature c, the surface is stretched by about c, see `Convexity_certificate::stretch`, though
+  /// the vertex may lose a height of the square root of c, times the size.
   double flat_within = 1e-10;
   std::size_t maximum_steps = 10000; ///< Newton steps; then the status is `cap`
   /// Is called before each step of every stage, and returns whether to go on.
@@ -62,14 +62,18 @@ enum class Convex_shape : std::uint8_t {
 /*!
 \brief says what is proven about a `Convex_polyhedron`.
 
-If `is_proven`, there is a polyhedron that has exactly the lengths of the metric along its edges,
-and whose vertices are within `within` of the points (Kantorovich's theorem). Its convex edges are
-convex for certain. Its flat edges are flat up to that distance: they may lie inside a face. It is
-convex up to that distance.
+If `is_proven`, there is a polyhedron whose vertices are within `within` of the points
+(Kantorovich's theorem), and whose surface is the given one: exactly if `stretch` is 0, but for the
+rounding of numbers with 106 bits. Its convex edges are convex for certain. Its flat edges are flat
+up to that distance: they may lie inside a face. It is convex up to that distance. For a doubly
+covered polygon, front and back are within that distance.
 */
 struct Convexity_certificate {
-  bool is_proven = false;           ///< whether that polyhedron exists
-  double within = 0;                ///< in the unit of the lengths
+  bool is_proven = false; ///< whether that polyhedron exists
+  double within = 0;      ///< in the unit of the lengths
+  /// Lengths of curves are multiplied by at most 1 + stretch, or divided by at most that, from the
+  /// surface to that polyhedron: vertices with some curvature were made flat. 0: none had any.
+  double stretch = 0;
   std::size_t convex_edges = 0;     ///< edges that are convex for certain
   std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
   std::size_t concave_edges = 0;    ///< edges that are neither; 0 if the status is `done`
@@ -80,9 +84,8 @@ struct Convexity_certificate {
 
 /// What `embed_convex()` has found.
 struct Convex_polyhedron {
-  /// `done`; `inaccurate` if lengths could not be fitted to rounding, or edges or the whole may be
-  /// concave; `stalled` or `cap` if the solver has stopped; `cancelled`. There are points only if
-  /// it is `done` or `inaccurate`.
+  /// `done`; `inaccurate` if edges or the whole may be concave; `stalled` or `cap` if the solver
+  /// has stopped; `cancelled`. There are points only if it is `done` or `inaccurate`.
   Status status = Status::done;
   Embedding_stage stage = Embedding_stage::certificate; ///< the last one: where it has stopped
   Convex_shape shape = Convex_shape::polyhedron;        ///< whether it has a volume
@@ -95,7 +98,7 @@ struct Convex_polyhedron {
   /// polyhedron, by its diameter.
   double largest_error = 0;
   std::size_t steps = 0;             ///< Newton steps
-  Convexity_certificate certificate; ///< what is proven; of a polygon nothing
+  Convexity_certificate certificate; ///< what is proven
 };
 
 /*!
@@ -108,8 +111,8 @@ from the lengths.
 \param surface the surface
 \param options what is asked for
 \return the polyhedron, see its status
-\throws Invalid_input if the surface is not a sphere, or covers a one-sided mesh; or naming a vertex
-  where angles sum to more than a full turn
+\throws Invalid_input if the surface is not a sphere, or covers a one-sided mesh; naming a vertex
+  where angles sum to more than a full turn; or if `flat_within` is not from 0 to 0.1
 \complexity in measurements about \f$n^{3/2}\f$ for n vertices
 */
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options = {});

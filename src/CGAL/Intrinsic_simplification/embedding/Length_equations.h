@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_LENGTH_EQUATIONS_H
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
-#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -21,8 +21,12 @@ struct Length_equations {
   Eigen::VectorXd residual;              // computed with 106 bits
   Eigen::SparseMatrix<double> gradients; // an equation per column, a coordinate per row
 
-  Length_equations(const Metric_triangles& t, const Space_points& points);
+  Length_equations(const Metric_triangles& t, const Precise_points& points);
 };
+
+// Coordinates at each vertex, by blocks of a matrix, in which the gradients at it are orthonormal.
+// Where edges lie nearly in a plane, lengths hardly depend on moves across it.
+Eigen::SparseMatrix<double> scaled_coordinates(const Eigen::SparseMatrix<double>& gradients);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

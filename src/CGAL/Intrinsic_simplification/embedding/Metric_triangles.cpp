@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/embedding/Angle_product.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -46,7 +49,7 @@ std::array<double, 2> Metric_diamond::sines() const {
 
 Metric_triangles::Metric_triangles(Gluing gluing, std::vector<Double_double> squared)
     : gluing_(std::move(gluing)), squared_(std::move(squared)), length_(squared_.size()),
-      sine_(squared_.size()), cosine_(squared_.size()),
+      sine_(squared_.size()), cosine_(squared_.size()), stretch_(squared_.size() / 3, 0),
       outgoing_(gluing_.number_of_vertices, Gluing::none) {
   for (std::uint32_t h = 0; h < number_of_halfedges(); ++h) {
     set_length(h, squared_[h]);
@@ -83,13 +86,92 @@ std::vector<double> Metric_triangles::curvatures() const {
   return result;
 }
 
+double Metric_triangles::curvature(std::uint32_t v) const {
+  double guess = 2 * std::numbers::pi;
+  Angle_product left;
+  for_outgoing(v, [&](std::uint32_t h) {
+    const std::uint32_t n = next(h), p = previous(h);
+    guess -= std::atan2(sine_[h], cosine_[h]);
+    left.multiply(twice_product(squared_[h], squared_[p], squared_[n]),
+                  -four_areas(squared_[h], squared_[p], squared_[n]));
+  });
+  return left.near(guess);
+}
+
 std::uint32_t Metric_triangles::degree(std::uint32_t v) const {
-  std::uint32_t number = 0, h = outgoing_[v];
-  do {
-    ++number;
-    h = opposite(previous(h));
-  } while (h != outgoing_[v]);
+  std::uint32_t number = 0;
+  for_outgoing(v, [&](std::uint32_t) { ++number; });
   return number;
+}
+
+double Metric_triangles::stretch_exponent() const {
+  double most = 0;
+  for (const double s : stretch_) most = std::max(most, s);
+  return most;
+}
+
+// A quadratic form with the values q on the sides e of a triangle is, for a vector x, the sum of
+// (sum(q) / 2 - q_i) (x cross e_i)^2 / (4 A^2). With the change of squared lengths for q, and
+// |x cross e_i| <= |x| |e_i|, that bounds the relative change of |x|^2.
+void Metric_triangles::add_stretch(std::uint32_t face, const std::array<Double_double, 3>& before) {
+  constexpr double rounding = 1 + 1e-7;
+  std::array<double, 3> change{};
+  for (std::uint32_t k = 0; k < 3; ++k)
+    change[k] = (squared_[3 * face + k] - before[k]).to_double();
+  const double half = (change[0] + change[1] + change[2]) / 2,
+               area = four_areas(before[0], before[1], before[2]).to_double();
+  double relative = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    relative += 4 * std::abs(half - change[k]) * before[k].to_double();
+  relative *= rounding / (area * area);
+  stretch_[face] += relative < 1 ? -std::log1p(-relative) / 2 * rounding
+                                 : std::numeric_limits<double>::infinity();
+}
+
+// \param before the squared lengths of the outgoing halfedges, in order
+void Metric_triangles::scale_edges(std::uint32_t vertex, const std::vector<Double_double>& before,
+                                   const Double_double& factor) {
+  std::size_t n = 0;
+  for_outgoing(vertex, [&](std::uint32_t h) {
+    const Double_double length = before[n++] * (target(h) == vertex ? factor * factor : factor);
+    set_length(h, length);
+    set_length(opposite(h), length);
+  });
+  for_outgoing(vertex, [&](std::uint32_t h) { set_corners(h / 3); });
+}
+
+// An angle, from an area with 106 bits, is wrong by its inverse sine times 2^-103 or so. The factor
+// is 1 + x, found by the secant method: the curvature is nearly linear.
+bool Metric_triangles::flatten(std::uint32_t vertex) {
+  double left = curvature(vertex), slope = 0, flat = 0;
+  for_outgoing(vertex, [&](std::uint32_t h) { flat += 0x1p-98 / sine_[h]; });
+  if (std::abs(left) <= flat) return true;
+  std::vector<Double_double> spokes;
+  std::map<std::uint32_t, std::array<Double_double, 3>> faces;
+  for_outgoing(vertex, [&](std::uint32_t h) {
+    const std::uint32_t f = h / 3;
+    spokes.push_back(squared_[h]);
+    faces[f] = {squared_[3 * f], squared_[3 * f + 1], squared_[3 * f + 2]};
+    slope += squared_[next(h)].to_double() / (2 * length_[h] * length_[previous(h)] * sine_[h]);
+  });
+  Double_double x(0);
+  for (int k = 0; k < 20 && std::abs(left) > flat; ++k) {
+    const double change = -left / slope;
+    const Double_double next = x + Double_double(change);
+    scale_edges(vertex, spokes, Double_double(1) + next);
+    const double now = curvature(vertex);
+    if (!(std::abs(now) < std::abs(left))) { // also not a number
+      scale_edges(vertex, spokes, Double_double(1) + x);
+      break;
+    }
+    slope = (now - left) / change;
+    left = now;
+    x = next;
+  }
+  for (const auto& [face, before] : faces) add_stretch(face, before);
+  const bool is_flat = std::abs(left) <= flat;
+  if (!is_flat) stretch_[outgoing_[vertex] / 3] = std::numeric_limits<double>::infinity();
+  return is_flat;
 }
 
 Metric_diamond Metric_triangles::unfold(std::uint32_t h) const {
@@ -127,6 +209,7 @@ void Metric_triangles::flip(std::uint32_t h, const Metric_diamond& d) {
   const Double_double x = d.kx - d.mx, y = d.ky + d.my, squared = x * x + y * y;
   set_length(h, squared);
   set_length(g, squared);
+  stretch_[h / 3] = stretch_[g / 3] = std::max(stretch_[h / 3], stretch_[g / 3]);
   set_corners(h / 3);
   set_corners(g / 3);
 }
@@ -182,8 +265,10 @@ void Metric_triangles::remove(std::uint32_t vertex) {
     others[k] = in_rim == rim.end() ? opposite(rim[k])
                                     : 3 * face + static_cast<std::uint32_t>(in_rim - rim.begin());
   }
-  for (const std::uint32_t f : {vb / 3, vc / 3})
+  for (const std::uint32_t f : {vb / 3, vc / 3}) {
+    stretch_[face] = std::max(stretch_[face], stretch_[f]);
     for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) gluing_.origin[h] = Gluing::none;
+  }
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t h = 3 * face + k;
     gluing_.origin[h] = sources[k];
@@ -247,8 +332,12 @@ std::vector<std::uint32_t> Metric_triangles::compress() {
     small.glue.push_back(halfedge[opposite(h)]);
     squared.push_back(squared_[h]);
   }
+  std::vector<double> stretch;
+  for (std::size_t k = 0; k < halfedges.size(); k += 3)
+    stretch.push_back(stretch_[halfedges[k] / 3]);
   std::vector<Removed_vertex> removed = std::move(removed_);
   *this = Metric_triangles(std::move(small), std::move(squared));
+  stretch_ = std::move(stretch);
   removed_ = std::move(removed);
   if (!removed_.empty()) removed_in_.resize(number_of_faces());
   for (std::uint32_t r = 0; r < removed_.size(); ++r) {

@@ -59,6 +59,7 @@ public:
   double cosine(std::uint32_t h) const { return cosine_[h]; }
   // of each vertex: a full turn less the angles there
   std::vector<double> curvatures() const;
+  double curvature(std::uint32_t v) const; // to the last bits, though it is small
   std::uint32_t degree(std::uint32_t v) const;
 
   // \pre both sides of h are in different faces
@@ -66,17 +67,35 @@ public:
   bool is_in_two_faces(std::uint32_t h) const { return h / 3 != opposite(h) / 3; }
   // turns ij to mk: h runs from m to k. \pre the diamond is convex, maybe straight at one end
   void flip(std::uint32_t h, const Metric_diamond& d);
+  // multiplies squared lengths of edges by a factor for each end at a vertex: it becomes flat
+  // \return whether it is flat up to rounding of 106 bits; else nothing is proven
+  bool flatten(std::uint32_t vertex);
   // removes a vertex with three faces, none of its edges a loop
   void remove(std::uint32_t vertex);
   // numbers what is left anew. \return the vertices that are left, by their numbers before
   std::vector<std::uint32_t> compress();
 
   const std::vector<Removed_vertex>& removed() const { return removed_; }
+  // A bound: since the beginning, no curve has become longer or shorter by more than the
+  // exponential of this. Infinite: nothing is proven.
+  double stretch_exponent() const;
 
 private:
   void glue(std::uint32_t g, std::uint32_t h);
   void set_length(std::uint32_t h, const Double_double& squared);
   void set_corners(std::uint32_t face);
+  // calls f with each halfedge from a vertex
+  template <class Function>
+  void for_outgoing(std::uint32_t v, const Function& f) const {
+    std::uint32_t h = outgoing_[v];
+    do {
+      f(h);
+      h = opposite(previous(h));
+    } while (h != outgoing_[v]);
+  }
+  void scale_edges(std::uint32_t vertex, const std::vector<Double_double>& before,
+                   const Double_double& factor);
+  void add_stretch(std::uint32_t face, const std::array<Double_double, 3>& before);
   void move_removed(std::uint32_t h, const Metric_diamond& d);
   // the vertex, and those removed before in its faces, in the triangle that is left of them
   void place_in_rim(std::uint32_t vertex, const std::array<std::uint32_t, 3>& rim);
@@ -84,6 +103,7 @@ private:
   Gluing gluing_;
   std::vector<Double_double> squared_;
   std::vector<double> length_, sine_, cosine_;
+  std::vector<double> stretch_; // exponents, by face
   std::vector<std::uint32_t> outgoing_;
   std::vector<Removed_vertex> removed_;
   std::vector<std::vector<std::uint32_t>> removed_in_; // by face; empty if none was removed

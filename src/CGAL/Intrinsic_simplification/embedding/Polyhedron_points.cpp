@@ -6,12 +6,12 @@
 #include <CGAL/Intrinsic_simplification/embedding/Length_equations.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -28,13 +29,6 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
-
-// A point in space with 106 bits: over flat pyramids, its height is a root of a difference.
-using Precise_point = std::array<Double_double, 3>;
-
-Double_double scalar_product(const Precise_point& a, const Precise_point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // The point with the given squared distance from the origin and scalar products with a and b, on
 // the side of a x b.
@@ -47,11 +41,8 @@ Precise_point point_over(const Precise_point& a, const Precise_point& b,
                       v = (with_b * aa - with_a * ab) / squared;
   const Double_double rest = squared_radius - u * with_a - v * with_b;
   const Double_double across = rest.to_double() > 0 ? sqrt(rest / squared) : Double_double(0);
-  Precise_point p;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    p[k] = u * a[k] + v * b[k] + across * (a[i] * b[j] - a[j] * b[i]);
-  }
+  Precise_point p = cross_product(a, b);
+  for (std::size_t k = 0; k < 3; ++k) p[k] = u * a[k] + v * b[k] + across * p[k];
   return p;
 }
 
@@ -63,7 +54,7 @@ public:
       : t_(p.triangles), r_(p.radii), points_(t_.number_of_vertices()), error_(points_.size(), 0),
         is_visited_(t_.number_of_faces(), 0) {}
 
-  Space_points from(std::uint32_t first) {
+  Precise_points from(std::uint32_t first) {
     const std::uint32_t a = t_.source(first), b = t_.target(first);
     const Double_double radius = sqrt(r_.squared(a)), x = product(first) / radius,
                         y = r_.squared(b) - x * x;
@@ -77,10 +68,7 @@ public:
       queue_.pop();
       place(next.first, next.second);
     }
-    Space_points result;
-    for (const Precise_point& p : points_)
-      result.emplace_back(p[0].to_double(), p[1].to_double(), p[2].to_double());
-    return result;
+    return std::move(points_);
   }
 
 private:
@@ -111,47 +99,11 @@ private:
 
   const Metric_triangles& t_;
   const Apex_radii& r_;
-  std::vector<Precise_point> points_;
+  Precise_points points_;
   std::vector<double> error_; // estimates; 0: not placed
   std::vector<char> is_visited_;
   std::priority_queue<Next, std::vector<Next>, std::greater<>> queue_;
 };
-
-// Coordinates at each vertex, by blocks of a matrix, in which the gradients of the lengths of its
-// edges are orthonormal. Where edges lie nearly in a plane, lengths hardly depend on moves across
-// it.
-Eigen::SparseMatrix<double> scaled_coordinates(const Eigen::SparseMatrix<double>& gradients) {
-  std::vector<std::vector<Eigen::Vector3d>> at_vertex(
-      static_cast<std::size_t>(gradients.rows() / 3));
-  for (int e = 0; e < gradients.cols(); ++e) {
-    Eigen::SparseMatrix<double>::InnerIterator i(gradients, e);
-    while (i) { // three coordinates of each end
-      const auto v = static_cast<std::size_t>(i.row() / 3);
-      Eigen::Vector3d& g = at_vertex[v].emplace_back(0, 0, 0);
-      for (; i && static_cast<std::size_t>(i.row() / 3) == v; ++i) g[i.row() % 3] = i.value();
-    }
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t v = 0; v < at_vertex.size(); ++v) {
-    Eigen::MatrixXd all(std::max<std::size_t>(at_vertex[v].size(), 3), 3);
-    all.setZero();
-    for (std::size_t k = 0; k < at_vertex[v].size(); ++k)
-      all.row(static_cast<Eigen::Index>(k)) = at_vertex[v][k];
-    Eigen::Matrix3d r = Eigen::HouseholderQR<Eigen::MatrixXd>(all).matrixQR().topRows<3>();
-    constexpr double least = 1e-14; // a plane up to rounding
-    for (int k = 0; k < 3; ++k)
-      if (std::abs(r(k, k)) < least) r(k, k) = least;
-    const Eigen::Matrix3d inverse =
-        r.triangularView<Eigen::Upper>().transpose().solve(Eigen::Matrix3d::Identity());
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j <= i; ++j)
-        entries.emplace_back(3 * static_cast<int>(v) + i, 3 * static_cast<int>(v) + j,
-                             inverse(i, j));
-  }
-  Eigen::SparseMatrix<double> result(gradients.rows(), gradients.rows());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
 
 // Least squares: the change of points that changes distances by the residual. The equations leave
 // motions of space free; gradients are orthogonal to them.
@@ -194,29 +146,41 @@ private:
   Cholesky_factorization<double> factor_;
 };
 
-// Newton's method. \return whether the lengths are right up to rounding
-bool solve_lengths(const Metric_triangles& t, Space_points& points, Embedding_run& run) {
+void move_back(Precise_points& points, const Eigen::VectorXd& change) {
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      points[v][k] = points[v][k] - Double_double(change[static_cast<Eigen::Index>(3 * v + k)]);
+}
+
+// Newton's method, until residuals are their rounding. Near the end the matrix stays the same: what
+// a solution in doubles leaves, the next one makes up for.
+// \return whether the lengths are right
+bool solve_lengths(const Metric_triangles& t, Precise_points& points, Embedding_run& run) {
+  constexpr double enough = 0x1p-96, near = 1e-9, right = 1e-13;
   const double size = extent_of(points);
   double last = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 30; ++k) {
+  std::optional<Length_solver> solver;
+  bool is_new = false;
+  for (int k = 0; k < 40; ++k) {
     const Length_equations equations(t, points);
     const double error = equations.residual.cwiseAbs().maxCoeff();
     if (!std::isfinite(error)) return false;
-    if (error <= 4e-16 * size) return true;
-    if (k > 3 && error > 0.5 * last) return error < 1e-13 * size;
+    if (error <= enough * size) return true;
+    const bool is_slow = k > 3 && error > 0.5 * last;
+    if (is_slow && is_new) return error < right * size;
     last = std::min(last, error);
     if (!run.goes_on()) return false;
-    const Eigen::VectorXd change = Length_solver(equations).solve(equations.residual);
+    is_new = !solver || is_slow || error > near * size;
+    if (is_new) solver.emplace(equations);
+    move_back(points, solver->solve(equations.residual));
     run.count_step();
-    for (std::size_t v = 0; v < points.size(); ++v)
-      points[v] -= change.segment<3>(3 * static_cast<Eigen::Index>(v));
   }
   return false;
 }
 
 } // namespace
 
-Space_points lay_out_pyramids(const Glued_pyramids& p) {
+Precise_points lay_out_pyramids(const Glued_pyramids& p) {
   const Metric_triangles& t = p.triangles;
   std::uint32_t first = 0; // a longest edge
   for (std::uint32_t h = 1; h < t.number_of_halfedges(); ++h)
@@ -224,17 +188,31 @@ Space_points lay_out_pyramids(const Glued_pyramids& p) {
   return Pyramid_layout(p).from(first);
 }
 
-std::array<Eigen::Vector3d, 3> diamond_from(const Metric_triangles& t, const Space_points& points,
-                                            std::uint32_t h) {
-  const Eigen::Vector3d& i = points[t.source(h)];
-  return {points[t.target(h)] - i, points[t.source(Metric_triangles::previous(h))] - i,
-          points[t.source(Metric_triangles::previous(t.opposite(h)))] - i};
+std::array<std::uint32_t, 3> independent_directions(const Space_points& points) {
+  const auto greatest = [&](const auto& measure) {
+    std::uint32_t best = 0;
+    for (std::uint32_t v = 1; v < points.size(); ++v)
+      if (measure(points[v]) > measure(points[best])) best = v;
+    return best;
+  };
+  const std::uint32_t a = greatest([](const Eigen::Vector3d& p) { return p.squaredNorm(); });
+  const auto across = [&](const Eigen::Vector3d& p) { return points[a].cross(p).eval(); };
+  const std::uint32_t b = greatest([&](const auto& p) { return across(p).squaredNorm(); });
+  const Eigen::Vector3d normal = across(points[b]);
+  return {a, b, greatest([&](const auto& p) { return std::abs(normal.dot(p)); })};
 }
 
-double height_across(const Metric_triangles& t, const Space_points& points, std::uint32_t h) {
+std::array<Precise_point, 3> diamond_from(const Metric_triangles& t, const Precise_points& points,
+                                          std::uint32_t h) {
+  const auto to = [&](std::uint32_t v) { return vector_between(points[t.source(h)], points[v]); };
+  return {to(t.target(h)), to(t.source(Metric_triangles::previous(h))),
+          to(t.source(Metric_triangles::previous(t.opposite(h))))};
+}
+
+double height_across(const Metric_triangles& t, const Precise_points& points, std::uint32_t h) {
   const auto [j, k, m] = diamond_from(t, points, h);
-  const Eigen::Vector3d normal = j.cross(k);
-  return normal.dot(m) / normal.norm();
+  const Precise_point normal = cross_product(j, k);
+  return scalar_product(normal, m).to_double() / rounded(normal).norm();
 }
 
 Eigen::Vector3d centre_of(const Space_points& points) {
@@ -250,25 +228,29 @@ double extent_of(const Space_points& points) {
   return 2 * result;
 }
 
+double extent_of(const Precise_points& points) { return extent_of(rounded(points)); }
+
 double greatest_error(const Metric_triangles& t, const Space_points& points) {
-  return Length_equations(t, points).residual.cwiseAbs().maxCoeff();
+  Precise_points exact;
+  for (const Eigen::Vector3d& p : points) exact.push_back({p[0], p[1], p[2]});
+  return Length_equations(t, exact).residual.cwiseAbs().maxCoeff();
 }
 
-bool fit_lengths(Metric_triangles& t, Space_points& points, double within, Embedding_run& run) {
+Fit fit_lengths(Metric_triangles& t, Precise_points& points, double within, Embedding_run& run) {
   for (int round = 0; round < 30; ++round) {
-    if (!solve_lengths(t, points, run)) return false;
+    if (!solve_lengths(t, points, run)) return Fit::none;
     bool is_convex = true;
     for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h) {
       if (h > t.opposite(h) || !(height_across(t, points, h) > within)) continue;
       is_convex = false;
-      if (!t.is_in_two_faces(h)) return false;
+      if (!t.is_in_two_faces(h)) return Fit::lengths;
       const Metric_diamond d = t.unfold(h);
       const std::array<double, 2> sines = d.sines();
       if (sines[0] > 0 && sines[1] > 0) t.flip(h, d);
     }
-    if (is_convex) return true;
+    if (is_convex) return Fit::convex;
   }
-  return false;
+  return Fit::lengths;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/embedding/Angle_product.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
@@ -49,28 +50,6 @@ double rounding_of_foot(const Metric_triangles& t, const Vertex_weights& w, std:
       side * (side + t.length(h)) + std::abs(difference(w, i, j)) + std::abs(difference(w, i, k));
   return y > 0 ? 0x1p-48 * (size / y + side) : 0; // a face without area is flipped
 }
-
-// The argument of a product of complex numbers, which a double is known to be near to.
-class Angle_product {
-public:
-  void multiply(const Double_double& u, const Double_double& v) {
-    const Double_double re = x_ * u - y_ * v;
-    y_ = x_ * v + y_ * u;
-    x_ = re;
-    const double size = std::max(std::abs(x_.to_double()), std::abs(y_.to_double()));
-    const double power = std::ldexp(1., size > 0 ? -std::ilogb(size) : 0);
-    x_ = x_.scaled(power);
-    y_ = y_.scaled(power);
-  }
-  double near(double guess) const {
-    constexpr double turn = 2 * std::numbers::pi;
-    const double angle = std::atan2(y_.to_double(), x_.to_double());
-    return angle + turn * std::round((guess - angle) / turn);
-  }
-
-private:
-  Double_double x_ = Double_double(1), y_ = Double_double(0);
-};
 
 // A pyramid with 106 bits.
 class Precise_pyramid {

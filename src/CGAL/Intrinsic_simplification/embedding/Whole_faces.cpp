@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
-#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Whole_faces.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 

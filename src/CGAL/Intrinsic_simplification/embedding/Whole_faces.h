@@ -5,7 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_WHOLE_FACES_H
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
-#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 
 #include <array>
 #include <cstdint>

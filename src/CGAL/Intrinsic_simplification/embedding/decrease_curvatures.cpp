@@ -18,6 +18,7 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,22 @@ bool solve_symmetric(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd
   return is_solved();
 }
 
+// Newton steps to one place of the path. Mostly they are enough, or the place is too far. Where
+// faces are hardly bent, full steps leave the curvatures that are allowed, however near the place
+// is: many short ones are the remedy, twice as many after each failure.
+constexpr int few_steps = 12;
+
+// Changes radii from those before, whose base may have been another one.
+// \return whether all squares are positive
+bool change_radii(Apex_radii& radii, const Apex_radii& before, const Eigen::VectorXd& less) {
+  for (std::uint32_t v = 0; v < radii.weights.size(); ++v) { // weights are squares of radii
+    radii.weights[v] = radii.weights[v] - Double_double(2 * before[v] * less[v]);
+    if (!(radii.squared(v).to_double() > 0)) return false;
+  }
+  radii.balance();
+  return true;
+}
+
 // Parts of the curvatures of the surface, by vertex: what is left around radii, and what is lost.
 struct Curvature_parts {
   std::vector<double> left, lost;
@@ -63,14 +80,18 @@ public:
 
   // \return whether there are radii with nearly the same part of all curvatures
   bool start();
-  // goes to a part of all curvatures. \param near how far they may be from it, relative to their
-  // distance from the bounds
+  // How near curvatures must come, relative to their distance from the bounds, in how many steps.
+  struct Effort {
+    double near;
+    int most_steps;
+  };
+  // goes to a part of all curvatures
   // \return whether it is reached
-  bool go_to_part(double part, double near);
+  bool go_to_part(double part, const Effort& effort);
 
 private:
   bool go_far_away(double area);
-  bool go_to(const Curvature_parts& wanted, double near);
+  bool go_to(const Curvature_parts& wanted, const Effort& effort);
   Curvature_parts now() const { return {pyramids_.curvature, pyramids_.lost}; }
   Curvature_parts parts(double left) const;
   double excess(const Curvature_parts& wanted, std::size_t v) const;
@@ -116,6 +137,7 @@ bool Curvature_path::start() {
   for (std::size_t v = 0; v < first.size(); ++v) most_.push_back(first.left[v] + first.lost[v]);
   const Curvature_parts last = parts(p_.curvature_left);
   double step = 1, done = 0;
+  int most = few_steps;
   while (done < 1 && run_.goes_on() && !run_.is_over()) {
     const double next = std::min(1., done + step);
     Curvature_parts wanted = first;
@@ -123,9 +145,10 @@ bool Curvature_path::start() {
       wanted.lost[v] = std::pow(first.lost[v], 1 - next) * std::pow(last.lost[v], next);
       wanted.left[v] = most_[v] - wanted.lost[v];
     }
-    const bool is_reached = go_to(wanted, 0.1);
+    const bool is_reached = go_to(wanted, {0.1, most});
     if (is_reached) done = next;
     step *= is_reached ? 1.5 : 0.5;
+    most = is_reached ? few_steps : 2 * most;
     if (step < 1e-4) return false;
   }
   return done == 1;
@@ -186,14 +209,8 @@ bool Curvature_path::improve(Glued_pyramids& trial, const Curvature_parts& wante
   for (double factor = 1; factor > 1e-2; factor /= 2) {
     Glued_pyramids next = trial;
     next.radii.base += factor * base_change;
-    bool is_positive = next.radii.base > 0;
-    for (std::uint32_t v = 0; v < wanted.size(); ++v) { // weights are squares of radii
-      next.radii.weights[v] =
-          next.radii.weights[v] - Double_double(2 * factor * trial.radii[v] * change[v]);
-      is_positive = is_positive && next.radii.squared(v).to_double() > 0;
-    }
-    next.radii.balance();
-    if (!is_positive || !flip_to_convex(next.triangles, next.radii.weights) ||
+    if (!change_radii(next.radii, trial.radii, factor * change) ||
+        !flip_to_convex(next.triangles, next.radii.weights) ||
         !pyramids_.build(next.triangles, next.radii) || !is_inside(before, wanted) ||
         !(norm(wanted) <= (1 - factor / 4) * norm_before))
       continue;
@@ -203,14 +220,13 @@ bool Curvature_path::improve(Glued_pyramids& trial, const Curvature_parts& wante
   return false;
 }
 
-bool Curvature_path::go_to(const Curvature_parts& wanted, double near) {
-  constexpr int most_steps = 12;
+bool Curvature_path::go_to(const Curvature_parts& wanted, const Effort& effort) {
   Glued_pyramids trial = p_;
   if (!pyramids_.build(trial.triangles, trial.radii)) return false;
   rescale(trial, wanted);
-  for (int k = 0; k < most_steps && distance(wanted) > near && !run_.is_over(); ++k)
+  for (int k = 0; k < effort.most_steps && distance(wanted) > effort.near && !run_.is_over(); ++k)
     if (!improve(trial, wanted)) return false;
-  if (!(distance(wanted) <= near)) return false;
+  if (!(distance(wanted) <= effort.near)) return false;
   p_ = std::move(trial);
   return true;
 }
@@ -231,13 +247,53 @@ void Curvature_path::rescale(Glued_pyramids& trial, const Curvature_parts& wante
   pyramids_ = before;
 }
 
-bool Curvature_path::go_to_part(double part, double near) {
-  if (!go_to(parts(part), near)) return false;
+bool Curvature_path::go_to_part(double part, const Effort& effort) {
+  if (!go_to(parts(part), effort)) return false;
   p_.curvature_left = part;
   return true;
 }
 
+// The matrix of the equations without those of some vertices, whose radii stay.
+Eigen::SparseMatrix<double> with_fixed(const Eigen::SparseMatrix<double>& a,
+                                       const std::array<std::uint32_t, 3>& fixed) {
+  const auto is_fixed = [&](Eigen::Index v) {
+    return std::find(fixed.begin(), fixed.end(), static_cast<std::uint32_t>(v)) != fixed.end();
+  };
+  Eigen::SparseMatrix<double> result = a;
+  for (int k = 0; k < result.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(result, k); i; ++i)
+      if (is_fixed(i.row()) || is_fixed(i.col())) i.valueRef() = i.row() == i.col() ? 1 : 0;
+  return result;
+}
+
 } // namespace
+
+void close_pyramids(Glued_pyramids& p, const std::array<std::uint32_t, 3>& fixed,
+                    Embedding_run& run) {
+  Pyramids pyramids;
+  if (!pyramids.build(p.triangles, p.radii)) return;
+  const auto greatest = [&] { // of the curvatures
+    double result = 0;
+    for (const double k : pyramids.curvature) result = std::max(result, std::abs(k));
+    return result;
+  };
+  double before = greatest();
+  for (int k = 0; k < 20 && run.goes_on(); ++k) {
+    const Eigen::Index n = static_cast<Eigen::Index>(pyramids.curvature.size());
+    Eigen::VectorXd too_much = Eigen::VectorXd::Map(pyramids.curvature.data(), n), change(n);
+    for (const std::uint32_t v : fixed) too_much[v] = 0;
+    const Eigen::SparseMatrix<double> a =
+        with_fixed(pyramids.derivatives(p.triangles, p.radii), fixed);
+    Glued_pyramids next = p;
+    run.count_step();
+    if (!solve_symmetric(a, too_much, change) || !change_radii(next.radii, p.radii, change) ||
+        !flip_to_convex(next.triangles, next.radii.weights) ||
+        !pyramids.build(next.triangles, next.radii) || !(greatest() < before / 2))
+      return;
+    before = greatest();
+    p = std::move(next);
+  }
+}
 
 Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
                            const std::function<bool(const Glued_pyramids&)>& is_found) {
@@ -246,6 +302,7 @@ Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
   run.begin(Embedding_stage::start);
   if (!path.start()) return run.status();
   double step = 1;
+  int most = few_steps;
   while (p.curvature_left > end) {
     if (is_found(p)) return Status::stopped;
     run.begin(Embedding_stage::curvatures);
@@ -254,7 +311,9 @@ Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
     // the quotient of what is left and what is lost decreases by exp(-step)
     const double left = p.curvature_left * std::exp(-step),
                  part = left / (left + 1 - p.curvature_left);
-    step = path.go_to_part(part, std::min(0.1, 0.2 * step)) ? std::min(1.5 * step, 7.) : step / 3;
+    const bool is_reached = path.go_to_part(part, {std::min(0.1, 0.2 * step), most});
+    step = is_reached ? std::min(1.5 * step, 7.) : step / 3;
+    most = is_reached ? few_steps : 2 * most;
     if (step < 1e-6) return p.curvature_left < 1e-3 ? Status::done : run.status();
   }
   return is_found(p) ? Status::stopped : Status::done;

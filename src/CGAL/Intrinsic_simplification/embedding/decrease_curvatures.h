@@ -9,6 +9,8 @@
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
+#include <array>
+#include <cstdint>
 #include <functional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -29,6 +31,14 @@ decreases them together, until hardly anything is left. The Jacobian is regular 
 */
 Status decrease_curvatures(Glued_pyramids& p, Embedding_run& run,
                            const std::function<bool(const Glued_pyramids&)>& is_found);
+
+/*
+Decreases curvatures that are nearly 0 to their rounding. A translation of the apex changes none of
+them, to first order. So three radii stay, whose directions are independent: forces along the radii
+by the curvatures are in balance, and where all others are 0, so are those three.
+*/
+void close_pyramids(Glued_pyramids& p, const std::array<std::uint32_t, 3>& fixed,
+                    Embedding_run& run);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.h>
@@ -86,7 +87,7 @@ bool lay_out_part(const Metric_triangles& t, const std::vector<char>& is_folded,
 
 } // namespace
 
-std::optional<Space_points> doubly_covered_polygon(const Glued_pyramids& p) {
+std::optional<Covered_polygon> doubly_covered_polygon(const Glued_pyramids& p) {
   constexpr double same = 1e-10;
   const Metric_triangles& t = p.triangles;
   Pyramids pyramids;
@@ -97,15 +98,14 @@ std::optional<Space_points> doubly_covered_polygon(const Glued_pyramids& p) {
   if (h == Gluing::none || !lay_out_part(t, is_folded, h, front) ||
       !lay_out_part(t, is_folded, t.opposite(h), back))
     return {};
-  Space_points result;
-  double difference = 0;
+  Covered_polygon result{{}, 0};
   for (std::size_t v = 0; v < front.size(); ++v) { // the back starts at the other end of h
     const Double_double x = front[v][0] + back[v][0] - sqrt(t.squared_length(h)),
                         y = front[v][1] - back[v][1];
-    difference = std::max(difference, std::hypot(x.to_double(), y.to_double()));
-    result.emplace_back(front[v][0].to_double(), front[v][1].to_double(), 0);
+    result.difference = std::max(result.difference, std::hypot(x.to_double(), y.to_double()));
+    result.corners.push_back({front[v][0], front[v][1], Double_double(0)});
   }
-  if (difference > same * extent_of(result)) return {};
+  if (result.difference > same * extent_of(result.corners)) return {};
   return result;
 }
 

@@ -5,21 +5,25 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_DOUBLY_COVERED_POLYGON_H
 
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
-#include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
 
 #include <optional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+struct Covered_polygon {
+  Precise_points corners; // of the front, in the plane z = 0
+  double difference;      // from those of the back, at most
+};
+
 /*
 If the surface is a convex polygon, front and back, the pyramids become flat: near the end the
 dihedral angles are nearly 0 along the border of the polygon, and nearly straight elsewhere. Then
 the edges along the border are cut, and the two parts are laid out in the plane, from lengths alone.
-\return the corners in the plane z = 0, if both parts are the same polygon up to rounding, and all
-  vertices are its corners
+\return the polygon, if both parts are nearly the same, and all vertices are its corners
 */
-std::optional<Space_points> doubly_covered_polygon(const Glued_pyramids& p);
+std::optional<Covered_polygon> doubly_covered_polygon(const Glued_pyramids& p);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/Embedding_run.h>
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/Whole_faces.h>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.h>
@@ -113,16 +114,6 @@ void expect_convex(const Input& surface, const Metric_triangles& t,
           " degrees more than 360, the most on a convex polyhedron; change lengths there");
 }
 
-// What removed vertices lose that are not exactly flat: a vertex with the curvature c may be higher
-// than its face by the square root of c, times the diameter.
-double lost_curvature(const Metric_triangles& t, const std::vector<double>& curvature,
-                      const std::vector<double>& rounding, const std::vector<char>& is_flat) {
-  double lost = 0;
-  for (const Removed_vertex& r : t.removed())
-    if (is_flat[r.vertex] == 0) lost += std::abs(curvature[r.vertex]) + rounding[r.vertex];
-  return lost;
-}
-
 // Looks for the polyhedron while the curvatures of pyramids decrease.
 class Polyhedron_search {
 public:
@@ -131,29 +122,47 @@ public:
 
   // Whether it is found. It is tried seldom: that takes longer than a step.
   bool try_at(const Glued_pyramids& p) {
-    if (std::optional<Space_points> polygon = doubly_covered_polygon(p)) {
-      triangles = p.triangles;
-      points = std::move(*polygon);
-      result_.shape = Convex_shape::doubly_covered_polygon;
-      return true;
+    if (std::optional<Covered_polygon> polygon = doubly_covered_polygon(p)) {
+      nearly_.emplace(p.triangles, std::move(*polygon));
+      if (nearly_->second.difference <= 1e-14 * extent_of(nearly_->second.corners)) {
+        take_polygon();
+        return true;
+      }
     }
     if (p.curvature_left > next_) return false;
     next_ = 1e-3 * p.curvature_left;
-    return fit(p);
+    return fit(p) == Fit::convex;
   }
-  // \return whether lengths are right and no edge is concave
-  bool fit(const Glued_pyramids& p) {
-    constexpr double concave = 1e-13;
+  Fit fit(Glued_pyramids p) {
+    constexpr double concave = 0x1p-80; // ties are within 2^-95, or so
     run_.begin(Embedding_stage::fit);
+    close_pyramids(p, independent_directions(rounded(lay_out_pyramids(p))), run_);
     triangles = p.triangles;
     points = lay_out_pyramids(p);
     return fit_lengths(triangles, points, concave * extent_of(points), run_);
   }
 
+  // A polyhedron as flat as its lengths are rounded may not be found, but the polygon near it.
+  // \return whether there is one
+  bool take_polygon() {
+    if (!nearly_) return false;
+    triangles = nearly_->first;
+    points = nearly_->second.corners;
+    result_.shape = Convex_shape::doubly_covered_polygon;
+    Convexity_certificate& c = result_.certificate;
+    c.is_proven = true;
+    c.within = nearly_->second.difference + 0x1p-51 * extent_of(points);
+    c.convex_edges = points.size(); // the border
+    c.flat_edges = 2 * points.size() - 6;
+    return true;
+  }
+
   Metric_triangles triangles;
-  Space_points points; // none: nothing is found
+  Precise_points points; // none: nothing is found
 
 private:
+  std::optional<std::pair<Metric_triangles, Covered_polygon>> nearly_;
+
   Convex_polyhedron& result_;
   Embedding_run& run_;
   double next_ = 1e-5; // of the curvature that is left
@@ -174,10 +183,10 @@ Polyhedron_search find_points(const Metric_triangles& t, Embedding_run& run,
   if (result.status == Status::stopped)
     result.status = Status::done;
   else if (result.status == Status::done)
-    result.status = search.fit(p) ? Status::done : Status::inaccurate;
-  else
-    search.points.clear();
+    result.status = search.fit(p) == Fit::none ? Status::stalled : Status::done;
   if (run.is_cancelled()) return cancelled(std::move(search), result);
+  if (result.status == Status::stalled && search.take_polygon()) result.status = Status::done;
+  if (result.status != Status::done) search.points.clear();
   if (search.points.empty() || result.shape == Convex_shape::doubly_covered_polygon) return search;
   run.begin(Embedding_stage::certificate);
   result.certificate = certify_polyhedron(search.triangles, search.points, run);
@@ -209,7 +218,7 @@ std::string remedy_of(Embedding_stage stage) {
            "vertices count as flat";
   case Embedding_stage::start:
     return "angles may sum to nearly 360 degrees; raise flat_within above the curvature of such "
-           "vertices, or remove them";
+           "vertices, or remove them; or edges may be too short for doubles beside others";
   case Embedding_stage::curvatures:
     return "some vertices may have hardly any curvature; raise flat_within, or remove them";
   case Embedding_stage::fit:
@@ -250,11 +259,15 @@ std::string reason_without_points(const Convex_polyhedron& found) {
 
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options) {
   using namespace internal;
+  if (!(options.flat_within >= 0 && options.flat_within <= 0.1))
+    throw Invalid_input(Element_kind::none, 0,
+                        "flat_within is " + std::to_string(options.flat_within) +
+                            "; give radians from 0 to 0.1");
   expect_sphere(surface);
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);
   const std::vector<char> is_flat = flat_vertices(surface);
-  const std::vector<double> rounding = flat_curvatures(t, 0), curvature = t.curvatures();
+  const std::vector<double> curvature = t.curvatures();
   std::vector<double> flat = flat_curvatures(t, options.flat_within);
   for (std::uint32_t v = 0; v < flat.size(); ++v)
     if (is_flat[v] != 0) flat[v] = std::max(flat[v], std::abs(curvature[v]));
@@ -270,17 +283,16 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   const std::vector<std::uint32_t> left = t.compress();
   const Polyhedron_search found = find_points(t, run, result);
   if (found.points.empty()) return result;
-  result.largest_error = greatest_error(found.triangles, found.points) / extent_of(found.points);
-  if (const double lost = lost_curvature(t, curvature, rounding, is_flat); lost > 0) {
-    Convexity_certificate& c = result.certificate;
-    c.is_proven = false;
-    c.within = std::max(c.within, std::sqrt(lost) * extent_of(found.points));
-  }
-  result.certificate.within = std::ldexp(result.certificate.within, -scale);
+  const Space_points points = rounded(found.points);
+  result.largest_error = greatest_error(found.triangles, points) / extent_of(points);
+  Convexity_certificate& c = result.certificate;
+  c.stretch = std::expm1(t.stretch_exponent()) * (1 + 1e-7);
+  c.is_proven = c.is_proven && std::isfinite(c.stretch);
+  c.within = std::ldexp(c.within, -scale);
   for (const Removed_vertex& r : t.removed())
     result.flat_vertices.push_back(surface.names().vertices.user(r.vertex));
   std::sort(result.flat_vertices.begin(), result.flat_vertices.end());
-  name_points(surface, put_back(found.triangles, found.points, left), scale, result);
+  name_points(surface, put_back(found.triangles, points, left), scale, result);
   return result;
 }
 

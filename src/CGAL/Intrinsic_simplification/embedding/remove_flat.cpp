@@ -21,10 +21,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Straight at the vertex is enough: with four edges on two lines, no diamond is strictly convex
-// there. The face without area that the flip makes goes with the vertex.
-constexpr double straight = 1e-9;
-
 // The power of i with respect to the circle about j, k and m, negative inside.
 double power_of_source(const Metric_diamond& d) {
   const Double_double jj = d.length * d.length, kk = d.kx * d.kx + d.ky * d.ky,
@@ -44,6 +40,7 @@ public:
   // triangles are Delaunay again.
   bool remove(std::uint32_t v) {
     changed_.clear();
+    straight_ = t_.flatten(v) ? 0x1p-80 : 1e-9;
     const bool is_gone = flip_away(v) && take_out(v);
     std::erase_if(changed_, [this](std::uint32_t h) { return t_.is_removed(h / 3); });
     flip_to_convex(t_, equal_, changed_);
@@ -87,7 +84,7 @@ private:
       const Metric_diamond d = t_.unfold(c.halfedge);
       const std::array<double, 2> sines = d.sines();
       const bool is_loop = t_.target(c.halfedge) == v;
-      if (!(sines[1] > 0) || !(sines[0] > (is_loop ? 0 : -straight))) continue;
+      if (!(sines[1] > 0) || !(sines[0] > (is_loop ? 0 : -straight_))) continue;
       t_.flip(c.halfedge, d);
       for (const std::uint32_t side : {c.halfedge, t_.opposite(c.halfedge)})
         for (std::uint32_t k = 0; k < 3; ++k) changed_.push_back(side - side % 3 + k);
@@ -119,6 +116,9 @@ private:
   Metric_triangles& t_;
   const Vertex_weights& equal_;        // weights, for which convex is Delaunay
   std::vector<std::uint32_t> changed_; // halfedges of faces that flips have made
+  // Straight at the vertex is enough: with four edges on two lines, no diamond is strictly convex
+  // there. The face without area that the flip makes goes with the vertex.
+  double straight_ = 0;
   std::minstd_rand random_;
 };
 
