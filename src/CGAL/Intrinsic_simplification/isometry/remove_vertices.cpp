@@ -170,9 +170,21 @@ bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertic
 
 } // namespace
 
+// For each face, whether one of its corners is to be removed.
+std::vector<char> faces_at(const std::vector<char>& are_removed, const Gluing_map& mesh) {
+  std::vector<char> result(mesh.number_of_faces(), 0);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const Gluing_map::Halfedge side{h};
+    if (mesh.face(side).index != Gluing::none && are_removed[mesh.target(side).index] != 0)
+      result[mesh.face(side).index] = 1;
+  }
+  return result;
+}
+
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
+  t.lay_out_planes(faces_at(are_removed, t.mesh()));
   std::vector<char> are_left = are_removed;
   std::vector<Gluing_map::Vertex> others;
   std::mt19937 random;
