@@ -36,10 +36,10 @@ using Triangulation = IT::Corresponding_triangulation;
 
 std::uint64_t hash_of(const Triangles& t) { return IT::canonical_form(t.triangulation()).hash(); }
 
-// a sphere with random radii
-Triangles bumpy(std::uint32_t seed) {
+// a sphere with random radii, of 8 * 3^levels faces
+Triangles bumpy(std::uint32_t seed, int levels = 3) {
   Triangles t = triangle_lists::octahedron();
-  for (int n = 0; n < 3; ++n)
+  for (int n = 0; n < levels; ++n)
     for (std::size_t f = 0, faces = t.faces.size(); f < faces; ++f) t.split_face(f);
   std::mt19937 random(seed);
   for (auto& p : t.points) {
@@ -98,6 +98,22 @@ TEST(CanonicalForm, ofSubdividedSurfacesIsThatOfTheSurface) {
   }
 }
 
+// Of edges between planes whose areas have different square roots.
+TEST(CanonicalForm, staysWhenEdgesAreDividedWhateverTheNumbering) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Triangles t = bumpy(seed, 1).with_bits_after_the_point(10);
+    const std::uint64_t hash = hash_of(t);
+    const Triangles others[] = {t.quartered(), t.divided(12, seed), t.divided(6, seed).quartered()};
+    for (const Triangles& other : others) {
+      const Triangulation u = other.renumbered(seed).triangulation();
+      const IT::Canonical_form form = IT::canonical_form(u);
+      EXPECT_EQ(form.number_of_flat_vertices(), other.points.size() - t.points.size());
+      ASSERT_TRUE(form.is_unique()) << "seed " << seed << ": " << form.note();
+      EXPECT_EQ(form.hash(), hash) << "seed " << seed;
+    }
+  }
+}
+
 // Random vertices of a bumpy sphere have irrational neighbours: lengths lie in a field of square
 // roots.
 TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
@@ -129,6 +145,18 @@ TEST(CanonicalForm, isThatOfCopiesOfTheDataSet) {
 }
 
 #endif
+
+// The sides of a cube as grids: positions stay exact over thousands of moves.
+TEST(CanonicalForm, ofAFineGridIsFound) {
+  Triangles t = triangle_lists::box(32, 32, 32);
+  for (int n = 0; n < 4; ++n) t = t.quartered();
+  const IT::Canonical_form form = IT::canonical_form(t.renumbered(1).triangulation());
+  EXPECT_EQ(form.number_of_flat_vertices(), t.points.size() - 8);
+  EXPECT_EQ(form.number_of_darts(), 24U);
+  for (std::uint32_t d = 0; d < form.number_of_darts(); ++d)
+    EXPECT_EQ(form.squared_length(d), 32 * 32);
+  EXPECT_EQ(form.hash(), hash_of(triangle_lists::box(32, 32, 32)));
+}
 
 // Two cubes that touch in a corner.
 TEST(CanonicalForm, keepsVerticesWhereFansMeet) {

@@ -3,11 +3,13 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Developed_faces.h>
 #include <CGAL/Intrinsic_simplification/isometry/Frame_maps.h>
+#include <CGAL/Intrinsic_simplification/isometry/Joined_numbers.h>
 #include <CGAL/Intrinsic_simplification/isometry/Plane_charts.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/Value_recipes.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
@@ -15,6 +17,8 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,12 +37,18 @@ Developed_faces::Developed_faces(const Value_recipes& recipes) : recipes_(recipe
     next_.push_back(mesh.next(Halfedge{h}).index);
     if (face_[h] != Gluing::none) first_side_[face_[h]] = h;
   }
-  set_charts(Plane_charts());
+  start();
 }
 
-void Developed_faces::set_charts(Plane_charts charts) {
-  const Gluing_map& mesh = recipes_.triangulation().mesh();
+void Developed_faces::set_charts(Plane_charts charts, const std::vector<char>& is_flat) {
   charts_ = std::move(charts);
+  start();
+  join_creases(is_flat);
+  map_at_start_ = map_;
+}
+
+void Developed_faces::start() {
+  const Gluing_map& mesh = recipes_.triangulation().mesh();
   const std::uint32_t n = number_of_halfedges();
   maps_ = Frame_maps(n, charts_);
   frame_at_start_.resize(first_side_.size());
@@ -56,7 +66,8 @@ void Developed_faces::set_charts(Plane_charts charts) {
   for (std::uint32_t h = 0; h < n; ++h) {
     if (face_[h] == Gluing::none) continue;
     frame_[h] = frame_at_start_[face_[h]];
-    if (charts_.chart(face_[h]) != Plane_charts::none) point_[h] = first_with(charts_.number_of_point(h), h);
+    if (charts_.chart(face_[h]) != Plane_charts::none)
+      point_[h] = first_with(charts_.number_of_point(h), h);
     const std::uint32_t other = face_[h ^ 1U];
     if (other == Gluing::none) continue;
     if (charts_.chart(face_[h]) == Plane_charts::none || frame_at_start_[other] != frame_[h])
@@ -64,23 +75,80 @@ void Developed_faces::set_charts(Plane_charts charts) {
     else if (const auto motion = charts_.motion_across(mesh, Halfedge{h}))
       map_[h] = maps_.motion(*motion);
   }
+  map_at_start_ = map_;
+  point_at_start_ = point_;
 }
 
-void Developed_faces::bring_across(const Gluing_map& mesh, Halfedge h) {
-  const Frame_maps::Map map = map_[h.index], back = maps_.inverse(map);
+// Around a flat vertex where two frames meet, on a crease, the maps across both edges are the same.
+void Developed_faces::join_creases(const std::vector<char>& is_flat) {
+  const Gluing_map& mesh = recipes_.triangulation().mesh();
+  const auto is_crossed = [this](std::uint32_t h) { return map_[h] == Frame_maps::across(h); };
+  Joined_numbers crease(number_of_halfedges());
+  for (std::uint32_t v = 0; v < is_flat.size(); ++v) {
+    const Halfedge first = mesh.halfedge(Gluing_map::Vertex{v});
+    if (is_flat[v] == 0 || first.index == Gluing::none) continue;
+    std::vector<std::uint32_t> crossed; // those that start at the vertex
+    bool is_inner = true;
+    for_each_outgoing(Gluing_map::Vertex{v}, mesh, [&](Halfedge h) {
+      is_inner = is_inner && face_[h.index] != Gluing::none;
+      if (map_[h.index] != Frame_maps::identity) crossed.push_back(h.index);
+    });
+    if (!is_inner || crossed.size() != 2 || !is_crossed(crossed[0]) || !is_crossed(crossed[1]))
+      continue;
+    crease.join(crossed[0], crossed[1] ^ 1U);
+    crease.join(crossed[0] ^ 1U, crossed[1]);
+  }
+  std::vector<std::uint32_t> first(number_of_halfedges(), Gluing::none);
+  for (std::uint32_t h = number_of_halfedges(); h-- > 0;) first[crease.set_of(h)] = h;
+  for (std::uint32_t h = 0; h < number_of_halfedges(); ++h) {
+    if (!is_crossed(h)) continue;
+    const std::uint32_t own = first[crease.set_of(h)], back = first[crease.set_of(h ^ 1U)];
+    map_[h] = Frame_maps::across(own < back ? own : back ^ 1U);
+  }
+}
+
+void Developed_faces::apply(const Gluing_map& mesh, Halfedge h, Frame_maps::Map map,
+                            std::uint32_t frame) {
   if (map == Frame_maps::identity) return;
-  const Halfedge o = Gluing_map::opposite(h);
-  Halfedge x = o;
+  const Frame_maps::Map back = maps_.inverse(map);
+  Halfedge x = h;
   do {
     point_[x.index] = image(map, point_[x.index]);
-    frame_[x.index] = frame_[h.index];
+    frame_[x.index] = frame;
     const Halfedge y = Gluing_map::opposite(x);
     if (mesh.face(y).index != Gluing::none) {
       map_[x.index] = maps_.composed(map, map_[x.index]);
       map_[y.index] = maps_.composed(map_[y.index], back);
     }
     x = mesh.next(x);
-  } while (x != o);
+  } while (x != h);
+}
+
+void Developed_faces::bring_across(const Gluing_map& mesh, Halfedge h) {
+  apply(mesh, Gluing_map::opposite(h), map_[h.index], frame_[h.index]);
+}
+
+void Developed_faces::choose_frame(const Gluing_map& mesh, Halfedge h) {
+  const Halfedge n = mesh.next(h);
+  const std::array<Point, 3> corners{source(h), source(n), source(mesh.next(n))};
+  const auto letters_after = [&](Frame_maps::Map map) {
+    std::size_t sum = 0;
+    for (const Point p : corners) sum += maps_.number_of_letters(maps_.composed(map, map_of(p)));
+    return sum;
+  };
+  std::size_t fewest = letters_after(Frame_maps::identity);
+  Frame_maps::Map best = Frame_maps::identity;
+  Point its_corner = 0;
+  for (const Point p : corners) {
+    const Frame_maps::Map back = maps_.inverse(map_of(p));
+    if (fewest == 0 || back == Frame_maps::identity) continue;
+    if (const std::size_t letters = letters_after(back); letters < fewest) {
+      fewest = letters;
+      best = back;
+      its_corner = start_of(p);
+    }
+  }
+  apply(mesh, h, best, frame_at_start_[face_[its_corner]]);
 }
 
 void Developed_faces::flip(const Gluing_map& mesh, Halfedge h) {
@@ -90,7 +158,9 @@ void Developed_faces::flip(const Gluing_map& mesh, Halfedge h) {
 }
 
 Developed_faces::Value Developed_faces::name_length(const Gluing_map& mesh, Halfedge h) {
-  return add({{source(h), source(mesh.next(h)), 0}, frame_[h.index], false});
+  const Point from = source(h), first = start_of(from);
+  const Point to = image(maps_.inverse(map_of(from)), source(mesh.next(h)));
+  return add({{first, to, 0}, frame_at_start_[face_[first]], false});
 }
 
 Developed_faces::Value Developed_faces::name_area(const Gluing_map& mesh, Halfedge h) {
@@ -104,17 +174,37 @@ Developed_faces::Value Developed_faces::add(const Quantity& q) {
 }
 
 Developed_faces::Point Developed_faces::image(Frame_maps::Map map, Point p) {
-  if (p >= number_of_halfedges()) {
-    const Image& i = images_[p - number_of_halfedges()];
-    map = maps_.composed(map, i.map);
-    p = i.start;
-  }
+  map = maps_.composed(map, map_of(p));
+  p = start_of(p);
   if (map == Frame_maps::identity) return p;
-  const auto [known, is_new] =
-      known_images_.emplace((std::uint64_t{map} << 32U) | p,
-                            number_of_halfedges() + static_cast<Point>(images_.size()));
-  if (is_new) images_.push_back({map, p});
-  return known->second;
+  const std::uint64_t key = (std::uint64_t{map} << 32U) | p;
+  if (const auto known = known_images_.find(key); known != known_images_.end())
+    return known->second;
+  Point result = 0;
+  if (const std::optional<Image> nearer = across_first_edge({map, p})) {
+    result = image(nearer->map, nearer->start);
+  } else {
+    result = number_of_halfedges() + static_cast<Point>(images_.size());
+    images_.push_back({map, p});
+  }
+  known_images_.emplace(key, result);
+  return result;
+}
+
+// A corner on the first edge that its map crosses is a corner beyond it, too.
+std::optional<Developed_faces::Image> Developed_faces::across_first_edge(const Image& i) {
+  const Gluing_map& mesh = recipes_.triangulation().mesh();
+  const Frame_maps::Map letter = maps_.first_letter(i.map);
+  std::optional<Point> beyond;
+  for_each_outgoing(mesh.source(Halfedge{i.start}), mesh, [&](Halfedge h) {
+    if (beyond) return;
+    const Halfedge o = Gluing_map::opposite(h);
+    const Point here = point_at_start_[h.index], there = point_at_start_[next_[o.index]];
+    if (map_at_start_[h.index] == letter && there == i.start) beyond = here;
+    if (map_at_start_[o.index] == letter && here == i.start) beyond = there;
+  });
+  if (!beyond) return std::nullopt;
+  return Image{maps_.without_first_letter(i.map), *beyond};
 }
 
 // ---- computation --------------------------------------------------------------------------------
@@ -156,8 +246,9 @@ const FT& Developed_faces::Evaluation<FT>::operator()(Value id) {
   const Value start = faces_->recipes_.number_of_values();
   if (id < start) return values_(id);
   const FT* known = moved_values_.find(id - start);
-  return known != nullptr ? *known
-                          : moved_values_.add(id - start, computed(faces_->quantities_[id - start]));
+  return known != nullptr
+             ? *known
+             : moved_values_.add(id - start, computed(faces_->quantities_[id - start]));
 }
 
 template <class FT>
@@ -186,8 +277,7 @@ Developed_faces::Evaluation<FT>::computed(const Image& image) {
 template <class FT>
 typename Developed_faces::Evaluation<FT>::Vector
 Developed_faces::Evaluation<FT>::in_chart(const Plane_number& z, std::uint32_t chart) {
-  return {converted<FT>(z.x),
-          converted<FT>(z.y) * values_(faces_->recipes_.area_of_face(chart))};
+  return {converted<FT>(z.x), converted<FT>(z.y) * values_(faces_->recipes_.area_of_face(chart))};
 }
 
 template <class FT>
@@ -212,31 +302,25 @@ Developed_faces::Evaluation<FT>::point_at_start(std::uint32_t halfedge) {
 template <class FT>
 const typename Developed_faces::Evaluation<FT>::Motion&
 Developed_faces::Evaluation<FT>::motion(Map map) {
-  stack_.assign(1, map);
-  while (!stack_.empty()) compute_next();
-  return motions_.at(map);
+  const auto known = motions_.find(map);
+  return known != motions_.end() ? known->second
+                                 : motions_.emplace(map, computed(map)).first->second;
 }
 
-// The motion on top of the stack, if those that it follows from are known; else puts these there.
 template <class FT>
-void Developed_faces::Evaluation<FT>::compute_next() {
-  const Map map = stack_.back();
+typename Developed_faces::Evaluation<FT>::Motion
+Developed_faces::Evaluation<FT>::computed(Map map) {
   const Frame_maps& maps = faces_->maps_;
-  const auto store = [&](Motion m) {
-    motions_.emplace(map, std::move(m));
-    stack_.pop_back();
-  };
-  if (motions_.count(map) != 0) return stack_.pop_back();
-  if (maps.is_at_start(map)) return store(motion_at_start(Frame_maps::halfedge(map)));
+  if (maps.is_at_start(map)) return motion_at_start(Frame_maps::halfedge(map));
   if (const Plane_motion* m = maps.motion_of(map))
-    return store({in_chart(m->turn, m->chart), in_chart(m->shift, m->chart)});
-  const auto [first, second] = maps.factors(map);
-  const std::size_t before = stack_.size();
-  for (const Map m : {first, second})
-    if (motions_.count(m) == 0) stack_.push_back(m);
-  if (stack_.size() != before) return;
-  const Motion &a = motions_.at(first), &b = motions_.at(second);
-  store({a.turn * b.turn, a.turn * b.shift + a.shift});
+    return {in_chart(m->turn, m->chart), in_chart(m->shift, m->chart)};
+  const std::vector<Map>& letters = maps.letters(map);
+  Motion result = motion(letters.front());
+  for (std::size_t i = 1; i < letters.size(); ++i) {
+    const Motion& next = motion(letters[i]);
+    result = {result.turn * next.turn, result.turn * next.shift + result.shift};
+  }
+  return result;
 }
 
 // The edge is one segment in both frames: the turn is the quotient of two vectors.

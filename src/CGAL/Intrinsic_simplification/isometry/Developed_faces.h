@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -47,13 +48,16 @@ public:
 
   // the first side of each face at the start
   const std::vector<std::uint32_t>& first_sides() const { return first_side_; }
-  // Gives all faces of a chart one frame. \pre no move was made
-  void set_charts(Plane_charts charts);
+  // Gives all faces of a chart one frame. \pre no move was made \param is_flat of each vertex
+  void set_charts(Plane_charts charts, const std::vector<char>& is_flat);
 
   // Gives the face across a halfedge the frame of its own one. \param mesh before the move
   void bring_across(const Gluing_map& mesh, Halfedge h);
   // After that: turns the edge. \param mesh before the flip
   void flip(const Gluing_map& mesh, Halfedge h);
+  // Gives a face the frame in which its corners are nearest to those at the start: otherwise frames
+  // stray, and coordinates have roots from far away.
+  void choose_frame(const Gluing_map& mesh, Halfedge h);
 
   Point source(Halfedge h) const { return point_[h.index]; }
   // Names the squared length of a side of a face, and the area of a face, from now on.
@@ -78,7 +82,19 @@ private:
 
   std::uint32_t number_of_halfedges() const { return static_cast<std::uint32_t>(face_.size()); }
   Value unit(std::uint32_t frame) const { return recipes_.length_of_edge(first_side_[frame] / 2); }
+  void start();
+  // Maps the face of a halfedge to another frame.
+  void apply(const Gluing_map& mesh, Halfedge h, Frame_maps::Map map, std::uint32_t frame);
+  void join_creases(const std::vector<char>& is_flat);
+  Frame_maps::Map map_of(Point p) const {
+    return p < number_of_halfedges() ? Frame_maps::identity
+                                     : images_[p - number_of_halfedges()].map;
+  }
+  Point start_of(Point p) const {
+    return p < number_of_halfedges() ? p : images_[p - number_of_halfedges()].start;
+  }
   Point image(Frame_maps::Map map, Point p);
+  std::optional<Image> across_first_edge(const Image& i);
   Value add(const Quantity& q);
 
   const Value_recipes& recipes_;
@@ -87,8 +103,9 @@ private:
   Plane_charts charts_;
   std::vector<std::uint32_t> frame_at_start_; // of each face
   Frame_maps maps_;
-  std::vector<Point> point_;         // where each halfedge starts
-  std::vector<Frame_maps::Map> map_; // of each halfedge: from the frame across to its own one
+  std::vector<Point> point_, point_at_start_; // where each halfedge starts
+  std::vector<Frame_maps::Map> map_,          // of each halfedge: from the frame across to its own
+      map_at_start_;
   std::vector<std::uint32_t> frame_; // of each halfedge
   std::vector<Image> images_;
   std::unordered_map<std::uint64_t, Point> known_images_;
@@ -126,16 +143,15 @@ private:
   Vector computed(const Image& image);
   Vector point_at_start(std::uint32_t halfedge);
   const Motion& motion(Map map);
-  void compute_next();
+  Motion computed(Map map);
   Motion motion_at_start(std::uint32_t halfedge);
   Vector in_chart(const Plane_number& z, std::uint32_t chart);
 
   const Developed_faces* faces_;
   Value_recipes::Evaluation<FT> values_; // of the start
-  Value_table<FT> moved_values_; // by what was named
+  Value_table<FT> moved_values_;         // by what was named
   Value_table<FT, Vector> points_;
   std::unordered_map<Map, Motion> motions_;
-  std::vector<Map> stack_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

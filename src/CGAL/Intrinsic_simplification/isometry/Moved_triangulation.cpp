@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -35,11 +36,26 @@ Moved_triangulation::Moved_triangulation(const Corresponding_triangulation& t)
 void Moved_triangulation::start_field() const {
   exact_ = nullptr; // its numbers refer to the field
   field_ = std::make_unique<Square_root_field>();
-  exact_ = std::make_unique<Developed_faces::Evaluation<Square_root_field::Number>>(
-      developed_, field_.get());
+  exact_ = std::make_unique<Developed_faces::Evaluation<Square_root_field::Number>>(developed_,
+                                                                                    field_.get());
 }
 
-void Moved_triangulation::lay_out_planes(const std::vector<char>& is_face_wanted) {
+namespace {
+
+// For each face, whether one of its corners is flat.
+std::vector<char> faces_at(const std::vector<char>& is_flat, const Gluing_map& mesh) {
+  std::vector<char> result(mesh.number_of_faces(), 0);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const Gluing_map::Halfedge side{h};
+    if (mesh.face(side).index != Gluing::none && is_flat[mesh.target(side).index] != 0)
+      result[mesh.face(side).index] = 1;
+  }
+  return result;
+}
+
+} // namespace
+
+void Moved_triangulation::lay_out_planes(const std::vector<char>& is_flat) {
   std::vector<std::optional<std::optional<Gmpq>>> known(mesh().number_of_edges());
   const auto find = [&](std::uint32_t edge) -> std::optional<Gmpq> {
     if (recipes_.is_along_input(edge)) {
@@ -54,11 +70,13 @@ void Moved_triangulation::lay_out_planes(const std::vector<char>& is_face_wanted
     }
     return x && x->is_rational() ? std::optional(x->coefficient(0)) : std::nullopt;
   };
-  developed_.set_charts(Plane_charts(mesh(), developed_.first_sides(), is_face_wanted,
-                                     [&](std::uint32_t edge) -> const std::optional<Gmpq>& {
-                                       if (!known[edge]) known[edge] = find(edge);
-                                       return *known[edge];
-                                     }));
+  const auto squared_length = [&](std::uint32_t edge) -> const std::optional<Gmpq>& {
+    if (!known[edge]) known[edge] = find(edge);
+    return *known[edge];
+  };
+  developed_.set_charts(
+      Plane_charts(mesh(), developed_.first_sides(), faces_at(is_flat, mesh()), squared_length),
+      is_flat);
   start_field(); // without roots of edges that are not needed
   short_ = Developed_faces::Evaluation<Short_ball>(developed_);
   long_.clear();
@@ -144,6 +162,13 @@ Moved_face Moved_triangulation::in_frame(Halfedge h, Developed_faces::Point orig
   return {mesh().face(h).index, {h.index, n.index, l.index}, {{corner(h), corner(n), corner(l)}}};
 }
 
+void Moved_triangulation::name_areas(std::initializer_list<Halfedge> faces) {
+  for (const Halfedge h : faces) {
+    developed_.choose_frame(mesh(), h);
+    area_[mesh().face(h).index] = developed_.name_area(mesh(), h);
+  }
+}
+
 void Moved_triangulation::flip(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge o = Gluing_map::opposite(h);
@@ -152,9 +177,9 @@ void Moved_triangulation::flip(Halfedge h) {
   std::vector<Moved_face> before{in_frame(h, origin), in_frame(o, origin)};
   developed_.flip(m, h);
   CGAL::Euler::flip_edge(h, m);
-  length_[h.index / 2] = developed_.name_length(m, h);
-  for (const Halfedge x : {h, o}) area_[m.face(x).index] = developed_.name_area(m, x);
   moves_.push_back({std::move(before), {in_frame(h, origin), in_frame(o, origin)}});
+  name_areas({h, o});
+  length_[h.index / 2] = developed_.name_length(m, h);
 }
 
 void Moved_triangulation::remove_inner_vertex(Halfedge h) {
@@ -166,8 +191,8 @@ void Moved_triangulation::remove_inner_vertex(Halfedge h) {
                                  in_frame(m.next(Gluing_map::opposite(jp)), origin),
                                  in_frame(m.next(m.next(Gluing_map::opposite(pi))), origin)};
   remove_degree_3_vertex(h, m, numbered_.numbers);
-  area_[m.face(h).index] = developed_.name_area(m, h);
   moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  name_areas({h});
 }
 
 void Moved_triangulation::remove_border_vertex(Halfedge h) {
@@ -177,9 +202,9 @@ void Moved_triangulation::remove_border_vertex(Halfedge h) {
   const Developed_faces::Point origin = developed_.source(h);
   std::vector<Moved_face> before{in_frame(pk, origin), in_frame(kp, origin)};
   Intrinsic_triangulations::remove_border_vertex(h, m, numbered_.numbers);
-  length_[h.index / 2] = developed_.name_length(m, h);
-  area_[m.face(h).index] = developed_.name_area(m, h);
   moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  name_areas({h});
+  length_[h.index / 2] = developed_.name_length(m, h);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

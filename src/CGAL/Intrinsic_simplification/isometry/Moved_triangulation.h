@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -68,8 +69,8 @@ public:
   // it open
   double nearest(Id id) const;
 
-  // Gives faces that lie in planes common coordinates. \pre no move was made
-  void lay_out_planes(const std::vector<char>& is_face_wanted);
+  // Gives faces at flat vertices that lie in planes common coordinates. \pre no move was made
+  void lay_out_planes(const std::vector<char>& is_flat);
   // the face, with its first side on an axis, in doubles
   Moved_face lay_out(Halfedge h) const;
   // whether both sides of the edge have faces, not the same one
@@ -148,6 +149,8 @@ private:
   Plane_vector<double> approximate_vector(Developed_faces::Point from,
                                           Developed_faces::Point to) const;
   Moved_face in_frame(Halfedge h, Developed_faces::Point origin) const;
+  // names the areas of faces that a move has made, and chooses their frames
+  void name_areas(std::initializer_list<Halfedge> faces);
 
   static constexpr std::size_t few_words = std::size_t(1) << 12;
   // words of coefficients that one sign may cost: some tenths of a second; and

@@ -22,8 +22,7 @@ namespace {
 std::optional<Gmpq> rational_root(const Gmpq& x) {
   if (x == 1) return x;
   const Gmpz n = x.numerator(), d = x.denominator();
-  if (mpz_perfect_square_p(n.mpz()) == 0 || mpz_perfect_square_p(d.mpz()) == 0)
-    return std::nullopt;
+  if (mpz_perfect_square_p(n.mpz()) == 0 || mpz_perfect_square_p(d.mpz()) == 0) return std::nullopt;
   Gmpz root_n, root_d;
   mpz_sqrt(root_n.mpz(), n.mpz());
   mpz_sqrt(root_d.mpz(), d.mpz());
@@ -135,8 +134,7 @@ std::optional<Plane_motion> Plane_charts::motion_across(const Gluing_map& mesh, 
 }
 
 Plane_motion Plane_charts::composed(const Plane_motion& a, const Plane_motion& b) const {
-  return {a.chart, product(a.chart, a.turn, b.turn),
-          product(a.chart, a.turn, b.shift) + a.shift};
+  return {a.chart, product(a.chart, a.turn, b.turn), product(a.chart, a.turn, b.shift) + a.shift};
 }
 
 Plane_motion Plane_charts::inverse(const Plane_motion& a) const {

@@ -103,8 +103,8 @@ private:
   const Plane_number& source(Halfedge h) const { return points_[point_[h.index]]; }
 
   const Squared_length* squared_length_ = nullptr; // while charts are made
-  std::vector<std::uint32_t> chart_; // of each face
-  std::vector<std::uint32_t> point_; // of each halfedge
+  std::vector<std::uint32_t> chart_;               // of each face
+  std::vector<std::uint32_t> point_;               // of each halfedge
   std::vector<Plane_number> points_;
   std::vector<Gmpq> squared_area_; // of charts, by their faces
 };

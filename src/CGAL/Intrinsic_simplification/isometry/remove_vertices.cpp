@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -123,18 +124,13 @@ private:
   std::vector<Halfedge> edges_;
 };
 
-// Flips the edges of faces that moves have made, from a move on.
-void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
+// Flips edges, given by their numbers, and those of the faces that this makes.
+void flip_to_delaunay(Moved_triangulation& t, std::vector<std::uint32_t> stack) {
   const Gluing_map& mesh = t.mesh();
-  std::vector<std::uint32_t> stack;
-  for (std::size_t n = first_move; n < t.moves().size(); ++n)
-    for (const Moved_face& f : t.moves()[n].after)
-      for (const std::uint32_t h : f.sides)
-        if (!mesh.is_removed(Gluing_map::Halfedge{h})) stack.push_back(h / 2);
   while (!stack.empty()) {
     const Gluing_map::Halfedge h{2 * stack.back()};
     stack.pop_back();
-    if (!t.has_diamond(h)) continue;
+    if (mesh.is_removed(h) || !t.has_diamond(h)) continue;
     expect_to_go_on();
     if (t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
     t.flip(h);
@@ -142,6 +138,15 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
       for (Gluing_map::Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
         stack.push_back(n.index / 2);
   }
+}
+
+// Flips the edges of faces that moves have made, from a move on.
+void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
+  std::vector<std::uint32_t> stack;
+  for (std::size_t n = first_move; n < t.moves().size(); ++n)
+    for (const Moved_face& f : t.moves()[n].after)
+      for (const std::uint32_t h : f.sides) stack.push_back(h / 2);
+  flip_to_delaunay(t, std::move(stack));
 }
 
 // The vertices that edges join to one, among those to be removed; none of them
@@ -170,21 +175,10 @@ bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertic
 
 } // namespace
 
-// For each face, whether one of its corners is to be removed.
-std::vector<char> faces_at(const std::vector<char>& are_removed, const Gluing_map& mesh) {
-  std::vector<char> result(mesh.number_of_faces(), 0);
-  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
-    const Gluing_map::Halfedge side{h};
-    if (mesh.face(side).index != Gluing::none && are_removed[mesh.target(side).index] != 0)
-      result[mesh.face(side).index] = 1;
-  }
-  return result;
-}
-
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
-  t.lay_out_planes(faces_at(are_removed, t.mesh()));
+  t.lay_out_planes(are_removed);
   std::vector<char> are_left = are_removed;
   std::vector<Gluing_map::Vertex> others;
   std::mt19937 random;
@@ -207,6 +201,12 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
     was_blocked = is_blocked;
     flip_to_delaunay(t, first_move);
   }
+}
+
+void make_delaunay(Moved_triangulation& t) {
+  std::vector<std::uint32_t> all(t.mesh().number_of_edges());
+  std::iota(all.begin(), all.end(), 0U);
+  flip_to_delaunay(t, std::move(all));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -11,8 +11,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Moved_triangulation;
 
 /*
-Removes vertices by flips until they have three edges, or one inner edge on the
-border; then makes the triangulation Delaunay.
+Removes vertices by flips until they have three edges, or one inner edge on the border. Faces that
+this makes become Delaunay.
 
 The faces around a flat vertex develop into a polygon that is star-shaped about
 it. A triangulation of the polygon without the vertex has two ears at least, of
@@ -22,6 +22,9 @@ vertices have to go first, the vertex is tried again after them. \throws
 Undecidable
 */
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed);
+
+// Makes all faces Delaunay. \throws Undecidable
+void make_delaunay(Moved_triangulation& t);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

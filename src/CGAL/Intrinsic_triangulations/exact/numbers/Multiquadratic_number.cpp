@@ -68,18 +68,14 @@ Multiquadratic_number operator*(const Multiquadratic_number& x, const Multiquadr
   using Term = Multiquadratic_number::Term;
   const Square_class_basis* basis = Multiquadratic_number::common_basis(x, y);
   if (basis != nullptr) basis->count_words(x.number_of_words() * y.number_of_words());
-  const auto product = [basis](const Term& s, const Term& t) -> Term {
-    const Multiquadratic_number::Mask common = s.radical & t.radical;
-    const Gmpq q = s.coefficient * t.coefficient;
-    return {s.radical ^ t.radical, common == 0 ? q : q * basis->product(common)};
-  };
-  if (x.terms_.empty() || y.terms_.empty()) return {};
-  if (x.terms_.size() == 1 && y.terms_.size() == 1) // most
-    return Multiquadratic_number(basis, {product(x.terms_.front(), y.terms_.front())}).normal();
   std::vector<Term> all;
   all.reserve(x.terms_.size() * y.terms_.size());
   for (const Term& s : x.terms_)
-    for (const Term& t : y.terms_) all.push_back(product(s, t));
+    for (const Term& t : y.terms_) {
+      const Multiquadratic_number::Mask common = s.radical & t.radical;
+      const Gmpq q = s.coefficient * t.coefficient;
+      all.push_back({s.radical ^ t.radical, common == 0 ? q : q * basis->product(common)});
+    }
   std::sort(all.begin(), all.end(),
             [](const Term& s, const Term& t) { return s.radical < t.radical; });
   Multiquadratic_number result(basis, {});
