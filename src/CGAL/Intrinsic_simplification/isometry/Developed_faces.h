@@ -60,6 +60,8 @@ public:
   void choose_frame(const Gluing_map& mesh, Halfedge h);
 
   Point source(Halfedge h) const { return point_[h.index]; }
+  // whether the faces at an edge lie in one plane of coordinates
+  bool is_in_one_frame(Halfedge h) const { return map_[h.index] == Frame_maps::identity; }
   // Names the squared length of a side of a face, and the area of a face, from now on.
   Value name_length(const Gluing_map& mesh, Halfedge h);
   Value name_area(const Gluing_map& mesh, Halfedge h);

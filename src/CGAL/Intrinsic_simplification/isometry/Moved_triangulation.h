@@ -79,6 +79,7 @@ public:
     const auto f = m.face(h), g = m.face(Gluing_map::opposite(h));
     return f.index != Gluing::none && g.index != Gluing::none && f.index != g.index;
   }
+  bool is_in_one_frame(Halfedge h) const { return developed_.is_in_one_frame(h); }
   Diamond_ids diamond(Halfedge h) const;
   Diamond_values<double> approximate(Halfedge h) const;
 

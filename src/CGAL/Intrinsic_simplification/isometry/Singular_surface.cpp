@@ -132,7 +132,7 @@ void Singular_surface::make_from(Start start, const std::vector<char>& are_remov
     flip_while_asked(start_, run);
   moved_.emplace(start_);
   run.begin(Isometry_stage::flat_vertices);
-  if (number_of_flat_vertices_ > 0) remove_vertices(*moved_, are_removed);
+  if (number_of_flat_vertices_ > 0) remove_vertices(*moved_, are_removed, start == Start::delaunay);
   if (start == Start::input) make_delaunay(*moved_);
   run.begin(Isometry_stage::ties);
   find_ties();

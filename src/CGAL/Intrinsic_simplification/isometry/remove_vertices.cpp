@@ -19,6 +19,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,9 +60,10 @@ public:
 
 private:
   struct Candidate {
-    int gain;     // number of edge ends that leave the vertex
-    double power; // of the vertex with respect to the circle about the ear,
-                  // negative inside
+    int gain;      // number of edge ends that leave the vertex
+    bool is_plane; // whether the faces beside it have one frame
+    double power;  // of the vertex with respect to the circle about the ear,
+                   // negative inside
     Halfedge edge;
   };
 
@@ -86,25 +88,26 @@ private:
   }
 
   // Flips the edge whose ear has the circle that contains the vertex the least: where the faces
-  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Where edges from the
+  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Ears of one plane go
+  // before: a vertex on a crease leaves faces of planes, without new roots. Where edges from the
   // vertex to itself block all ears, a flip that takes no end away changes the faces.
   bool flip_an_edge(bool may_be_straight) {
     std::vector<Candidate> candidates;
     for (const Halfedge h : edges_) {
       if (!t_.has_diamond(h) || gain(h) < 0) continue;
       if (gain(h) == 0) { // only if there is nothing better, and never in a circle
-        candidates.push_back({0, static_cast<double>(random_()), h});
+        candidates.push_back({0, false, static_cast<double>(random_()), h});
         continue;
       }
       const Diamond_values<double> d = t_.approximate(h);
       const double area = flipped(d).area_f;
       candidates.push_back(
-          {gain(h),
+          {gain(h), t_.is_in_one_frame(h),
            area > 0 ? -Delaunay_expression()(d) / area : -std::numeric_limits<double>::infinity(),
            h});
     }
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.gain, a.power) > std::pair(b.gain, b.power);
+      return std::tuple(a.gain, a.is_plane, a.power) > std::tuple(b.gain, b.is_plane, b.power);
     });
     for (const Candidate& c : candidates) {
       const auto d = t_.diamond(c.edge);
@@ -177,7 +180,8 @@ bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertic
 
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.
-void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
+void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed,
+                     bool stays_delaunay) {
   t.lay_out_planes(are_removed);
   std::vector<char> are_left = are_removed;
   std::vector<Gluing_map::Vertex> others;
@@ -190,7 +194,7 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
     const std::size_t first_move = t.moves().size();
     while (!cluster.empty() && remove_some(t, cluster)) {
     }
-    flip_to_delaunay(t, first_move);
+    if (stays_delaunay) flip_to_delaunay(t, first_move);
     others.insert(others.end(), cluster.begin(), cluster.end());
   }
   // flips that failed may block others; those to Delaunay undo them
