@@ -211,11 +211,13 @@ std::optional<Developed_faces::Image> Developed_faces::across_first_edge(const I
 
 namespace {
 
-void convert(const Gmpq& x, Square_root_field::Number& to) { to = Square_root_field::Number(x); }
+void set_from_rational(const Gmpq& x, Square_root_field::Number& to) {
+  to = Square_root_field::Number(x);
+}
 
-void convert(const Gmpq& x, Long_ball& to) { to = enclosure_of(x); }
+void set_from_rational(const Gmpq& x, Long_ball& to) { to = enclosure_of(x); }
 
-void convert(const Gmpq& x, Short_ball& to) {
+void set_from_rational(const Gmpq& x, Short_ball& to) {
   constexpr std::size_t exact = 53;
   const auto is_double = [](mpz_srcptr n) { return mpz_sizeinbase(n, 2) <= exact; };
   const mpz_srcptr numerator = mpq_numref(x.mpq()), denominator = mpq_denref(x.mpq());
@@ -233,9 +235,9 @@ void convert(const Gmpq& x, Short_ball& to) {
 }
 
 template <class FT>
-FT converted(const Gmpq& x) {
+FT from_rational(const Gmpq& x) {
   FT result;
-  convert(x, result);
+  set_from_rational(x, result);
   return result;
 }
 
@@ -277,7 +279,8 @@ Developed_faces::Evaluation<FT>::computed(const Image& image) {
 template <class FT>
 typename Developed_faces::Evaluation<FT>::Vector
 Developed_faces::Evaluation<FT>::in_chart(const Plane_number& z, std::uint32_t chart) {
-  return {converted<FT>(z.x), converted<FT>(z.y) * values_(faces_->recipes_.area_of_face(chart))};
+  return {from_rational<FT>(z.x),
+          from_rational<FT>(z.y) * values_(faces_->recipes_.area_of_face(chart))};
 }
 
 template <class FT>

@@ -43,7 +43,7 @@ void Moved_triangulation::start_field() const {
 namespace {
 
 // For each face, whether one of its corners is flat.
-std::vector<char> faces_at(const std::vector<char>& is_flat, const Gluing_map& mesh) {
+std::vector<char> faces_at_flat_vertices(const std::vector<char>& is_flat, const Gluing_map& mesh) {
   std::vector<char> result(mesh.number_of_faces(), 0);
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
     const Gluing_map::Halfedge side{h};
@@ -74,9 +74,9 @@ void Moved_triangulation::lay_out_planes(const std::vector<char>& is_flat) {
     if (!known[edge]) known[edge] = find(edge);
     return *known[edge];
   };
-  developed_.set_charts(
-      Plane_charts(mesh(), developed_.first_sides(), faces_at(is_flat, mesh()), squared_length),
-      is_flat);
+  developed_.set_charts(Plane_charts(mesh(), developed_.first_sides(),
+                                     faces_at_flat_vertices(is_flat, mesh()), squared_length),
+                        is_flat);
   start_field(); // without roots of edges that are not needed
   short_ = Developed_faces::Evaluation<Short_ball>(developed_);
   long_.clear();
