@@ -9,6 +9,8 @@
 #include <CGAL/Gmpz.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,13 +31,24 @@ std::optional<Gmpq> rational_root(const Gmpq& x) {
   return Gmpq(root_n, root_d);
 }
 
+std::size_t number_of_bits(const Gmpq& x) {
+  return mpz_sizeinbase(mpq_numref(x.mpq()), 2) + mpz_sizeinbase(mpq_denref(x.mpq()), 2);
+}
+
+std::size_t most_bits(const std::array<Gmpq, 3>& lengths) {
+  std::size_t most = 0;
+  for (const Gmpq& l : lengths) most = std::max(most, number_of_bits(l));
+  return most;
+}
+
 } // namespace
 
 Plane_charts::Plane_charts(const Gluing_map& mesh, const std::vector<std::uint32_t>& first_side,
                            const std::vector<char>& is_face_wanted,
                            const Squared_length& squared_length)
     : squared_length_(&squared_length), chart_(first_side.size(), none),
-      point_(mesh.number_of_halfedges(), none), squared_area_(first_side.size()) {
+      point_(mesh.number_of_halfedges(), none), squared_area_(first_side.size()),
+      bits_(first_side.size(), 0) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t first = 0; first < chart_.size(); ++first) {
     if (is_face_wanted[first] == 0 || chart_[first] != none) continue;
@@ -74,6 +87,7 @@ bool Plane_charts::start_chart(const Gluing_map& mesh, Halfedge first) {
   const std::uint32_t face = mesh.face(first).index;
   chart_[face] = face;
   squared_area_[face] = s->squared_area;
+  bits_[face] = most_bits(s->length);
   const Gmpq twice = 2 * s->length[0];
   const Plane_number corners[] = {
       {0, 0}, {1, 0}, {(s->length[0] + s->length[2] - s->length[1]) / twice, 1 / twice}};
@@ -96,9 +110,14 @@ bool Plane_charts::place_across(const Gluing_map& mesh, Halfedge h) {
   const Gmpq twice = 2 * s->length[0];
   const Plane_number i = source(mesh.next(h)), j = source(h),
                      turn{(s->length[0] + s->length[2] - s->length[1]) / twice, *area / twice};
+  const Plane_number apex = i + product(chart, j - i, turn);
+  // In a plane, x is a quotient of squared lengths, and y one of areas, of six lengths together. Where
+  // faces turn on and on, as on a cone, numbers grow from face to face: then another chart begins.
+  const std::size_t most = 8 * std::max(most_bits(s->length), bits_[chart]);
+  if (std::max(number_of_bits(apex.x), number_of_bits(apex.y)) > most) return false;
   point_[o.index] = point_[mesh.next(h).index];
   point_[n.index] = point_[h.index];
-  point_[mesh.next(n).index] = number(mesh, o, i + product(chart, j - i, turn));
+  point_[mesh.next(n).index] = number(mesh, o, apex);
   chart_[mesh.face(o).index] = chart;
   return true;
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Gmpq.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -107,6 +108,7 @@ private:
   std::vector<std::uint32_t> point_;               // of each halfedge
   std::vector<Plane_number> points_;
   std::vector<Gmpq> squared_area_; // of charts, by their faces
+  std::vector<std::size_t> bits_;  // of the lengths of these faces
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
