@@ -111,8 +111,8 @@ bool Plane_charts::place_across(const Gluing_map& mesh, Halfedge h) {
   const Plane_number i = source(mesh.next(h)), j = source(h),
                      turn{(s->length[0] + s->length[2] - s->length[1]) / twice, *area / twice};
   const Plane_number apex = i + product(chart, j - i, turn);
-  // In a plane, x is a quotient of squared lengths, and y one of areas, of six lengths together. Where
-  // faces turn on and on, as on a cone, numbers grow from face to face: then another chart begins.
+  // In a plane, x is a quotient of squared lengths, and y one of areas: of six lengths together.
+  // Where faces turn on and on, as on a cone, numbers grow: then another chart begins.
   const std::size_t most = 8 * std::max(most_bits(s->length), bits_[chart]);
   if (std::max(number_of_bits(apex.x), number_of_bits(apex.y)) > most) return false;
   point_[o.index] = point_[mesh.next(h).index];
