@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How long does it take to find all symmetries of a surface, beside its exact Delaunay flips: on grid
-// tori of revolution, on equilateral triangles glued at random, and on files?
+// tori of revolution, on flat tori, and on files?
 // Usage: isometry_speed [FILE...] > isometry_speed.json
 
 #include <CGAL/Corresponding_triangulation.h>
@@ -68,6 +68,25 @@ IT::Intrinsic_input torus_of_revolution(std::uint32_t n) {
   return IT::Intrinsic_input(std::move(mesh), std::move(lengths));
 }
 
+// n times n squares, of which all vertices but one are removed
+IT::Intrinsic_input flat_torus(std::uint32_t n) {
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  const auto v = [n](std::uint32_t i, std::uint32_t j) { return j % n * n + i % n; };
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      faces.push_back({v(i, j), v(i + 1, j), v(i + 1, j + 1)});
+      faces.push_back({v(i, j), v(i + 1, j + 1), v(i, j + 1)});
+    }
+  IT::Gluing_map mesh(IT::gluing_from_triangles(n * n, faces));
+  std::vector<double> lengths;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e};
+    const std::uint32_t p = mesh.source(h).index, q = mesh.target(h).index;
+    lengths.push_back(p / n == q / n || p % n == q % n ? 1 : 2);
+  }
+  return IT::Intrinsic_input(std::move(mesh), std::move(lengths));
+}
+
 nlohmann::json measure(IT::Intrinsic_input input) {
   IT::Corresponding_triangulation t(std::move(input));
   Watch watch;
@@ -94,6 +113,8 @@ int main(int argc, char* argv[]) {
   nlohmann::json all;
   for (const std::uint32_t n : {71U, 224U, 707U})
     all["torus of revolution"].push_back(measure(torus_of_revolution(n)));
+  for (const std::uint32_t n : {22U, 70U, 224U})
+    all["flat torus"].push_back(measure(flat_torus(n)));
   for (int i = 1; i < argc; ++i) all[argv[i]] = measure(IT::read_surface(argv[i]).input);
   std::cout << all.dump(2) << '\n';
 }

@@ -25,12 +25,15 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/Dart_complex.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Dart_matching.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Developed_faces.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Frame_maps.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_search.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Length_classes.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/Plane_charts.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Strip_names.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/Value_recipes.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/compare_sizes.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/refine_partition.cpp>

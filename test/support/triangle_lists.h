@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -65,6 +66,29 @@ struct Triangles {
           faces[g] = {j, p, m};
           faces.push_back({p, i, m});
         }
+  }
+  /// divides each face in four, at the middles of its sides.
+  Triangles quartered() const {
+    Triangles t = *this;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t i, std::uint32_t j) {
+      const auto [at, is_new] = middles.try_emplace(std::minmax(i, j));
+      if (is_new) at->second = t.add_point(sum(i, j), 2);
+      return at->second;
+    };
+    t.faces.clear();
+    for (const auto& [i, j, k] : faces) {
+      const std::uint32_t ij = middle(i, j), jk = middle(j, k), ki = middle(k, i);
+      t.faces.insert(t.faces.end(), {{i, ij, ki}, {ij, j, jk}, {ki, jk, k}, {ij, jk, ki}});
+    }
+    return t;
+  }
+  /// rounds coordinates, so that middles are exact.
+  Triangles with_bits_after_the_point(int bits) const {
+    Triangles t = *this;
+    for (auto& p : t.points)
+      for (double& x : p) x = std::ldexp(std::round(std::ldexp(x, bits)), -bits);
+    return t;
   }
   /// divides faces and edges at random.
   Triangles divided(std::size_t times, std::uint32_t seed) const {

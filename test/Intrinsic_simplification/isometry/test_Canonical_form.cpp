@@ -36,10 +36,10 @@ using Triangulation = IT::Corresponding_triangulation;
 
 std::uint64_t hash_of(const Triangles& t) { return IT::canonical_form(t.triangulation()).hash(); }
 
-// a sphere with random radii
-Triangles bumpy(std::uint32_t seed) {
+// a sphere with random radii, of 8 * 3^levels faces
+Triangles bumpy(std::uint32_t seed, int levels = 3) {
   Triangles t = triangle_lists::octahedron();
-  for (int n = 0; n < 3; ++n)
+  for (int n = 0; n < levels; ++n)
     for (std::size_t f = 0, faces = t.faces.size(); f < faces; ++f) t.split_face(f);
   std::mt19937 random(seed);
   for (auto& p : t.points) {
@@ -98,6 +98,25 @@ TEST(CanonicalForm, ofSubdividedSurfacesIsThatOfTheSurface) {
   }
 }
 
+// Of edges between planes whose areas have different square roots.
+void expect_to_stay_when_divided(const Triangles& t, std::uint32_t seed) {
+  const std::uint64_t hash = hash_of(t);
+  const Triangles others[] = {t.quartered(), t.divided(t.faces.size() / 2, seed),
+                              t.divided(6, seed).quartered()};
+  for (const Triangles& other : others) {
+    const IT::Canonical_form form = IT::canonical_form(other.renumbered(seed).triangulation());
+    ASSERT_TRUE(form.is_unique()) << "seed " << seed << ": " << form.note();
+    EXPECT_EQ(form.hash(), hash) << "seed " << seed;
+  }
+}
+
+TEST(CanonicalForm, staysWhenEdgesAreDividedWhateverTheNumbering) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const int levels = seed < 2 ? 3 : 1;
+    expect_to_stay_when_divided(bumpy(seed, levels).with_bits_after_the_point(10), seed);
+  }
+}
+
 // Random vertices of a bumpy sphere have irrational neighbours: lengths lie in a field of square
 // roots.
 TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
@@ -128,7 +147,28 @@ TEST(CanonicalForm, isThatOfCopiesOfTheDataSet) {
   EXPECT_EQ(hashes.size(), std::size(names));
 }
 
+// Its faces are long.
+TEST(CanonicalForm, ofLongFacesStaysWhenEdgesAreDivided) {
+  const IT::Triangle_soup soup =
+      IT::read_triangle_soup(INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR "/u.off");
+  const Triangles t{soup.points, soup.triangles};
+  for (std::uint32_t seed = 0; seed < 3; ++seed)
+    expect_to_stay_when_divided(t.with_bits_after_the_point(9), seed);
+}
+
 #endif
+
+// The sides of a cube as grids: positions stay exact over thousands of moves.
+TEST(CanonicalForm, ofAFineGridIsFound) {
+  Triangles t = triangle_lists::box(32, 32, 32);
+  for (int n = 0; n < 4; ++n) t = t.quartered();
+  const IT::Canonical_form form = IT::canonical_form(t.renumbered(1).triangulation());
+  EXPECT_EQ(form.number_of_flat_vertices(), t.points.size() - 8);
+  EXPECT_EQ(form.number_of_darts(), 24U);
+  for (std::uint32_t d = 0; d < form.number_of_darts(); ++d)
+    EXPECT_EQ(form.squared_length(d), 32 * 32);
+  EXPECT_EQ(form.hash(), hash_of(triangle_lists::box(32, 32, 32)));
+}
 
 // Two cubes that touch in a corner.
 TEST(CanonicalForm, keepsVerticesWhereFansMeet) {

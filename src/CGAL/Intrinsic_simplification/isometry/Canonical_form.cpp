@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/hash_of_surface.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
-#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <cmath>
@@ -24,12 +23,6 @@ std::shared_ptr<const internal::Singular_surface> parts_of(Corresponding_triangu
   internal::Isometry_run run(options);
   return std::make_shared<const internal::Singular_surface>(
       std::move(t), internal::Tessellation_vertices::not_flat, run);
-}
-
-Corresponding_triangulation triangulation_of(std::shared_ptr<const Input> surface) {
-  Exact_euclidean_metric metric(surface->mesh(), surface->metric());
-  Gluing_map mesh = surface->mesh();
-  return {std::move(mesh), std::move(metric), std::move(surface)};
 }
 
 } // namespace
@@ -52,12 +45,12 @@ const char* name_of(Isometry_stage stage) {
 
 Canonical_form::Canonical_form(std::shared_ptr<const Input> surface,
                                const Isometry_options& options)
-    : parts_(parts_of(triangulation_of(std::move(surface)), options)) {}
+    : parts_(parts_of(internal::triangulation_of(std::move(surface)), options)) {}
 
 Canonical_form::Canonical_form(const Corresponding_triangulation& t,
                                const Isometry_options& options)
     : parts_(parts_of(t.correspondence().has_inserted_vertices()
-                          ? triangulation_of(t.shared_input())
+                          ? internal::triangulation_of(t.shared_input())
                           : Corresponding_triangulation(t),
                       options)) {}
 
@@ -67,7 +60,7 @@ Status Canonical_form::status() const {
 
 bool Canonical_form::is_unique() const { return parts_->is_proven() && parts_->choice().empty(); }
 std::string Canonical_form::note() const { return parts_->choice(); }
-const Input& Canonical_form::input() const { return parts_->delaunay().input(); }
+const Input& Canonical_form::input() const { return parts_->start().input(); }
 std::uint32_t Canonical_form::number_of_flat_vertices() const {
   return parts_->number_of_flat_vertices();
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
+#include <CGAL/Intrinsic_simplification/isometry/compare_sizes.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -42,7 +43,7 @@ std::string both(const std::string& x, const std::string& y) {
   return x.empty() || x == y ? y : y.empty() ? x : x + "; " + y;
 }
 
-std::uint32_t sheets_of(const Singular_surface& s) { return s.delaunay().input().names().sheets; }
+std::uint32_t sheets_of(const Singular_surface& s) { return s.start().input().names().sheets; }
 
 } // namespace
 
@@ -63,30 +64,50 @@ Isometry_search::Isometry_search(Surface a, Surface b, Isometry_run& run)
 
 void Isometry_search::search(Isometry_run& run) {
   run.begin(Isometry_stage::lengths);
-  if (have_sizes_far_apart()) {
+  if (have_sizes_far_apart(*a_, *b_)) {
     answer_ = Isometry_answer::not_isometric;
     return;
   }
   decide_exactly(run);
-  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended() &&
-      have_different_areas()) {
-    answer_ = Isometry_answer::not_isometric;
-    note_.clear(); // it said why nothing was decided
+  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended()) {
+    if (have_different_sizes(*a_, *b_)) {
+      answer_ = Isometry_answer::not_isometric;
+      note_.clear(); // it said why nothing was decided
+    } else if (a_->is_proven() && b_->is_proven() && has_choice()) {
+      try_all_vertices(run);
+    }
   }
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
     if (decide_within(error, run)) return;
   const auto has_flat = [](const Surface& s) { return s->number_of_flat_vertices() > 0; };
   if (has_flat(a_) || has_flat(b_)) { // vertices that rounding has bent are flat in one of them
-    const auto with_all = [&run](const Surface& s) {
-      return std::make_shared<const Singular_surface>(s->delaunay(), Tessellation_vertices::all,
-                                                      run);
-    };
-    a_ = with_all(a_);
-    b_ = with_all(b_);
+    take_all_vertices(run);
     for (const double error : rounding_errors)
       if (decide_within(error, run)) return;
   }
+}
+
+void Isometry_search::take_all_vertices(Isometry_run& run) {
+  for (Surface* s : {&a_, &b_})
+    *s = std::make_shared<const Singular_surface>((*s)->start(), Tessellation_vertices::all, run);
+}
+
+// Where vertices of tessellations are arbitrary, copies of one mesh are isometric by all of their
+// vertices. Other meshes of the surface are not found.
+void Isometry_search::try_all_vertices(Isometry_run& run) {
+  const Surface a = a_, b = b_;
+  const std::string note = note_;
+  take_all_vertices(run);
+  decide_exactly(run);
+  if (answer_ == Isometry_answer::isometric) {
+    note_ = both(note_, "only isometries that keep the vertices of the meshes are found");
+    return;
+  }
+  answer_ = Isometry_answer::undecided;
+  a_ = a;
+  b_ = b;
+  note_ = note;
 }
 
 void Isometry_search::match(const Length_classes& classes) {
@@ -95,38 +116,6 @@ void Isometry_search::match(const Length_classes& classes) {
                     is_one ? nullptr : &classes.of_dart.back());
   number_of_walks_ += matching_->number_of_walks();
   first_map_ = 0;
-}
-
-bool Isometry_search::have_sizes_far_apart() const {
-  constexpr int most_bits = 800; // squared lengths in common units do not overflow
-  const int exponent = exponent_to_units_of(*b_, *a_);
-  if (std::abs(exponent) <= most_bits) return false;
-  // A surface fills its units up to a factor that is far below 2^800; areas tell even where flat
-  // vertices could not be removed.
-  const auto area = [](const Singular_surface& s) {
-    double sum = 0;
-    const Input_metric& metric = s.delaunay().input().metric();
-    for (std::uint32_t f = 0; f < s.delaunay().input().number_of_faces(); ++f)
-      sum += std::sqrt(std::max(metric.squared_quadruple_area<double>(f), 0.));
-    return std::log2(sum);
-  };
-  return std::abs(area(*b_) + exponent - area(*a_)) > 1;
-}
-
-bool Isometry_search::have_different_areas() const {
-  const auto area = [](const Singular_surface& s, int exponent) {
-    const Moved_triangulation& t = s.triangulation();
-    Short_ball sum(0);
-    for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h) {
-      const Gluing_map::Halfedge side{h};
-      if (t.mesh().is_removed(side)) continue;
-      const Gluing_map::Face f = t.mesh().face(side); // of each face three sides
-      if (f.index != Gluing::none) sum = sum + t.narrow_enclosure(t.area(f.index));
-    }
-    return sum * Short_ball(std::ldexp(1.0, exponent));
-  };
-  const Uncertain<Sign> sign = (area(*a_, 0) - area(*b_, exponent_to_units_of(*b_, *a_))).sign();
-  return is_certain(sign) && get_certain(sign) != ZERO;
 }
 
 void Isometry_search::decide_exactly(Isometry_run& run) {
@@ -210,7 +199,7 @@ bool Isometry_search::respects_vertices(const Isometry& map) const {
   const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
     return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
   };
-  std::vector<std::uint32_t> from(b_->delaunay().input().number_of_vertices(), Dart_complex::none);
+  std::vector<std::uint32_t> from(b_->start().input().number_of_vertices(), Dart_complex::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     const std::uint32_t e = map.image_of_dart(d), v = source(*a_, first_->darts.halfedge[d]),
                         w = source(*b_, to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
@@ -277,7 +266,7 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
     }
   }
   const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
-  result.vertices_.assign(a_->delaunay().input().number_of_vertices(), Canonical_form::none);
+  result.vertices_.assign(a_->start().input().number_of_vertices(), Canonical_form::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     const std::uint32_t e = image[d] - shift;
     result.image_.push_back(e);

@@ -53,10 +53,9 @@ private:
   };
 
   void search(Isometry_run& run);
-  // whether areas show that the sizes differ by a factor for which numbers are not made
-  bool have_sizes_far_apart() const;
-  // whether areas are different by proof, also where vertices of tessellations are arbitrary
-  bool have_different_areas() const;
+  bool has_choice() const { return !a_->choice().empty() || !b_->choice().empty(); }
+  void take_all_vertices(Isometry_run& run);
+  void try_all_vertices(Isometry_run& run);
   void decide_exactly(Isometry_run& run);
   bool decide_within(double error, Isometry_run& run);
   void match(const Length_classes& classes);

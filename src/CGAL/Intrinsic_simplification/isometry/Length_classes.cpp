@@ -31,7 +31,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 int exponent_to_units_of(const Singular_surface& from, const Singular_surface& to) {
-  return 2 * (to.delaunay().input().scale_exponent() - from.delaunay().input().scale_exponent());
+  return 2 * (to.start().input().scale_exponent() - from.start().input().scale_exponent());
 }
 
 namespace {
@@ -104,7 +104,8 @@ private:
   }
 
   Long_ball long_value(const Length& x) const {
-    Value_recipes::Evaluation<Long_ball> values(recipes(x));
+    Developed_faces::Evaluation<Long_ball> values(
+        surfaces_[x.surface]->triangulation().developed());
     return values(x.id) * Long_ball(std::ldexp(1.0, exponent(x)));
   }
 
@@ -124,7 +125,7 @@ private:
   Strip_names names_;
   std::unordered_map<std::uint64_t, std::optional<Strip_names::Name>> known_names_;
   std::unique_ptr<Square_root_field> field_;
-  std::vector<Developed_faces::Evaluation> exact_;
+  std::vector<Developed_faces::Evaluation<Number>> exact_;
 };
 
 // The squared lengths of all edges of the tessellations, by size.

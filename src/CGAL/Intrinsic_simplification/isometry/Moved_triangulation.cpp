@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_simplification/isometry/Developed_faces.h>
 #include <CGAL/Intrinsic_simplification/isometry/Moved_triangulation.h>
+#include <CGAL/Intrinsic_simplification/isometry/Plane_charts.h>
 #include <CGAL/Intrinsic_simplification/isometry/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -11,16 +13,19 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <optional>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 Moved_triangulation::Moved_triangulation(const Corresponding_triangulation& t)
-    : numbered_(t.mesh()), recipes_(t), developed_(recipes_), short_(recipes_) {
+    : numbered_(t.mesh()), recipes_(t), developed_(recipes_), short_(developed_) {
   for (std::uint32_t e = 0; e < t.mesh().number_of_edges(); ++e)
     length_.push_back(recipes_.length_of_edge(e));
   for (std::uint32_t f = 0; f < t.mesh().number_of_faces(); ++f)
@@ -31,7 +36,50 @@ Moved_triangulation::Moved_triangulation(const Corresponding_triangulation& t)
 void Moved_triangulation::start_field() const {
   exact_ = nullptr; // its numbers refer to the field
   field_ = std::make_unique<Square_root_field>();
-  exact_ = std::make_unique<Developed_faces::Evaluation>(developed_, field_.get());
+  exact_ = std::make_unique<Developed_faces::Evaluation<Square_root_field::Number>>(developed_,
+                                                                                    field_.get());
+}
+
+namespace {
+
+// For each face, whether one of its corners is flat.
+std::vector<char> faces_at_flat_vertices(const std::vector<char>& is_flat, const Gluing_map& mesh) {
+  std::vector<char> result(mesh.number_of_faces(), 0);
+  for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const Gluing_map::Halfedge side{h};
+    if (mesh.face(side).index != Gluing::none && is_flat[mesh.target(side).index] != 0)
+      result[mesh.face(side).index] = 1;
+  }
+  return result;
+}
+
+} // namespace
+
+void Moved_triangulation::lay_out_planes(const std::vector<char>& is_flat) {
+  std::vector<std::optional<std::optional<Gmpq>>> known(mesh().number_of_edges());
+  const auto find = [&](std::uint32_t edge) -> std::optional<Gmpq> {
+    if (recipes_.is_along_input(edge)) {
+      const Face_side s = recipes_.input_side_of(edge);
+      return recipes_.metric().squared_length<Gmpq>(s.face, s.slot);
+    }
+    const auto value = [&] { return (*exact_)(recipes_.length_of_edge(edge)); };
+    auto x = in_field(few_words, value);
+    if (!x) { // in a field without the roots of other planes
+      start_field();
+      x = in_field(few_words, value);
+    }
+    return x && x->is_rational() ? std::optional(x->coefficient(0)) : std::nullopt;
+  };
+  const auto squared_length = [&](std::uint32_t edge) -> const std::optional<Gmpq>& {
+    if (!known[edge]) known[edge] = find(edge);
+    return *known[edge];
+  };
+  developed_.set_charts(Plane_charts(mesh(), developed_.first_sides(),
+                                     faces_at_flat_vertices(is_flat, mesh()), squared_length),
+                        is_flat);
+  start_field(); // without roots of edges that are not needed
+  short_ = Developed_faces::Evaluation<Short_ball>(developed_);
+  long_.clear();
 }
 
 Short_ball Moved_triangulation::narrow_enclosure(Id id) const {
@@ -91,72 +139,72 @@ Moved_face Moved_triangulation::lay_out(Halfedge h) const {
   return {m.face(h).index, {h.index, n.index, l.index}, {{{0, 0}, {side, 0}, apex}}};
 }
 
-namespace {
-
-// the face on the other side of the first side of a face, in the same plane
-Moved_face turned_over(Moved_face g, const Moved_face& f) {
-  for (Plane_vector<double>& p : g.corners) p = f.corners[1] - p;
-  return g;
+Plane_vector<double> Moved_triangulation::approximate_vector(Developed_faces::Point from,
+                                                             Developed_faces::Point to) const {
+  const auto difference = [&](auto& values) {
+    const auto v = values.point(to) - values.point(from);
+    const bool is_narrow = v.x.radius() <= 0x1p-60 * (1 + std::abs(v.x.to_double())) &&
+                           v.y.radius() <= 0x1p-60 * (1 + std::abs(v.y.to_double()));
+    return std::pair(Plane_vector<double>{v.x.to_double(), v.y.to_double()}, is_narrow);
+  };
+  auto [v, is_narrow] = difference(short_);
+  for (const unsigned bits : {256U, 1024U}) {
+    if (is_narrow) break;
+    const Mpfr_precision precision(bits);
+    std::tie(v, is_narrow) = difference(long_values(bits));
+  }
+  return v;
 }
 
-} // namespace
+Moved_face Moved_triangulation::in_frame(Halfedge h, Developed_faces::Point origin) const {
+  const Halfedge n = mesh().next(h), l = mesh().next(n);
+  const auto corner = [&](Halfedge x) { return approximate_vector(origin, developed_.source(x)); };
+  return {mesh().face(h).index, {h.index, n.index, l.index}, {{corner(h), corner(n), corner(l)}}};
+}
+
+void Moved_triangulation::name_areas(std::initializer_list<Halfedge> faces) {
+  for (const Halfedge h : faces) {
+    developed_.choose_frame(mesh(), h);
+    area_[mesh().face(h).index] = developed_.name_area(mesh(), h);
+  }
+}
 
 void Moved_triangulation::flip(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
-  const Halfedge o = Gluing_map::opposite(h), jk = m.next(h), ki = m.next(jk), im = m.next(o),
-                 mj = m.next(im);
-  const Moved_face f = lay_out(h), g = turned_over(lay_out(o), f);
-  const auto &i = f.corners[0], &j = f.corners[1], &k = f.corners[2], &apex = g.corners[2];
-  const auto [km, left, right] = recipes_.flip(diamond(h));
-  const Moved_face new_f{f.face, {h.index, mj.index, jk.index}, {{k, apex, j}}},
-      new_g{g.face, {o.index, ki.index, im.index}, {{apex, k, i}}};
-  moves_.push_back(Repartition{{f, g}, {new_f, new_g}});
+  const Halfedge o = Gluing_map::opposite(h);
   developed_.bring_across(m, h);
-  developed_.close(h, mj, jk, km, left);
-  developed_.close(o, ki, im, km, right);
-  developed_.join(h);
-  length_[h.index / 2] = km;
-  area_[f.face] = left;
-  area_[g.face] = right;
+  const Developed_faces::Point origin = developed_.source(h);
+  std::vector<Moved_face> before{in_frame(h, origin), in_frame(o, origin)};
+  developed_.flip(m, h);
   CGAL::Euler::flip_edge(h, m);
+  moves_.push_back({std::move(before), {in_frame(h, origin), in_frame(o, origin)}});
+  name_areas({h, o});
+  length_[h.index / 2] = developed_.name_length(m, h);
 }
 
 void Moved_triangulation::remove_inner_vertex(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
-  const Halfedge jp = m.next(h), jk = m.next(Gluing_map::opposite(jp)), kp = m.next(jk),
-                 pj = m.next(kp), ki = m.next(Gluing_map::opposite(kp)), ip = m.next(ki),
-                 pk = m.next(ip);
-  const std::uint32_t f = m.face(h).index, g = m.face(jk).index, e = m.face(ki).index;
-  const Moved_face first = lay_out(h);
-  area_[f] = recipes_.sum_of_areas(area_[f], area_[g], area_[e]);
-  const auto squared = [&](Halfedge x) { return approximate(length_[x.index / 2]); };
-  const auto &i = first.corners[0], &j = first.corners[1], &p = first.corners[2];
-  const double ij = squared(h), area = approximate(area_[f]);
-  const Plane_vector<double> k{(ij + squared(ki) - squared(jk)) / (2 * j.x), area / (2 * j.x)};
-  const Moved_face second{g, {jk.index, kp.index, pj.index}, {{j, k, p}}},
-      third{e, {ki.index, ip.index, pk.index}, {{k, i, p}}},
-      whole{f, {h.index, jk.index, ki.index}, {{i, j, k}}};
-  moves_.push_back(Repartition{{first, second, third}, {whole}});
-  developed_.bring_across(m, jp);
-  developed_.bring_across(m, m.next(jp));
-  developed_.set_area(area_[f], h, jk);
+  const Halfedge jp = m.next(h), pi = m.next(jp);
+  for (const Halfedge x : {jp, pi}) developed_.bring_across(m, x);
+  const Developed_faces::Point origin = developed_.source(h);
+  std::vector<Moved_face> before{in_frame(h, origin),
+                                 in_frame(m.next(Gluing_map::opposite(jp)), origin),
+                                 in_frame(m.next(m.next(Gluing_map::opposite(pi))), origin)};
   remove_degree_3_vertex(h, m, numbered_.numbers);
+  moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  name_areas({h});
 }
 
 void Moved_triangulation::remove_border_vertex(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
-  const Halfedge pk = m.next(h), kp = Gluing_map::opposite(pk), ki = m.next(pk), pj = m.next(kp),
-                 jk = m.next(pj);
-  const Moved_face f = lay_out(pk), g = turned_over(lay_out(kp), f);
-  const auto &k = f.corners[1], &i = f.corners[2], &j = g.corners[2];
-  const auto [length, area] = recipes_.straighten(diamond(pk));
-  const Moved_face whole{f.face, {h.index, jk.index, ki.index}, {{i, j, k}}};
-  moves_.push_back(Repartition{{f, g}, {whole}});
+  const Halfedge pk = m.next(h), kp = Gluing_map::opposite(pk);
   developed_.bring_across(m, pk);
-  developed_.close(h, jk, ki, length, area);
-  length_[h.index / 2] = length;
-  area_[f.face] = area;
+  const Developed_faces::Point origin = developed_.source(h);
+  std::vector<Moved_face> before{in_frame(pk, origin), in_frame(kp, origin)};
   Intrinsic_triangulations::remove_border_vertex(h, m, numbered_.numbers);
+  moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  name_areas({h});
+  length_[h.index / 2] = developed_.name_length(m, h);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

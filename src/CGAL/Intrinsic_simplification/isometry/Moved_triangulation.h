@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,10 +33,9 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-A triangulation of which vertices of the input can be removed: connectivity, and
-a recipe for the value of each element. It starts as a triangulation of the
-input and decides signs exactly: by enclosures of 106 bits, then in the field of
-the square roots, then in more bits.
+A triangulation of which vertices of the input can be removed: connectivity, and names for the
+values of its elements. It starts as a triangulation of the input and decides signs exactly: by
+enclosures of 106 bits, then in the field of the square roots, then in more bits.
 */
 class Moved_triangulation {
 public:
@@ -55,7 +55,6 @@ public:
   Id area(std::uint32_t face) const { return area_[face]; }
   // whether no move has changed the face
   bool is_original(std::uint32_t face) const { return area_[face] == recipes_.area_of_face(face); }
-  const Short_ball& enclosure(Id id) const { return short_(id); }
   // an enclosure that is narrow, unless moves are very many: below 2^-90 of the
   // value
   Short_ball narrow_enclosure(Id id) const;
@@ -70,6 +69,8 @@ public:
   // it open
   double nearest(Id id) const;
 
+  // Gives faces at flat vertices that lie in planes common coordinates. \pre no move was made
+  void lay_out_planes(const std::vector<char>& is_flat);
   // the face, with its first side on an axis, in doubles
   Moved_face lay_out(Halfedge h) const;
   // whether both sides of the edge have faces, not the same one
@@ -78,6 +79,7 @@ public:
     const auto f = m.face(h), g = m.face(Gluing_map::opposite(h));
     return f.index != Gluing::none && g.index != Gluing::none && f.index != g.index;
   }
+  bool is_in_one_frame(Halfedge h) const { return developed_.is_in_one_frame(h); }
   Diamond_ids diamond(Halfedge h) const;
   Diamond_values<double> approximate(Halfedge h) const;
 
@@ -141,10 +143,15 @@ private:
     return result;
   }
   // values in so many bits, each computed once
-  Value_recipes::Evaluation<Long_ball>& long_values(unsigned bits) const {
-    return long_.try_emplace(bits, recipes_).first->second;
+  Developed_faces::Evaluation<Long_ball>& long_values(unsigned bits) const {
+    return long_.try_emplace(bits, developed_).first->second;
   }
   void start_field() const;
+  Plane_vector<double> approximate_vector(Developed_faces::Point from,
+                                          Developed_faces::Point to) const;
+  Moved_face in_frame(Halfedge h, Developed_faces::Point origin) const;
+  // names the areas of faces that a move has made, and chooses their frames
+  void name_areas(std::initializer_list<Halfedge> faces);
 
   static constexpr std::size_t few_words = std::size_t(1) << 12;
   // words of coefficients that one sign may cost: some tenths of a second; and
@@ -157,10 +164,10 @@ private:
   Developed_faces developed_;
   std::vector<Id> length_, area_;
   std::vector<Repartition> moves_;
-  mutable Value_recipes::Evaluation<Short_ball> short_;
-  mutable std::map<unsigned, Value_recipes::Evaluation<Long_ball>> long_; // by precision
+  mutable Developed_faces::Evaluation<Short_ball> short_;
+  mutable std::map<unsigned, Developed_faces::Evaluation<Long_ball>> long_; // by precision
   mutable std::unique_ptr<Square_root_field> field_;
-  mutable std::unique_ptr<Developed_faces::Evaluation> exact_;
+  mutable std::unique_ptr<Developed_faces::Evaluation<Square_root_field::Number>> exact_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

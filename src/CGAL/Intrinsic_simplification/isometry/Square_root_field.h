@@ -74,12 +74,13 @@ inline Gmpq scaled_by_power_of_two(const Gmpq& x, int exponent) {
   return result;
 }
 
-// Encloses a number of the field, with the current precision.
+// Encloses a number, with the current precision.
+inline Long_ball enclosure_of(const Gmpq& x) {
+  const Mpfr_number center = Mpfr_number::nearest(x);
+  return Long_ball::around(center, std::abs(center.magnitude()) * Mpfr_number::rounding());
+}
 inline Long_ball enclosure_of(const Square_root_field::Number& x) {
-  return x.value([](const Gmpq& q) {
-    const Mpfr_number center = Mpfr_number::nearest(q);
-    return Long_ball::around(center, std::abs(center.magnitude()) * Mpfr_number::rounding());
-  });
+  return x.value([](const Gmpq& q) { return enclosure_of(q); });
 }
 
 // Calls a function in more and more bits, until it returns something; nothing

@@ -18,7 +18,7 @@ void Value_recipes::expect_few_crossings(std::uint32_t edge) const {
 }
 
 const Unfolded_diamond* Value_recipes::strip(std::uint32_t edge) const {
-  if (t_.correspondence().normal_coordinate(edge) < 0) return nullptr;
+  if (is_along_input(edge)) return nullptr;
   expect_few_crossings(edge);
   const Unfolded_diamond& strip = unfolder_.strip(view_, t_.correspondence(), side_with_face(edge));
   t_.correspondence().count_steps(t_, unfolder_.take_steps());

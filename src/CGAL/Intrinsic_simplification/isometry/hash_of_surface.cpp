@@ -73,7 +73,7 @@ double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
   try {
     expect_to_go_on();
     return std::ldexp(s.triangulation().nearest(s.length(dart)),
-                      -2 * s.delaunay().input().scale_exponent());
+                      -2 * s.start().input().scale_exponent());
   } catch (const Undecidable& e) {
     throw Invalid_input(Element_kind::none, 0,
                         std::string("a length cannot be rounded correctly: ") + e.what());
@@ -82,7 +82,7 @@ double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
 
 std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run) {
   const Dart_complex& darts = s.darts();
-  const std::uint32_t sheets = s.delaunay().input().names().sheets; // a cover is another surface
+  const std::uint32_t sheets = s.start().input().names().sheets; // a cover is another surface
   const auto refuse = [](const std::string& why) {
     throw Invalid_input(Element_kind::none, 0, "the surface gets no hash, since " + why);
   };

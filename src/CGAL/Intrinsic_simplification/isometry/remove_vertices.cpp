@@ -17,7 +17,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,9 +60,10 @@ public:
 
 private:
   struct Candidate {
-    int gain;     // number of edge ends that leave the vertex
-    double power; // of the vertex with respect to the circle about the ear,
-                  // negative inside
+    int gain;      // number of edge ends that leave the vertex
+    bool is_plane; // whether the faces beside it have one frame
+    double power;  // of the vertex with respect to the circle about the ear,
+                   // negative inside
     Halfedge edge;
   };
 
@@ -85,25 +88,26 @@ private:
   }
 
   // Flips the edge whose ear has the circle that contains the vertex the least: where the faces
-  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Where edges from the
+  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Ears of one plane go
+  // before: a vertex on a crease leaves faces of planes, without new roots. Where edges from the
   // vertex to itself block all ears, a flip that takes no end away changes the faces.
   bool flip_an_edge(bool may_be_straight) {
     std::vector<Candidate> candidates;
     for (const Halfedge h : edges_) {
       if (!t_.has_diamond(h) || gain(h) < 0) continue;
       if (gain(h) == 0) { // only if there is nothing better, and never in a circle
-        candidates.push_back({0, static_cast<double>(random_()), h});
+        candidates.push_back({0, false, static_cast<double>(random_()), h});
         continue;
       }
       const Diamond_values<double> d = t_.approximate(h);
       const double area = flipped(d).area_f;
       candidates.push_back(
-          {gain(h),
+          {gain(h), t_.is_in_one_frame(h),
            area > 0 ? -Delaunay_expression()(d) / area : -std::numeric_limits<double>::infinity(),
            h});
     }
     std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.gain, a.power) > std::pair(b.gain, b.power);
+      return std::tuple(a.gain, a.is_plane, a.power) > std::tuple(b.gain, b.is_plane, b.power);
     });
     for (const Candidate& c : candidates) {
       const auto d = t_.diamond(c.edge);
@@ -123,18 +127,13 @@ private:
   std::vector<Halfedge> edges_;
 };
 
-// Flips the edges of faces that moves have made, from a move on.
-void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
+// Flips edges, given by their numbers, and those of the faces that this makes.
+void flip_to_delaunay(Moved_triangulation& t, std::vector<std::uint32_t> stack) {
   const Gluing_map& mesh = t.mesh();
-  std::vector<std::uint32_t> stack;
-  for (std::size_t n = first_move; n < t.moves().size(); ++n)
-    for (const Moved_face& f : t.moves()[n].after)
-      for (const std::uint32_t h : f.sides)
-        if (!mesh.is_removed(Gluing_map::Halfedge{h})) stack.push_back(h / 2);
   while (!stack.empty()) {
     const Gluing_map::Halfedge h{2 * stack.back()};
     stack.pop_back();
-    if (!t.has_diamond(h)) continue;
+    if (mesh.is_removed(h) || !t.has_diamond(h)) continue;
     expect_to_go_on();
     if (t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
     t.flip(h);
@@ -142,6 +141,15 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
       for (Gluing_map::Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
         stack.push_back(n.index / 2);
   }
+}
+
+// Flips the edges of faces that moves have made, from a move on.
+void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
+  std::vector<std::uint32_t> stack;
+  for (std::size_t n = first_move; n < t.moves().size(); ++n)
+    for (const Moved_face& f : t.moves()[n].after)
+      for (const std::uint32_t h : f.sides) stack.push_back(h / 2);
+  flip_to_delaunay(t, std::move(stack));
 }
 
 // The vertices that edges join to one, among those to be removed; none of them
@@ -172,7 +180,9 @@ bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertic
 
 // Vertices of one plane follow each other, so that few square roots are needed
 // at a time. In random order, values follow from each other in few steps.
-void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed) {
+void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed,
+                     bool stays_delaunay) {
+  t.lay_out_planes(are_removed);
   std::vector<char> are_left = are_removed;
   std::vector<Gluing_map::Vertex> others;
   std::mt19937 random;
@@ -184,7 +194,7 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
     const std::size_t first_move = t.moves().size();
     while (!cluster.empty() && remove_some(t, cluster)) {
     }
-    flip_to_delaunay(t, first_move);
+    if (stays_delaunay) flip_to_delaunay(t, first_move);
     others.insert(others.end(), cluster.begin(), cluster.end());
   }
   // flips that failed may block others; those to Delaunay undo them
@@ -195,6 +205,12 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
     was_blocked = is_blocked;
     flip_to_delaunay(t, first_move);
   }
+}
+
+void make_delaunay(Moved_triangulation& t) {
+  std::vector<std::uint32_t> all(t.mesh().number_of_edges());
+  std::iota(all.begin(), all.end(), 0U);
+  flip_to_delaunay(t, std::move(all));
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -74,10 +75,33 @@ Gmpz shifted(const Gmpzf& x, long exponent) { // the number divided by 2^exponen
   return result;
 }
 
-Exact_corner exact_corner(const Input_metric& metric, std::uint32_t h) {
-  const std::uint32_t f = h / 3;
-  const auto length = [&](unsigned k) { return metric.squared_length<Gmpzf>(f, (h + k) % 3); };
-  const Gmpzf p = length(0) + length(2) - length(1), d = metric.squared_quadruple_area<Gmpzf>(f);
+// Squared lengths and the squared quadruple area of faces: a face has three corners.
+class Exact_faces {
+public:
+  struct Face {
+    std::array<Gmpzf, 3> length;
+    Gmpzf d;
+  };
+
+  explicit Exact_faces(const Input_metric& metric) : metric_(metric) {}
+
+  const Face& operator()(std::uint32_t f) {
+    const auto [known, is_new] = faces_.try_emplace(f);
+    Face& face = known->second;
+    if (!is_new) return face;
+    for (unsigned k = 0; k < 3; ++k) face.length[k] = metric_.squared_length<Gmpzf>(f, k);
+    face.d = squared_quadruple_area(face.length[0], face.length[1], face.length[2]);
+    return face;
+  }
+
+private:
+  const Input_metric& metric_;
+  std::unordered_map<std::uint32_t, Face> faces_;
+};
+
+Exact_corner exact_corner(Exact_faces& faces, std::uint32_t h) {
+  const auto& [length, d] = faces(h / 3);
+  const Gmpzf p = length[h % 3] + length[(h + 2) % 3] - length[(h + 1) % 3];
   // a power of two that divides p, and the square of which divides d
   const long of_d = d.exp() >= 0 ? d.exp() / 2 : (d.exp() - 1) / 2;
   const long exponent = p.is_zero() ? of_d : d.is_zero() ? p.exp() : std::min(p.exp(), of_d);
@@ -154,13 +178,12 @@ private:
 };
 
 // See the header. \param sides those that begin at the vertex
-bool is_flat(const Input_metric& metric, std::span<const std::uint32_t> sides,
-             unsigned half_turns) {
+bool is_flat(Exact_faces& faces, std::span<const std::uint32_t> sides, unsigned half_turns) {
   const std::size_t most_others = 2 * half_turns;
   std::vector<Corners_of_class> classes(1, Corners_of_class(Gmpz(1)));
   double sum = 0;
   for (const std::uint32_t h : sides) {
-    const Exact_corner z = exact_corner(metric, h);
+    const Exact_corner z = exact_corner(faces, h);
     if (z.d.sign() == NEGATIVE) return false; // no triangle
     sum += angle_of(z);
     if (z.d.sign() == ZERO) continue;
@@ -189,10 +212,11 @@ std::vector<char> flat_vertices(const Input_metric& metric, std::span<const std:
   std::ranges::sort(open);
   std::vector<char> result(half_turns.size(), 0);
   std::vector<std::uint32_t> sides;
+  Exact_faces faces(metric);
   for (auto at = open.begin(); at != open.end();) {
     const std::uint32_t v = at->first;
     for (sides.clear(); at != open.end() && at->first == v; ++at) sides.push_back(at->second);
-    result[v] = is_flat(metric, sides, half_turns[v]) ? 1 : 0;
+    result[v] = is_flat(faces, sides, half_turns[v]) ? 1 : 0;
   }
   return result;
 }
