@@ -149,8 +149,8 @@ TEST(VectorProlongation, keeps_parallel_fields_of_a_flat_torus) {
   EXPECT_EQ(compare_parallel_fields(x), 81U);
 }
 
-// Narrow tori, of one column, two or three: edges are loops, and several segments join two vertices.
-// A matrix row of weights that sum to 1 says that the corners agree.
+// Narrow tori, of one column, two or three: edges are loops, and several segments join two
+// vertices.
 TEST(VectorProlongation, keeps_parallel_fields_of_narrow_flat_tori) {
   std::mt19937 random(3);
   const auto any = [&] { return static_cast<double>(random() % 1000) / 1000; };

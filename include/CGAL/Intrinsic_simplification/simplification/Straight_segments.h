@@ -38,8 +38,8 @@ public:
   // \param from the point; at a vertex, the source of its halfedge
   // \param short_length all segments up to this length are asked for, and the shortest one
   // \param reach segments that are longer are not looked for
-  // \return none if there are none, or if they are not found in `most_windows` faces; segments along
-  //   a side are found from both faces
+  // \return none if there are none, or if they are not found in `most_windows` faces; a segment
+  //   along a side is found from both faces
   const std::vector<Segment>& find(const Surface_point& from, const Geodesic_target& to,
                                    double short_length, double reach) {
     windows_.clear();

@@ -139,8 +139,8 @@ lengths. So a vertex costs the mean of the squared lengths of its edges, times w
 its part of the area, which functions are weighted with, and its curvature as a part of a half turn,
 which neighbours get. Both are those of the surface as it is now. Two factors keep the surface as
 large as it was: the cube root of the stretch, and exp(-K / 4) where the curvature K is negative, as
-a vertex with a large sum of angles becomes flat only by longer edges. Their exponents are those with
-which no error is greater than by the authors' program on their six meshes, see the manual.
+a vertex with a large sum of angles becomes flat only by longer edges. With these exponents no error
+is greater than by the program of Liu et al. on their six meshes, see the manual.
 \cgalModels{RemovalCost}
 */
 class Balanced_cost {

@@ -214,9 +214,9 @@ private:
 Vectors are those of a `Tangent_field` on both triangulations, in the polar coordinates of their
 vertices. From the corners of its coarse face, vectors are transported along straight lines to the
 place of a fine vertex, and averaged there with its weights. Then they are turned as the map from
-the fine to the coarse surface turns the edges at the fine vertex, in the mean. Where several segments
-of about the length of an edge join the places of its ends, as on narrow tori, those are taken with
-which most edges agree on one turn. Parallel fields on flat surfaces stay parallel.
+the fine to the coarse surface turns the edges at the fine vertex, in the mean. Where several
+segments of about the length of an edge join the places of its ends, as on narrow tori, those are
+taken with which most edges agree on one turn. Parallel fields on flat surfaces stay parallel.
 
 A change of the axes at a vertex changes a row or a column by a factor of absolute value 1.
 \tparam Fine a model of `NumberedTriangulation`
