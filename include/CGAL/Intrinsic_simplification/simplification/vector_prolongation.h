@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -67,10 +68,11 @@ public:
 private:
   // A point at a corner as the source of its halfedge.
   Surface_point begun_at_vertex(const Surface_point& p) const {
+    const unsigned corner = corner_of(p);
+    if (corner == 3) return p;
     std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; k < 3; ++k, h = view_.next(h))
-      if (p.weights[k] == 1) return {h, {1, 0, 0}};
-    return p;
+    for (unsigned k = 0; k < corner; ++k) h = view_.next(h);
+    return {h, {1, 0, 0}};
   }
 
   // The direction of a segment: at a vertex its polar angle, else that in the frame of the point.
