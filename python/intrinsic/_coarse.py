@@ -59,7 +59,7 @@ class CoarseSurface(Surface):
         if self._vector_prolongation is None:
             faces, weights = self.fine_places
             self._vector_prolongation = _arrays.sparse(_core.vector_prolongation(
-                self._fine, self._flipped(), self.kept, faces, weights, self.stretch.upper, None))
+                self._fine, self._flipped(), self.kept, faces, weights, tuple(self.stretch), None))
         return self._vector_prolongation
 
     def _found(self) -> dict[str, Any]:

@@ -54,12 +54,12 @@ class _Simplification:
             keep: vertices that stay, of shape (k,); edges that stay, pairs of vertices, of shape
                 (k, 2); or a number: edges at which faces are folded by more degrees.
             cost: which vertices go first: those that stretch the surface least, "stretch", or those
-                whose "curvature" or "area" moves least, times how far it has moved, or both by
-                squares of lengths, "balanced", most accurate for operators; or values at
-                vertices, of shape (n,) or (n, k) for several functions, that move in its place; or
-                a function that gets a candidate, with the attributes `vertex`, `curvature`, `area`,
-                `mean_length` and `stretch`, and returns its cost. A vertex whose cost is not finite
-                stays.
+                whose "curvature" or "area" moves least, times how far it has moved, or those that
+                functions on the surface need least, "balanced", most accurate for operators; or
+                values at vertices, of shape (n,) or (n, k) for several functions, that move in its
+                place; or a function that gets a candidate, with the attributes `vertex`,
+                `curvature`, `area`, `mean_length` and `stretch`, and returns its cost. A vertex
+                whose cost is not finite stays.
             progress: see `delaunay()`.
         """
         [found] = _simplified(self, _wanted(vertices), None, stretch, None, keep, cost, progress)

@@ -169,11 +169,11 @@ py::list simplify(Surface& s, std::optional<std::size_t> vertices, std::optional
 
 // The matrix for tangent vectors, of triangulations and of what `dict_of_simplification()` gave.
 py::tuple vector_prolongation(Surface& fine, Surface& coarse, const Integers& kept,
-                              const Integers& faces, const Doubles& weights, double upper,
-                              Watch& watch) {
+                              const Integers& faces, const Doubles& weights,
+                              const std::array<double, 4>& stretch, Watch& watch) {
   IT::Simplification s;
   s.kept = numbers_of(kept, IT::Gluing::none, "vertex");
-  s.stretch.upper = upper;
+  s.stretch = {stretch[0], stretch[1], stretch[2], stretch[3]};
   const std::vector<Point> points = points_of(weights);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const std::int64_t f = faces.at(static_cast<py::ssize_t>(v));

@@ -49,5 +49,6 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/simplification/flatten.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/removal_costs.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/triangulate_star.cpp>
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SOURCES_H

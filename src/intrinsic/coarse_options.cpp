@@ -46,7 +46,7 @@ void add_simplify_options(CLI::App& command, Options& options) {
   const Words costs({{"stretch", "those that stretch the surface least"},
                      {"curvature", "those whose curvature moves least"},
                      {"area", "those whose area moves least"},
-                     {"balanced", "those whose curvature and area move least, for operators"}},
+                     {"balanced", "those that functions on the surface need least, for operators"}},
                     defaults::removal_cost);
   add("--cost", s.cost, {costs.check()}, "which vertices go first: " + costs.help())
       ->excludes(flat);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
@@ -138,28 +139,29 @@ inline Matrix renumbered(const Matrix& m, const std::vector<std::uint32_t>& orde
 }
 
 /*!
-The torus of an n x n grid of parallelograms with sides u and v = (shear, 1) in the plane, where u is
-(1, 0): an abstract metric. Vertex (x, y) has number n y + x.
+The torus of a grid of n x m parallelograms with sides u and v in the plane: an abstract metric.
+Vertex (x, y) has number n y + x.
 */
-inline IT::Intrinsic_input torus(std::uint32_t n, double shear) {
+inline IT::Intrinsic_input torus(std::uint32_t n, std::uint32_t m, const std::complex<double>& u,
+                                 const std::complex<double>& v) {
   IT::Gluing g;
-  g.number_of_vertices = n * n;
-  const auto vertex = [n](std::uint32_t x, std::uint32_t y) { return n * (y % n) + x % n; };
-  const auto cell = [n](std::uint32_t x, std::uint32_t y) { return 6 * (n * (y % n) + x % n); };
-  for (std::uint32_t y = 0; y < n; ++y)
+  g.number_of_vertices = n * m;
+  const auto vertex = [n, m](std::uint32_t x, std::uint32_t y) { return n * (y % m) + x % n; };
+  const auto cell = [&](std::uint32_t x, std::uint32_t y) { return 6 * vertex(x, y); };
+  for (std::uint32_t y = 0; y < m; ++y)
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t c = cell(x, y);
       for (const auto& [i, j] :
            {std::pair{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 0U}, {1U, 1U}, {0U, 1U}})
         g.origin.push_back(vertex(x + i, y + j));
       // sides: 0 bottom, 1 right, 2 diagonal back; 3 diagonal, 4 top, 5 left
-      for (const std::uint32_t other : {cell(x, y + n - 1) + 4, cell(x + 1, y) + 5, c + 3, c + 2,
+      for (const std::uint32_t other : {cell(x, y + m - 1) + 4, cell(x + 1, y) + 5, c + 3, c + 2,
                                         cell(x, y + 1), cell(x + n - 1, y) + 1})
         g.glue.push_back(other);
     }
   IT::Gluing_map map(g);
   std::vector<double> squared(map.number_of_edges());
-  const double length[3] = {1, shear * shear + 1, (1 + shear) * (1 + shear) + 1};
+  const double length[3] = {std::norm(u), std::norm(v), std::norm(u + v)};
   for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {
     IT::Gluing_map::Halfedge h = map.halfedge(IT::Gluing_map::Face{f});
     for (const unsigned k : f % 2 == 0 ? std::array{0U, 1U, 2U} : std::array{2U, 0U, 1U}) {
@@ -168,6 +170,11 @@ inline IT::Intrinsic_input torus(std::uint32_t n, double shear) {
     }
   }
   return {std::move(map), std::move(squared)};
+}
+
+/// The same of n x n parallelograms with sides (1, 0) and (shear, 1).
+inline IT::Intrinsic_input torus(std::uint32_t n, double shear) {
+  return torus(n, n, 1, {shear, 1});
 }
 
 using gallery::input;

@@ -28,6 +28,7 @@ which saves the time to find them.
 \cgalHeading{Invariants}
 
 A vertex whose cost is not finite stays. Costs are asked for again when a vertex is next in turn and
-faces at it have changed; not if the cost of one of its neighbours has.
+faces at it have changed; not if the cost of one of its neighbours has. On a cover each copy of a
+vertex has a cost, of which the greatest counts, and they are removed one after another.
 */
 class RemovalCost {};

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <span>
@@ -30,7 +31,7 @@ static_assert(IT::RemovalCost<archetypes::Removal_cost>);
 static_assert(IT::RemovalCost<archetypes::Remembering_cost>);
 static_assert(IT::RemovalCost<IT::Stretch_cost>);
 static_assert(IT::RemovalCost<IT::Transported_mass>);
-static_assert(IT::RemovalCost<IT::Moved_mass>);
+static_assert(IT::RemovalCost<IT::Balanced_cost>);
 static_assert(!IT::RemovalCost<double>);
 
 T delaunay(const Shape& s) { return IT::delaunay_triangulation(s.input()); }
@@ -66,20 +67,26 @@ TEST(TransportedMass, moves_in_shares_and_remembers_the_way_back) {
   EXPECT_EQ(IT::Transported_mass().add({0, 0})({.number = 1}, of_0), 0);
 }
 
-TEST(MovedMass, costs_the_mean_of_squared_lengths) {
-  IT::Moved_mass cost({3, 2, 1});
-  const std::vector<IT::Removal_neighbor> of_0{{1, .25, 1, 0, 0}, {2, .75, 2, 0, 0}};
-  EXPECT_DOUBLE_EQ(cost({.number = 0}, of_0), 3 * (.25 * 1 + .75 * 4));
-  cost.remove({.number = 0}, of_0);
-  const std::vector<IT::Removal_neighbor> of_1{{2, 1, 3, 0, 0}};
-  EXPECT_DOUBLE_EQ(cost({.number = 1}, of_1), (2 + .75) * 9);
-}
-
-TEST(BalancedCost, starts_from_curvature_in_turns_and_parts_of_the_area) {
-  const T t = delaunay(tetrahedron()); // curvature pi and a quarter of the area at each vertex
-  const IT::Moved_mass cost = IT::balanced_cost(t);
-  const std::vector<IT::Removal_neighbor> to{{1, 1, 2, 0, 0}};
-  for (std::uint32_t v = 0; v < 4; ++v) EXPECT_NEAR(cost({.number = v}, to), (.5 + .25) * 4, 1e-12);
+// A tetrahedron has curvature pi and a quarter of the area at each vertex; all edges are alike.
+TEST(BalancedCost, grows_with_curvature_area_lengths_and_stretch) {
+  const Shape shape = tetrahedron();
+  const T t = delaunay(shape);
+  const IT::Balanced_cost cost = IT::balanced_cost(t);
+  const double length = (shape.point(1) - shape.point(0)).squaredNorm();
+  const auto compare = [&](const IT::Removal_candidate& c) {
+    EXPECT_NEAR(c.squared_length, length, 1e-12 * length);
+    EXPECT_NEAR(c.curvature, std::numbers::pi, 1e-12);
+    IT::Removal_candidate same = c;
+    same.stretch = 3 * std::numbers::ln2; // its cube root is 2
+    EXPECT_NEAR(cost(same), 2 * (1 + .25) * length, 1e-12 * length);
+    same.curvature = -4 * std::numbers::ln2;
+    EXPECT_NEAR(cost(same), 4 * (4 * std::numbers::ln2 / std::numbers::pi + .25) * length,
+                1e-12 * length);
+    return cost(c);
+  };
+  IT::Simplify_options options;
+  options.vertices = 4;
+  EXPECT_EQ(IT::simplify(t, options, compare).removed, 0U);
 }
 
 // Checks neighbours on a plane, where all frames are turned against it by a fixed angle each.

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -25,6 +27,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -115,6 +119,44 @@ TEST(Simplify, stops_where_the_stretch_would_leave_its_bound) {
     expect_surface(fine, s);
     expect_distances_within(fine, s);
   }
+}
+
+TEST(Simplify, removes_flat_vertices_if_no_stretch_is_allowed) {
+  IT::Simplify_options options;
+  options.stretch = 1;
+  const T fine = delaunay(cube_of_grids(4));
+  const IT::Simplification s = IT::simplify(fine, options);
+  EXPECT_EQ(s.kept.size(), 8U);
+  EXPECT_LE(s.stretch.upper, 1 + 1e-9);
+  EXPECT_GE(s.stretch.lower, 1 - 1e-9);
+  expect_distances_within(fine, s);
+  const T rough = delaunay(rough_torus(6, .3, 1));
+  EXPECT_EQ(IT::simplify(rough, options).removed, 0U);
+}
+
+// A double cone over a polygon: the apex at the top has its vertices in any order of numbers around
+// it, and is as flat as a plane; removal is not quadratic in the degree.
+TEST(Simplify, removes_a_vertex_of_high_degree) {
+  constexpr std::uint32_t n = 20000;
+  Shape shape;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const double angle = 2 * std::numbers::pi * k / n, r = 1 + .2 * std::sin(5 * angle);
+    shape.points.push_back({r * std::cos(angle), r * std::sin(angle), 0});
+  }
+  shape.points.push_back({0, 0, .01});
+  shape.points.push_back({0, 0, -2});
+  for (std::uint32_t k = 0; k < n; ++k) {
+    shape.triangles.push_back({k, (k + 1) % n, n});
+    shape.triangles.push_back({(k + 1) % n, k, n + 1});
+  }
+  IT::Simplify_options options = to(n + 1);
+  for (std::uint32_t v = 0; v <= n + 1; ++v)
+    if (v != n) options.kept_vertices.push_back(v);
+  // not Delaunay: edges that the apex needs would be flipped
+  const T fine(shape.input());
+  const IT::Simplification s = IT::simplify(fine, options);
+  EXPECT_EQ(s.removed, 1U);
+  EXPECT_EQ(s.kept.size(), n + 1);
 }
 
 // The same surface with vertex v named `name[v]`, faces in another order, and moved points.
@@ -303,6 +345,43 @@ TEST(Simplify, ends_on_every_oriented_surface) {
     if (surface.expected.boundary_loops == 0 && surface.expected.components == 1) {
       EXPECT_EQ(static_cast<std::ptrdiff_t>(s.kept.size()),
                 std::max<std::ptrdiff_t>(1, surface.euler_characteristic() + 1));
+    }
+  }
+}
+
+// Rows of the vertices of a triangulation, and how many vertices each has.
+std::map<std::uint32_t, std::size_t> copies_of_rows(const T& t) {
+  std::map<std::uint32_t, std::size_t> result;
+  for (const auto v : vertices(t.mesh())) ++result[t.input_vertex(v)];
+  return result;
+}
+
+// A surface that is doubled along its border, and one of three pages that meet at a spine.
+TEST(Simplify, removes_all_copies_of_a_vertex_together) {
+  Shape pages = rough_grid(8, .3, .4, 4);
+  for (std::uint32_t y = 0; y < 8; ++y) {
+    pages.points.push_back({4, y + .5, 3});
+    pages.triangles.push_back(
+        {9 * y + 4, 9 * y + 13, static_cast<std::uint32_t>(pages.points.size()) - 1});
+  }
+  const std::array inputs{
+      IT::make_domain(rough_grid(9, .3, .6, 4).input(), IT::Domain_kind::closed).input,
+      IT::make_domain(IT::triangle_soup(pages.points, pages.triangles)).input};
+  for (const IT::Intrinsic_input& in : inputs) {
+    const T fine = delaunay(in);
+    const std::map<std::uint32_t, std::size_t> copies = copies_of_rows(fine);
+    ASSERT_GT(num_vertices(fine.mesh()), copies.size());
+    const auto expect_together = [&](const IT::Simplification& s) {
+      std::map<std::uint32_t, std::size_t> kept;
+      for (const std::uint32_t row : s.kept) ++kept[row];
+      for (const auto& [row, number] : kept) EXPECT_EQ(number, copies.at(row));
+    };
+    for (const std::size_t wanted : {80, 40, 20}) {
+      const IT::Simplification s = IT::simplify(fine, to(wanted));
+      EXPECT_EQ(s.status, IT::Status::done);
+      EXPECT_LE(s.kept.size(), wanted);
+      expect_together(s);
+      expect_together(IT::simplify(fine, to(wanted), IT::curvature_cost(fine)));
     }
   }
 }

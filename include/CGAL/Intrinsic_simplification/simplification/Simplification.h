@@ -26,13 +26,14 @@ struct Simplify_progress {
 /// What `simplify()` is asked for. It stops at what is reached first.
 struct Simplify_options {
   /// How many vertices are wanted; nothing: as few as possible. On a cover, each copy of a vertex
-  /// counts.
+  /// counts; copies are removed together, so that fewer may be left.
   std::optional<std::size_t> vertices;
   /// The same as a part of the vertices that have faces, above 0 and at most 1; at least one is
   /// wanted. With neither this nor another bound, it is a tenth.
   std::optional<double> part;
   /// No length of a curve is multiplied by more than this, or by less than its inverse; at least 1.
-  /// A vertex whose removal would break this stays.
+  /// A vertex whose removal would break this stays. Rounding is allowed for: with 1, vertices go
+  /// that are flat, or nearly so, with proven bounds that differ from 1 by 1e-9 at most.
   double stretch = std::numeric_limits<double>::infinity();
   /// Vertices whose removal costs more than this stay, in the units of the cost.
   double cost = std::numeric_limits<double>::infinity();

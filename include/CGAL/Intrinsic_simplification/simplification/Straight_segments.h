@@ -10,18 +10,18 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_to_target.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Finds the shortest straight segment from a point to another one near it. Faces are unfolded
-// across their sides as far as the point sees through them.
+// Finds straight segments from a point to another one near it: the shortest, and others that are
+// short. Faces are unfolded across their sides as far as the point sees through them.
 // \tparam Surface a model of `NumberedComplex` with lengths
 template <class Surface>
 class Straight_segments {
@@ -36,12 +36,16 @@ public:
   explicit Straight_segments(const Surface& surface) : surface_(surface) {}
 
   // \param from the point; at a vertex, the source of its halfedge
+  // \param short_length all segments up to this length are asked for, and the shortest one
   // \param reach segments that are longer are not looked for
-  // \return nothing if there is none, or it is not found in `most_windows` faces
-  std::optional<Segment> find(const Surface_point& from, const Geodesic_target& to, double reach) {
+  // \return none if there are none, or if they are not found in `most_windows` faces; a segment
+  //   along a side is found from both faces
+  const std::vector<Segment>& find(const Surface_point& from, const Geodesic_target& to,
+                                   double short_length, double reach) {
     windows_.clear();
-    found_.reset();
-    reach_ = reach;
+    found_.clear();
+    short_length_ = short_length;
+    reach_ = std::max(reach, short_length);
     const bool is_vertex = from.weights[0] == 1;
     const std::uint32_t first =
         is_vertex ? surface_.outgoing_halfedge(surface_.source(from.halfedge)) : from.halfedge;
@@ -53,6 +57,8 @@ public:
     } while (h != first);
     for (std::size_t n = 0; n < windows_.size() && n < most_windows; ++n)
       if (squared_distance(windows_[n]) < reach_ * reach_) enter(windows_[n], to);
+    std::erase_if(found_,
+                  [&](const Segment& s) { return std::sqrt(dot(s.vector, s.vector)) > reach_; });
     return found_;
   }
 
@@ -86,9 +92,9 @@ private:
 
   void offer(std::uint32_t frame, const Vector& v) {
     const double length = std::sqrt(squared_norm(v));
-    if (length > reach_ || (found_ && length == reach_)) return;
-    reach_ = length;
-    found_ = Segment{frame, v};
+    if (!(length > rounding * short_length_ && length <= reach_)) return; // not the point itself
+    reach_ = std::max(length, short_length_);
+    found_.push_back({frame, v});
   }
 
   // the face in which the point is; at a vertex only the side across can be left through
@@ -136,8 +142,8 @@ private:
 
   const Surface& surface_;
   std::vector<Window> windows_;
-  std::optional<Segment> found_;
-  double reach_ = std::numeric_limits<double>::infinity();
+  std::vector<Segment> found_;
+  double short_length_ = 0, reach_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -67,10 +68,11 @@ public:
 private:
   // A point at a corner as the source of its halfedge.
   Surface_point begun_at_vertex(const Surface_point& p) const {
+    const unsigned corner = corner_of(p);
+    if (corner == 3) return p;
     std::uint32_t h = p.halfedge;
-    for (std::size_t k = 0; k < 3; ++k, h = view_.next(h))
-      if (p.weights[k] == 1) return {h, {1, 0, 0}};
-    return p;
+    for (unsigned k = 0; k < corner; ++k) h = view_.next(h);
+    return {h, {1, 0, 0}};
   }
 
   // The direction of a segment: at a vertex its polar angle, else that in the frame of the point.
@@ -81,27 +83,63 @@ private:
   }
 
   // The rotation that takes polar angles of the fine vertex to those at its place: the mean over
-  // the edges at the vertex, each with the part of the circle that is nearest to it. The segment
-  // between the places of its ends is taken for the image of an edge.
+  // the edges at the vertex, each with the part of the circle that is nearest to it. A segment
+  // between the places of its ends is taken for the image of an edge: of several the one nearest to
+  // the rotation.
   Complex turn_at(typename Fine::vertex_descriptor v, std::uint32_t row) {
-    Complex sum = 0;
-    double weights = 0;
+    images_.clear();
+    edges_.clear();
     const std::uint32_t begin = fine_view_.outgoing_halfedge(fine_.index(v));
     double before = 0; // the corner before the edge
     for (std::uint32_t h = begin;;) {
       const bool is_last = fine_view_.is_border(h);
       const double after = is_last ? 0 : fine_angles_.scale(h) * angle_at_source(fine_view_, h);
       if (h == begin) before = corner_before(begin);
-      const Complex image = image_of(h, row);
-      sum += (before + after) * image;
-      weights += (before + after) * std::abs(image);
+      find_images(h, row, before + after);
       before = after;
       if (is_last) break;
       h = next_around_source(fine_view_, h);
       if (h == begin) break;
     }
+    return best_turn();
+  }
+
+  // A rotation on which many edges agree. Without a choice it is their mean; else each image of an
+  // edge is tried, and the best one must be the only one.
+  Complex best_turn() const {
+    double weights = 0;
+    for (const Edge_images& e : edges_) weights += e.weight;
+    Complex best = 0, other = 0; // the best two that differ
+    const std::size_t tries = images_.size() == edges_.size() ? 1 : images_.size();
+    for (std::size_t n = 0; n < tries && n < images_.size(); ++n) {
+      const Complex sum = sum_near(images_[n]);
+      if (std::norm(sum) > std::norm(best)) {
+        if (is_other(sum, best)) other = best;
+        best = sum;
+      } else if (std::norm(sum) > std::norm(other) && is_other(sum, best)) {
+        other = sum;
+      }
+    }
     // opposite rotations leave nothing but rounding
-    return std::abs(sum) > 0x1p-20 * weights ? unit_vector(sum) : 0;
+    const double least = 0x1p-20 * weights;
+    return std::abs(best) > std::abs(other) + least ? unit_vector(best) : 0;
+  }
+
+  static bool is_other(const Complex& a, const Complex& b) {
+    return std::abs(b) == 0 || std::abs(unit_vector(a) - unit_vector(b)) > 0x1p-10;
+  }
+
+  // The sum over the edges of their images that are nearest to a rotation.
+  Complex sum_near(const Complex& turn) const {
+    Complex sum = 0;
+    const auto closeness = [&](const Complex& z) { return (std::conj(turn) * z).real(); };
+    for (const Edge_images& e : edges_) {
+      Complex nearest = images_[e.begin];
+      for (std::size_t k = e.begin + 1; k < e.end; ++k)
+        if (closeness(images_[k]) > closeness(nearest)) nearest = images_[k];
+      sum += e.weight * nearest;
+    }
+    return sum;
   }
 
   double corner_before(std::uint32_t h) const {
@@ -110,18 +148,22 @@ private:
     return fine_angles_.scale(h) * angle_at_source(fine_view_, other);
   }
 
-  // The rotation of one edge; zero if it is not known.
-  Complex image_of(std::uint32_t h, std::uint32_t row) {
+  // Adds the rotations that an edge may have: none if none is known.
+  void find_images(std::uint32_t h, std::uint32_t row, double weight) {
     const auto to = fine_.numbers().vertex_at(fine_view_.target(h));
     const std::uint32_t other = fine_.input_vertex(to);
-    if (!points_[other] || other == row) return 0;
+    if (!points_[other] || (other == row && to != fine_.numbers().vertex_at(fine_view_.source(h))))
+      return;
     // no segment is longer than the image of the edge; in units of the coarse surface
-    const double length = std::sqrt(fine_view_.squared_length(h / 2));
-    const double reach = std::ldexp(s_.stretch.upper * (1 + 0x1p-40) * length,
-                                    view_.scale_exponent() - fine_view_.scale_exponent());
-    const auto segment = segments_.find(*points_[row], targets_[other], reach);
-    if (!segment || (segment->vector.x == 0 && segment->vector.y == 0)) return 0;
-    return std::polar(1., direction(row, *segment) - fine_angles_[h]);
+    const double length = std::ldexp((1 + 0x1p-40) * std::sqrt(fine_view_.squared_length(h / 2)),
+                                     view_.scale_exponent() - fine_view_.scale_exponent());
+    Edge_images edge{weight, images_.size(), 0};
+    for (const auto& segment :
+         segments_.find(*points_[row], targets_[other], s_.stretch.mean_upper * length,
+                        s_.stretch.upper * length))
+      images_.push_back(std::polar(1., direction(row, segment) - fine_angles_[h]));
+    edge.end = images_.size();
+    if (edge.end > edge.begin) edges_.push_back(edge);
   }
 
   // Vectors keep their angles with the segment from the corner of a face to a point in it.
@@ -144,6 +186,12 @@ private:
     }
   }
 
+  // Rotations of one edge, among those of all at a vertex.
+  struct Edge_images {
+    double weight;
+    std::size_t begin, end;
+  };
+
   const Fine& fine_;
   const Coarse& coarse_;
   const Simplification& s_;
@@ -155,6 +203,8 @@ private:
   Vertex_copies<Coarse> copies_;
   std::vector<std::optional<Surface_point>> points_; // on the coarse triangulation, by rows
   std::vector<Geodesic_target> targets_;
+  std::vector<Complex> images_;
+  std::vector<Edge_images> edges_;
   std::vector<Eigen::Triplet<Complex>> entries_;
 };
 
@@ -166,8 +216,9 @@ private:
 Vectors are those of a `Tangent_field` on both triangulations, in the polar coordinates of their
 vertices. From the corners of its coarse face, vectors are transported along straight lines to the
 place of a fine vertex, and averaged there with its weights. Then they are turned as the map from
-the fine to the coarse surface turns the edges at the fine vertex, in the mean. Parallel fields on
-flat surfaces stay parallel where one shortest segment joins the places of neighbours.
+the fine to the coarse surface turns the edges at the fine vertex, in the mean. Where several
+segments of about the length of an edge join the places of its ends, as on narrow tori, those are
+taken with which most edges agree on one turn. Parallel fields on flat surfaces stay parallel.
 
 A change of the axes at a vertex changes a row or a column by a factor of absolute value 1.
 \tparam Fine a model of `NumberedTriangulation`
@@ -179,8 +230,7 @@ A change of the axes at a vertex changes a row or a column by a factor of absolu
 \return fine by coarse vectors; the absolute values in a row are weights of the place in its face of
   `coarse`, and sum to 1 up to rounding, or less where corners of the face are one vertex. Rows are
   empty of isolated vertices, on a cover of all copies of a vertex but the first one, and where the
-  turn is not known: edges that become loops do not tell it, nor edges whose images cancel, as where
-  several shortest segments join two vertices
+  turn is not known: where edges agree on two turns, or their images cancel
 \throws Invalid_input if a place is not found
 \complexity linear in the number of fine edges, times the faces that one of them crosses
 */

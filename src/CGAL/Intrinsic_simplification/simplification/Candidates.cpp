@@ -68,8 +68,17 @@ Candidates::Direction Candidates::direction(const Coarse_mesh& mesh, std::uint32
   return {axis_[v] + scale * before, scale};
 }
 
+// With shares as weights.
+double Candidates::mean_squared_length(const Vertex_star& star) const {
+  double sum = 0, shares = 0;
+  for (std::size_t k = 0; k < shares_.size(); ++k) {
+    sum += shares_[k] * star.spoke(k);
+    shares += shares_[k];
+  }
+  return shares > 0 ? sum / shares : 0;
+}
+
 void Candidates::find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
-  find_shares(star);
   neighbors_.clear();
   spoke_of_.clear();
   double sum = 0;
@@ -106,11 +115,15 @@ void Candidates::find_vectors(const Coarse_mesh& mesh, const Vertex_star& star) 
 void Candidates::describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
   const Vertex_star::Angles angles = star.angles(mesh, 1);
   const double curvature = star.flat_angle() - angles.sum;
-  candidate_ = {
-      fine_.row[v], v, curvature, 0, 0, expected_stretch(mesh, star, curvature, angles.slope)};
+  candidate_ = {.vertex = fine_.row[v],
+                .number = v,
+                .curvature = curvature,
+                .stretch = expected_stretch(mesh, star, curvature, angles.slope)};
   if (cost_.is_stretch()) return; // asks for nothing else
   candidate_.area = std::ldexp(area_of(star), -2 * fine_.scale_exponent);
   candidate_.mean_length = std::ldexp(mean_length_of(star), -fine_.scale_exponent);
+  find_shares(star);
+  candidate_.squared_length = std::ldexp(mean_squared_length(star), -2 * fine_.scale_exponent);
   if (cost_.remembers()) find_neighbors(mesh, star, v);
   if (cost_.needs_vectors()) find_vectors(mesh, star);
 }
@@ -124,7 +137,7 @@ void Candidates::remove(const Coarse_mesh& mesh) {
   for (const Turned_side& t : mesh.turned_sides())
     if (const std::uint32_t h = mesh.outgoing(t.vertex); h != Gluing::none)
       axis_[t.vertex] += t.angle * direction(mesh, h).scale;
-  cost_.remove(candidate_, neighbors_);
+  for (const Described& d : described_) cost_.remove(d.candidate, d.neighbors);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -11,6 +11,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -28,9 +30,18 @@ public:
   bool need_vectors() const { return cost_.needs_vectors(); }
   // Whether the cost is told of each vertex that is removed.
   bool remember() const { return cost_.remembers(); }
-  // Describes a vertex and its neighbours before it becomes flat.
-  void describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
-  // The vertex that was described is gone.
+  // Describes copies of a vertex, and their neighbours, before they become flat.
+  // \param star_of returns the star of a copy
+  void describe_all(const Coarse_mesh& mesh, std::span<const std::uint32_t> copies,
+                    const auto& star_of) {
+    described_.resize(copies.size());
+    for (std::size_t n = 0; n < copies.size(); ++n) {
+      describe(mesh, star_of(copies[n]), copies[n]);
+      described_[n].candidate = candidate_;
+      std::swap(described_[n].neighbors, neighbors_);
+    }
+  }
+  // The vertices that were described are gone.
   void remove(const Coarse_mesh& mesh);
 
 private:
@@ -40,9 +51,16 @@ private:
     double scale; // of angles on the surface
   };
 
+  struct Described {
+    Removal_candidate candidate;
+    std::vector<Removal_neighbor> neighbors;
+  };
+
+  void describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
   double expected_stretch(const Coarse_mesh& mesh, const Vertex_star& star, double curvature,
                           double slope) const;
   void find_shares(const Vertex_star& star);
+  double mean_squared_length(const Vertex_star& star) const;
   Direction direction(const Coarse_mesh& mesh, std::uint32_t side) const;
   void find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
   void find_vectors(const Coarse_mesh& mesh, const Vertex_star& star);
@@ -51,6 +69,7 @@ private:
   Asked_cost& cost_;
   Removal_candidate candidate_;
   std::vector<Removal_neighbor> neighbors_;
+  std::vector<Described> described_;
   std::vector<double> shares_;        // of the spokes of a star
   std::vector<std::size_t> spoke_of_; // of each neighbour: loops have none
   std::vector<double> axis_;          // the polar angle of the outgoing side of each vertex

@@ -6,14 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Proofs add less than this to the spread of flat faces, and users ask for far more. If the spread
-// is greater than expected by no more than this, no other vertex is tried first.
+// Proofs add less than this to the spread of flat faces. Without any stretch allowed, this much is,
+// so that flat vertices go. If the spread is greater than expected by no more than this, no other
+// vertex is tried first.
 constexpr double negligible_spread = 1e-9;
 
 } // namespace
@@ -24,13 +26,33 @@ Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go
       fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
       candidates_(fine, cost) {
   if (candidates_.need_vectors()) mesh_.track_turns();
+  find_copies();
   mark_kept(may_go);
+  keep_copies();
   count_components();
   for (std::uint32_t v = 0; v < fate_.size(); ++v) {
     if (mesh_.outgoing(v) == Gluing::none) continue;
     ++number_left_;
-    push(v);
+    if (v == first_copy(v)) push(v);
   }
+}
+
+// Sorts vertices by their rows.
+void Simplifier::find_copies() {
+  std::vector<std::uint32_t> size(fine_.number_of_rows, 0);
+  for (const std::uint32_t row : fine_.row) ++size[row];
+  begin_.assign(1, 0);
+  for (const std::uint32_t n : size) begin_.push_back(begin_.back() + n);
+  copies_.resize(fine_.row.size());
+  std::vector<std::uint32_t> next = begin_;
+  for (std::uint32_t v = 0; v < fine_.row.size(); ++v) copies_[next[fine_.row[v]]++] = v;
+}
+
+// If one copy stays, all do.
+void Simplifier::keep_copies() {
+  for (std::uint32_t v = 0; v < fate_.size(); ++v)
+    if (fate_[v] == Fate::stays)
+      for (const std::uint32_t copy : copies(v)) fate_[copy] = Fate::stays;
 }
 
 void Simplifier::mark_kept(const std::vector<char>& may_go) {
@@ -98,12 +120,23 @@ bool Simplifier::is_last(std::uint32_t v) const {
          (is_on_border_[v] != 0 && left_on_loop_[loop_[v]] == 1);
 }
 
-// Finds what it costs to remove a vertex, and whether that is allowed; its star is in `neighbour_`.
+// Notes that a vertex is gone, or is there again.
+void Simplifier::add_to_counts(std::uint32_t v, int sign) {
+  weight_[component_[v]] += sign * weight(v);
+  left_on_loop_[loop_[v]] += static_cast<std::size_t>(sign);
+}
+
+// Finds what it costs to remove a vertex, the most expensive one of its copies, and whether that is
+// allowed; the star of the last one is in `neighbour_`.
 bool Simplifier::find_cost(std::uint32_t v, double& cost) {
-  neighbour_.find(mesh_, v);
-  cost = candidates_.cost(mesh_, neighbour_, v);
+  cost = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t copy : copies(v)) {
+    neighbour_.find(mesh_, copy);
+    const double other = candidates_.cost(mesh_, neighbour_, copy);
+    if (!(other <= cost)) cost = other;
+  }
   const bool is_allowed = std::isfinite(cost) && cost <= options_.cost;
-  fate_[v] = is_allowed ? Fate::open : Fate::bound;
+  for (const std::uint32_t copy : copies(v)) fate_[copy] = is_allowed ? Fate::open : Fate::bound;
   is_cost_old_[v] = 0;
   return is_allowed;
 }
@@ -113,7 +146,7 @@ void Simplifier::push(std::uint32_t v) {
   if (double cost = 0; find_cost(v, cost)) queue_.push({cost, v});
 }
 
-// Takes the cheapest vertex out of the queue, or none; its star is in `star_`.
+// Takes the cheapest vertex out of the queue, or none; its star is in `star_` if it has no copies.
 Simplifier::Entry Simplifier::pop() {
   while (!queue_.empty()) {
     Entry e = queue_.top();
@@ -205,7 +238,8 @@ bool Simplifier::is_within_bounds() {
   touched_ = mesh_.changed();
   std::ranges::sort(touched_);
   touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-  const double most = options_.stretch * options_.stretch * (1 - 1e-9);
+  const double stretch = std::max(options_.stretch, 1 + negligible_spread);
+  const double most = stretch * stretch * (1 - negligible_spread); // proofs widen it a little
   for (const std::uint32_t f : touched_) {
     const Coarse_face& face = mesh_.face(f);
     if (face.is_removed) continue;
@@ -233,19 +267,39 @@ Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   return candidates_.are_stretches() && step_.spread > options_.cost ? Fate::bound : Fate::removed;
 }
 
-// Removes a vertex whose star is known.
+// Makes the copies of a vertex flat and removes them.
+Simplifier::Fate Simplifier::remove_copies(std::uint32_t v) {
+  const std::span<const std::uint32_t> all = copies(v);
+  Fate fate = Fate::removed;
+  std::size_t gone = 0;
+  for (; gone < all.size() && fate == Fate::removed; ++gone) {
+    const std::uint32_t copy = all[gone];
+    if (all.size() > 1) star_.find(mesh_, copy);
+    fate = is_last(copy) ? Fate::stays : has_fixed_loop(copy) ? Fate::blocked : flatten(copy);
+    if (fate == Fate::open) fate = replace_star(copy);
+    add_to_counts(copy, -1);
+  }
+  for (; fate != Fate::removed && gone > 0; --gone) add_to_counts(all[gone - 1], 1);
+  return fate;
+}
+
+// Removes a vertex with its copies; if it has none, its star is known.
 // \return `open`: it would stretch the surface much more than expected, and others less
 Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
   step_ = {};
-  if (has_fixed_loop(v)) return Fate::blocked;
-  if (candidates_.remember()) candidates_.describe(mesh_, star_, v);
-  Fate fate = flatten(v);
-  if (fate == Fate::open) fate = replace_star(v);
+  if (candidates_.remember())
+    candidates_.describe_all(mesh_, copies(v), [&](std::uint32_t copy) -> const Vertex_star& {
+      if (copies(v).size() > 1) star_.find(mesh_, copy);
+      return star_;
+    });
+  Fate fate = remove_copies(v);
   if (fate == Fate::removed && candidates_.are_stretches() &&
       step_.spread > 1.25 * expected + negligible_spread && !queue_.empty() &&
-      step_.spread > queue_.top().cost)
+      step_.spread > queue_.top().cost) {
+    for (const std::uint32_t copy : copies(v)) add_to_counts(copy, 1);
     fate = Fate::open;
+  }
   counts_.newton_steps += step_.newton_steps;
   if (fate != Fate::removed) {
     mesh_.take_back();
@@ -262,8 +316,8 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
 void Simplifier::renew_costs() {
   for (const std::uint32_t f : touched_) {
     if (mesh_.face(f).is_removed) continue;
-    for (const std::uint32_t v : mesh_.face(f).origin)
-      if (fate_[v] == Fate::open)
+    for (const std::uint32_t corner : mesh_.face(f).origin)
+      if (const std::uint32_t v = first_copy(corner); fate_[v] == Fate::open)
         is_cost_old_[v] = 1;
       else
         push(v);
@@ -280,13 +334,12 @@ void Simplifier::run(std::size_t wanted) {
       status_ = Status::cancelled;
       return;
     }
-    fate_[v] = is_last(v) ? Fate::stays : remove(v, expected);
-    if (fate_[v] == Fate::open) queue_.push({step_.spread, v});
-    if (fate_[v] != Fate::removed) continue;
-    --number_left_;
-    ++number_removed_;
-    weight_[component_[v]] -= weight(v);
-    --left_on_loop_[loop_[v]];
+    const Fate fate = remove(v, expected);
+    for (const std::uint32_t copy : copies(v)) fate_[copy] = fate;
+    if (fate == Fate::open) queue_.push({step_.spread, v});
+    if (fate != Fate::removed) continue;
+    number_left_ -= copies(v).size();
+    number_removed_ += copies(v).size();
     if (number_left_ <= wanted) status_ = Status::done;
     renew_costs();
   }

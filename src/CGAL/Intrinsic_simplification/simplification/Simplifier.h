@@ -15,11 +15,13 @@
 #include <cstdint>
 #include <functional>
 #include <queue>
+#include <span>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Removes vertices, one after another, the cheapest first.
+// Removes vertices, one after another, the cheapest first. On a cover, the copies of a vertex are
+// removed together: the first one stands for all in the queue.
 class Simplifier {
 public:
   // \param may_go nonzero for each vertex that may be removed; empty: all of them
@@ -48,14 +50,23 @@ private:
     double spread = 0; // the greatest one of the faces that have changed
   };
 
+  void find_copies();
+  std::span<const std::uint32_t> copies(std::uint32_t v) const {
+    const std::uint32_t row = fine_.row[v];
+    return std::span(copies_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
+  }
+  std::uint32_t first_copy(std::uint32_t v) const { return copies_[begin_[fine_.row[v]]]; }
   void mark_kept(const std::vector<char>& may_go);
+  void keep_copies();
   void count_components();
   std::ptrdiff_t weight(std::uint32_t v) const { return is_on_border_[v] != 0 ? 1 : 2; }
   bool is_last(std::uint32_t v) const;
+  void add_to_counts(std::uint32_t v, int sign);
   bool find_cost(std::uint32_t v, double& cost);
   void push(std::uint32_t v);
   Entry pop();
   Fate remove(std::uint32_t v, double expected);
+  Fate remove_copies(std::uint32_t v);
   Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
   bool bend_straight_face(const Vertex_star::Bound& bound, bool grows);
@@ -77,6 +88,7 @@ private:
   const Simplify_options& options_;
   Coarse_mesh mesh_;
   std::vector<Fate> fate_;
+  std::vector<std::uint32_t> copies_, begin_;   // vertices by rows, and where each row begins
   std::vector<char> is_cost_old_;               // of each vertex in the queue: its star has changed
   std::vector<std::uint32_t> component_, loop_; // of each vertex, and of the border
   std::vector<char> is_on_border_;              // each vertex

@@ -13,11 +13,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr Exact_point middle_of_star{0, 0};
-
-double cross(const Exact_point& p, const Exact_point& q) { return p.x * q.y - p.y * q.x; }
-double squared_norm(const Exact_point& p) { return p.x * p.x + p.y * p.y; }
-Exact_point minus(const Exact_point& p, const Exact_point& q) { return {p.x - q.x, p.y - q.y}; }
 double direction_of(const Exact_point& p) { return std::atan2(p.y, p.x); }
 
 // Values that begin at a side of a face, from those that begin at its first side.
@@ -41,102 +36,6 @@ bool Star_removal::lay_out(const Vertex_star& star) {
   for (std::size_t k = 0; k < star.size(); ++k)
     if (!is_proven_left_turn(middle_of_star, points_[k], points_[(k + 1) % points_.size()]))
       return false;
-  return true;
-}
-
-void Star_removal::start_polygon(const Coarse_mesh& mesh, const Vertex_star& star) {
-  for (auto* list : {&polygon_, &corners_, &outside_}) list->clear();
-  polygon_sides_.clear();
-  triangles_.clear();
-  new_faces_.clear();
-  for (std::uint32_t k = 0; k < points_.size(); ++k) {
-    polygon_.push_back(k);
-    if (k == star.size()) { // along the border
-      polygon_sides_.push_back(
-          {k, Gluing::none, Gluing::none, squared_norm(minus(points_[k], points_[0])), false});
-      corners_.push_back(mesh.origin(Coarse_mesh::previous(star.side(k - 1))));
-      outside_.push_back(Gluing::none);
-    } else {
-      const std::uint32_t h = Coarse_mesh::next(star.side(k));
-      polygon_sides_.push_back({k, Gluing::none, mesh.glued(h), star.rim(k), mesh.is_kept_side(h)});
-      corners_.push_back(mesh.origin(h));
-      outside_.push_back(mesh.glued(h));
-    }
-  }
-  side_of_rim_.assign(points_.size(), Gluing::none);
-}
-
-bool Star_removal::is_ear(std::size_t at) const {
-  const std::size_t n = polygon_.size();
-  const std::uint32_t a = polygon_[(at + n - 1) % n], b = polygon_[at], c = polygon_[(at + 1) % n];
-  const auto turn = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-    return cross(minus(points_[q], points_[p]), minus(points_[r], points_[p]));
-  };
-  if (!is_proven_left_turn(points_[a], points_[b], points_[c])) return false;
-  // about the centre, points are in order: only the tip is between the others
-  if (is_proven_left_turn(points_[a], points_[c], middle_of_star)) return true;
-  return std::ranges::none_of(polygon_, [&](std::uint32_t p) {
-    return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
-           turn(c, a, p) >= 0;
-  });
-}
-
-// The power of the centre by the circle of an ear, times -1: the least one is a Delaunay triangle
-// of the polygon of a Delaunay star (Devillers, On deletion in Delaunay triangulations, 1999).
-double Star_removal::ear_rank(std::size_t at) const {
-  const std::size_t n = polygon_.size();
-  const Exact_point &a = points_[polygon_[(at + n - 1) % n]], &b = points_[polygon_[at]],
-                    &c = points_[polygon_[(at + 1) % n]];
-  const double area = cross(minus(b, a), minus(c, a));
-  if (!(area > 0)) return std::numeric_limits<double>::infinity();
-  return (squared_norm(a) * cross(b, c) - squared_norm(b) * cross(a, c) +
-          squared_norm(c) * cross(a, b)) /
-         area;
-}
-
-void Star_removal::cut_ear(std::size_t at, std::uint32_t face) {
-  const std::size_t n = polygon_.size(), before = (at + n - 1) % n, after = (at + 1) % n;
-  new_faces_.push_back(face);
-  const Exact_point &a = points_[polygon_[before]], &c = points_[polygon_[after]];
-  New_triangle t{{polygon_[before], polygon_[at], polygon_[after]},
-                 {polygon_sides_[before], polygon_sides_[at], {}}};
-  if (n == 3)
-    t.sides[2] = polygon_sides_[after];
-  else
-    t.sides[2] = {Gluing::none, Gluing::none, Gluing::none, squared_norm(minus(a, c)), false};
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const Rim_side& s = t.sides[k];
-    if (s.rim != Gluing::none)
-      side_of_rim_[s.rim] = 3 * face + k;
-    else if (s.triangle != Gluing::none) // comes before this one
-      triangles_[s.triangle].sides[2].glued = 3 * face + k;
-  }
-  polygon_sides_[before] = {Gluing::none, static_cast<std::uint32_t>(triangles_.size()),
-                            3 * face + 2, t.sides[2].length, false};
-  triangles_.push_back(t);
-  polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(at));
-  polygon_sides_.erase(polygon_sides_.begin() + static_cast<std::ptrdiff_t>(at));
-}
-
-bool Star_removal::cut_ears(const Vertex_star& star) {
-  ranks_.clear();
-  for (std::size_t at = 0; at < polygon_.size(); ++at) ranks_.push_back(ear_rank(at));
-  while (polygon_.size() >= 3) {
-    std::size_t best = polygon_.size();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t at = 0; at < polygon_.size(); ++at)
-      if (ranks_[at] < least && is_ear(at)) {
-        least = ranks_[at];
-        best = at;
-      }
-    if (best == polygon_.size()) return false;
-    cut_ear(best, star.side(triangles_.size()) / 3);
-    ranks_.erase(ranks_.begin() + static_cast<std::ptrdiff_t>(best));
-    if (polygon_.size() < 3) break;
-    for (const std::size_t at :
-         {best % polygon_.size(), (best + polygon_.size() - 1) % polygon_.size()})
-      ranks_[at] = ear_rank(at);
-  }
   return true;
 }
 
@@ -252,22 +151,35 @@ void Star_removal::glue_sides(Coarse_mesh& mesh) {
 void Star_removal::take_faces(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
   moving_.clear();
   places_.clear();
+  near_.clear();
   for (std::size_t k = 0; k < star.size(); ++k) {
     const std::uint32_t f = star.side(k) / 3;
     mesh.change(f).is_removed = true;
     mesh.take_points(f, moving_);
-    for (std::size_t n = places_.size(); n < moving_.size(); ++n)
+    for (std::size_t n = places_.size(); n < moving_.size(); ++n) {
       places_.push_back(place_in(old_triangle(k), mesh.point(moving_[n]).weights, star.side(k)));
+      near_.push_back(triangle_of_rim_[k]);
+    }
   }
   moving_.push_back(v);
   places_.push_back(middle_of_star);
-  // rim edges that are glued to each other
-  for (std::uint32_t& outside : outside_)
-    for (std::size_t k = 0; k < star.size(); ++k)
-      if (outside == Coarse_mesh::next(star.side(k))) {
-        outside = side_of_rim_[k];
-        break;
-      }
+  near_.push_back(static_cast<std::uint32_t>(triangles_.size() - 1)); // the ears end about it
+  replace_rim_in_outside(mesh, star);
+}
+
+// Rim edges that are glued to each other are sides of new triangles on both sides.
+void Star_removal::replace_rim_in_outside(const Coarse_mesh& mesh, const Vertex_star& star) {
+  rim_.clear();
+  for (std::uint32_t& outside : outside_) {
+    if (outside == Gluing::none || !mesh.face(outside / 3).is_removed) continue;
+    if (rim_.empty()) {
+      for (std::uint32_t k = 0; k < star.size(); ++k)
+        rim_.emplace_back(Coarse_mesh::next(star.side(k)), k);
+      std::ranges::sort(rim_);
+    }
+    const auto at = std::ranges::lower_bound(rim_, std::pair(outside, 0U));
+    if (at != rim_.end() && at->first == outside) outside = side_of_rim_[at->second];
+  }
 }
 
 // Where outgoing sides at the rim point in the plane, if they are in the star.
@@ -320,18 +232,8 @@ void Star_removal::put_triangles(Coarse_mesh& mesh, std::uint32_t v) {
 
 void Star_removal::move_points(Coarse_mesh& mesh) {
   for (std::size_t n = 0; n < moving_.size(); ++n) {
-    std::array<double, 3> best{};
-    double inside = -std::numeric_limits<double>::infinity();
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < triangles_.size() && inside < 0; ++i) {
-      const std::array<double, 3> w = weights_in(new_triangle(triangles_[i]), places_[n]);
-      const double least = std::min({w[0], w[1], w[2]});
-      if (least <= inside) continue;
-      inside = least;
-      best = w;
-      to = i;
-    }
-    mesh.put_point(moving_[n], new_faces_[to], best);
+    const Located found = locate(places_[n], near_[n]);
+    mesh.put_point(moving_[n], new_faces_[found.triangle], found.weights);
   }
 }
 

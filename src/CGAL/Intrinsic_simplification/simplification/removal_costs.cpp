@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -49,24 +48,9 @@ void Transported_mass::remove(const Removal_candidate& c,
   }
 }
 
-double Moved_mass::operator()(const Removal_candidate& c,
-                              std::span<const Removal_neighbor> neighbors) const {
-  double mean = 0;
-  for (const Removal_neighbor& to : neighbors) mean += to.share * to.length * to.length;
-  return mass_[c.number] * mean;
-}
-
-void Moved_mass::remove(const Removal_candidate& c, std::span<const Removal_neighbor> neighbors) {
-  for (const Removal_neighbor& to : neighbors) mass_[to.number] += to.share * mass_[c.number];
-}
-
-std::vector<double> internal::balanced_mass(const Vertex_values& values) {
-  const double area = std::accumulate(values.area.begin(), values.area.end(), 0.);
-  std::vector<double> mass;
-  for (std::size_t v = 0; v < values.area.size(); ++v)
-    mass.push_back(std::abs(values.curvature[v]) / (2 * std::numbers::pi) +
-                   (area > 0 ? values.area[v] / area : 0));
-  return mass;
+double Balanced_cost::operator()(const Removal_candidate& c) const {
+  const double weight = std::abs(c.curvature) / std::numbers::pi + (area_ > 0 ? c.area / area_ : 0);
+  return weight * c.squared_length * std::exp(c.stretch / 3 + std::max(0., -c.curvature) / 4);
 }
 
 } // namespace CGAL::Intrinsic_triangulations
