@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -58,6 +59,19 @@ private:
 
   int size_ = 0, depth_ = 0;
   std::vector<double> left_, right_; // by tiles, these by columns
+};
+
+// Products of a few columns of a matrix, which lie apart, and a vector.
+struct Dense_panel {
+  static constexpr std::size_t columns = 4;
+  using Columns = std::array<const double*, columns>;
+
+  // Adds the columns times factors to a vector.
+  static void add(const Columns& column, const double* factor, std::ptrdiff_t rows, double* to);
+  // Adds the products of columns and a vector, row by row, to four sums of each column in turn.
+  // \return how many rows it has added, all but less than four
+  static std::ptrdiff_t sum(const Columns& column, const double* vector, std::ptrdiff_t rows,
+                            double* sums);
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

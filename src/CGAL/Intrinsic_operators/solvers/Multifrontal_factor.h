@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_FACTOR_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_FACTOR_H
 
+#include <CGAL/Intrinsic_operators/solvers/Dense_product.h>
 #include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -101,8 +102,9 @@ private:
     std::vector<Pack> y(pivot.size());
     for (std::size_t k = 0; k < y.size(); ++k)
       for (int r = 0; r < right_sides; ++r) read(b(symbolic->row[k], c + r), y[k], r);
-    for (int s = 0; s < symbolic->supernodes(); ++s) solve_forward(s, y.data());
-    for (int s = symbolic->supernodes() - 1; s >= 0; --s) solve_backward(s, y.data());
+    std::vector<Pack> front(row_number(symbolic->greatest_height()));
+    for (int s = 0; s < symbolic->supernodes(); ++s) solve_forward(s, y.data(), front.data());
+    for (int s = symbolic->supernodes() - 1; s >= 0; --s) solve_backward(s, y.data(), front.data());
     for (std::size_t k = 0; k < y.size(); ++k)
       for (int r = 0; r < right_sides; ++r) write(y[k], r, x(symbolic->row[k], c + r));
   }
@@ -120,64 +122,109 @@ private:
       to = pack[r];
   }
 
+  // The rows of a front have places that are scattered: their values are copied to consecutive ones,
+  // where panels of columns of the supernode apply to them.
+  static constexpr int panel = 4;
+
   template <class Pack>
-  void solve_forward(int s, Pack* y) const {
-    const int begin = symbolic->supernode_begin[row_number(s)], end = begin + symbolic->columns(s);
-    for (int j = begin; j < end; ++j) {
-      const Multiplied<parts, Pack> times(y[j], Multiplied<parts, Pack>::none);
-      for (int i = j + 1; i < end; ++i) y[i] += times(column(j) + parts * (i - j - 1));
+  void solve_forward(int s, Pack* y, Pack* front) const {
+    const int begin = symbolic->supernode_begin[row_number(s)], columns = symbolic->columns(s);
+    if (std::all_of(y + begin, y + begin + columns, [](const Pack& p) { return (p == 0).all(); }))
+      return;
+    const int* const rows = symbolic->rows_below(s) - columns; // of the rows of the front
+    const int height = symbolic->height(s);
+    if (columns == 1) { // copies take longer than they save
+      const Multiplied<parts, Pack> times(y[begin], Multiplied<parts, Pack>::none);
+      for (int i = 1; i < height; ++i) y[rows[i]] += times(column(begin) + parts * (i - 1));
+      return;
     }
-    int j = begin;
-    for (; j + 4 <= end; j += 4) add_below<4>(s, j, y);
-    for (; j < end; ++j) add_below<1>(s, j, y);
+    std::copy_n(y + begin, columns, front);
+    for (int i = columns; i < height; ++i) front[i] = y[rows[i]];
+    int j = 0;
+    for (; j + panel <= columns; j += panel) add_below<panel>(begin, j, height, front);
+    for (; j < columns; ++j) add_below<1>(begin, j, height, front);
+    std::copy_n(front, columns, y + begin);
+    for (int i = columns; i < height; ++i) y[rows[i]] = front[i];
   }
 
   template <class Pack>
-  void solve_backward(int s, Pack* y) const {
-    const int begin = symbolic->supernode_begin[row_number(s)], end = begin + symbolic->columns(s);
-    for (int j = begin; j < end; ++j) y[j] /= pivot[row_number(j)];
-    int j = begin;
-    for (; j + 4 <= end; j += 4) add_from_below<4>(s, j, y);
-    for (; j < end; ++j) add_from_below<1>(s, j, y);
-    for (int k = end - 2; k >= begin; --k)
-      for (int i = k + 1; i < end; ++i)
-        y[k] += Multiplied<parts, Pack>(y[i], Multiplied<parts, Pack>::of_entries)(
-            column(k) + parts * (i - k - 1));
+  void solve_backward(int s, Pack* y, Pack* front) const {
+    const int begin = symbolic->supernode_begin[row_number(s)], columns = symbolic->columns(s);
+    const int* const rows = symbolic->rows_below(s) - columns;
+    const int height = symbolic->height(s);
+    if (columns == 1) {
+      Pack sum = y[begin] / pivot[row_number(begin)];
+      for (int i = 1; i < height; ++i)
+        sum += Multiplied<parts, Pack>(y[rows[i]], Multiplied<parts, Pack>::of_entries)(
+            column(begin) + parts * (i - 1));
+      y[begin] = sum;
+      return;
+    }
+    for (int j = 0; j < columns; ++j) front[j] = y[begin + j] / pivot[row_number(begin + j)];
+    for (int i = columns; i < height; ++i) front[i] = y[rows[i]];
+    int j = columns;
+    for (; j % panel != 0; --j) add_from_below<1>(begin, j - 1, height, front);
+    for (; j > 0; j -= panel) add_from_below<panel>(begin, j - panel, height, front);
+    std::copy_n(front, columns, y + begin);
   }
 
-  // Some columns of a supernode from j on at once: below it they have entries in the same rows,
-  // which are scattered.
+  // Eliminates some columns of a front from column j on.
   template <int columns, class Pack>
-  void add_below(int s, int j, Pack* y) const {
-    if (std::all_of(y + j, y + j + columns, [](const Pack& p) { return (p == 0).all(); })) return;
-    const int* const rows = symbolic->rows_below(s);
-    const auto below = columns_below<columns>(s, j);
+  void add_below(int begin, int j, int height, Pack* front) const {
+    using Times = Multiplied<parts, Pack>;
+    for (int m = 1; m < columns; ++m)
+      for (int k = 0; k < m; ++k)
+        front[j + m] +=
+            Times(front[j + k], Times::none)(column(begin + j + k) + parts * (m - k - 1));
+    const auto below = columns_below<columns>(begin + j);
     const auto times = [&]<std::size_t... m>(std::index_sequence<m...>) {
-      using Times = Multiplied<parts, Pack>;
-      return std::array<Times, columns>{Times(y[j + static_cast<int>(m)], Times::none)...};
+      return std::array<Times, columns>{Times(front[j + static_cast<int>(m)], Times::none)...};
     }
     (std::make_index_sequence<columns>());
-    for (std::ptrdiff_t i = 0; i < symbolic->rows_end(s) - rows; ++i)
-      y[rows[i]] +=
+    Pack* const rest = front + j + columns;
+    const std::ptrdiff_t count = height - j - columns;
+    if constexpr (columns == panel && parts == 1 && Pack::SizeAtCompileTime == 1)
+      return Dense_panel::add(below, front[j].data(), count, rest->data());
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+      rest[i] +=
           sum_in_pairs<columns>([&](std::size_t m) { return times[m](below[m] + parts * i); });
   }
+
+  // The sum of each column is that of four sums, which a processor adds at a time.
   template <int columns, class Pack>
-  void add_from_below(int s, int j, Pack* y) const {
-    const int* const rows = symbolic->rows_below(s);
-    const auto below = columns_below<columns>(s, j);
-    std::array<Pack, columns> sum;
-    std::copy_n(y + j, columns, sum.begin());
-    for (std::ptrdiff_t i = 0; i < symbolic->rows_end(s) - rows; ++i) {
-      const Multiplied<parts, Pack> times(y[rows[i]], Multiplied<parts, Pack>::of_entries);
-      for (std::size_t m = 0; m < columns; ++m) sum[m] += times(below[m] + parts * i);
+  void add_from_below(int begin, int j, int height, Pack* front) const {
+    using Times = Multiplied<parts, Pack>;
+    constexpr std::size_t lanes = 4;
+    const auto below = columns_below<columns>(begin + j);
+    const Pack* const rest = front + j + columns;
+    const std::ptrdiff_t count = height - j - columns;
+    std::array<std::array<Pack, lanes>, columns> sums;
+    for (auto& sum : sums) sum.fill(Pack::Zero());
+    std::ptrdiff_t i = 0;
+    if constexpr (columns == panel && parts == 1 && Pack::SizeAtCompileTime == 1)
+      i = Dense_panel::sum(below, rest->data(), count, sums[0][0].data());
+    for (; i + static_cast<std::ptrdiff_t>(lanes) <= count; i += lanes)
+      for (std::size_t m = 0; m < columns; ++m)
+        for (std::size_t l = 0; l < lanes; ++l)
+          sums[m][l] += Times(rest[i + l], Times::of_entries)(below[m] + parts * (i + l));
+    for (std::size_t l = 0; i < count; ++i, ++l)
+      for (std::size_t m = 0; m < columns; ++m)
+        sums[m][l] += Times(rest[i], Times::of_entries)(below[m] + parts * i);
+    for (int m = columns - 1; m >= 0; --m) {
+      const auto& sum = sums[row_number(m)];
+      front[j + m] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
+      for (int k = m + 1; k < columns; ++k)
+        front[j + m] +=
+            Times(front[j + k], Times::of_entries)(column(begin + j + m) + parts * (k - m - 1));
     }
-    std::copy_n(sum.begin(), columns, y + j);
   }
+
+  // where the entries of some columns from k on begin, in the row after these columns
   template <int columns>
-  std::array<const double*, columns> columns_below(int s, int j) const {
-    const std::ptrdiff_t below = symbolic->rows_end(s) - symbolic->rows_below(s);
+  std::array<const double*, columns> columns_below(int k) const {
     std::array<const double*, columns> result;
-    for (int m = 0; m < columns; ++m) result[row_number(m)] = column(j + m + 1) - parts * below;
+    for (int m = 0; m < columns; ++m)
+      result[row_number(m)] = column(k + m) + parts * (columns - 1 - m);
     return result;
   }
 };

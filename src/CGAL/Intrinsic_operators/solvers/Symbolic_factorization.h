@@ -51,6 +51,12 @@ struct Symbolic_factorization {
   int columns(int s) const {
     return supernode_begin[row_number(s + 1)] - supernode_begin[row_number(s)];
   }
+  // of all fronts
+  int greatest_height() const {
+    int result = 0;
+    for (int s = 0; s < supernodes(); ++s) result = std::max(result, height(s));
+    return result;
+  }
   // the places of the rows below a supernode
   const int* rows_below(int s) const {
     return rows.data() + rows_begin[row_number(s)] + columns(s) - 1;
