@@ -32,6 +32,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Block_eigensolver.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Dense_product.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.cpp>

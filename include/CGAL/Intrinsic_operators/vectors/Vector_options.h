@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -41,6 +42,8 @@ struct Vector_options {
   double time_factor = defaults::time_factor;
   /// Of each point of a cloud, see `Point_cloud_vectors`.
   std::size_t neighbors = defaults::neighbors;
+  /// Of linear problems of direction fields; those of heat and of clouds are factored.
+  Linear_solver solver = Linear_solver::automatic;
   /// How far logarithms along shortest paths go, in the units of the input.
   double maximum_distance = std::numeric_limits<double>::infinity();
   /// Is called with what is done, and how much of it; returns whether to go on. On clouds of points

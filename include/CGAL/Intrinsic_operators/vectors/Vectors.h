@@ -174,6 +174,9 @@ public:
     Visitor visitor{&options, Vector_step::field};
     const auto np = parameters::visitor(std::ref(visitor));
     if (is_cloud()) {
+      if (options.solver == Linear_solver::iterative)
+        refuse("the matrix of a cloud of points is not that of a graph, and iterations may not "
+               "converge; take a direct solver");
       const Point_cloud_vectors& c = cloud(options.neighbors);
       if (!visitor.progress(0U)) return {cancelled()};
       const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);
@@ -185,8 +188,8 @@ public:
     const auto kept = find.at_vertices(fixed);
     const Direction_field f =
         alignment ? aligned_direction_field(t_, degree, principal_directions(t_, points_),
-                                            *alignment, kept, np)
-                  : smoothest_direction_field(t_, degree, kept, np);
+                                            *alignment, kept, options.solver, np)
+                  : smoothest_direction_field(t_, degree, kept, options.solver, np);
     if (f.status == Status::cancelled) return {cancelled()};
     const Field_singularities<Triangulation> singular = singularities(t_, f);
     Found_directions found{

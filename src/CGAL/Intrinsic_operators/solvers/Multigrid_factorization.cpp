@@ -4,9 +4,14 @@
 #include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -17,6 +22,20 @@ static std::string message_of(const Iterations& iterations) {
   message << "the iteration ended after " << iterations.most << " steps with a residual of "
           << iterations.residual << "; factor the matrix, or make the triangulation Delaunay";
   return message.str();
+}
+
+std::shared_ptr<const Multigrid<double>>
+make_multigrid(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
+               double tolerance) {
+  expect_factorable(laplacian);
+  expect_tolerance(tolerance);
+  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
+    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
+  Eigen::SparseMatrix<double> full = laplacian.selfadjointView<Eigen::Lower>();
+  const Eigen::VectorXd sums = full * Eigen::VectorXd::Ones(full.cols());
+  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
+  full.makeCompressed();
+  return std::make_shared<const Multigrid<double>>(std::move(full), diagonal, tolerance);
 }
 
 } // namespace internal
