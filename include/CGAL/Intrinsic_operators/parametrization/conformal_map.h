@@ -51,7 +51,6 @@ Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
                                         const std::vector<Disk_border>& borders,
-                                        Linear_solver solver,
                                         const std::function<bool(std::size_t)>& progress);
 
 } // namespace internal
@@ -126,7 +125,6 @@ injective.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation of a disk, or of several
-\param solver how to solve the linear problems, one for each step of the search
 \param np see `least_squares_conformal_map()`
 \return a point, x and y in the units of the input, per row of `t.input_vertex()`; isolated vertices
   are at (0, 0). If the visitor has ended the work, no points
@@ -136,20 +134,12 @@ injective.
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  spectral_conformal_map(const Triangulation& t, Linear_solver solver,
-                         const NP& np = parameters::default_values()) {
+  spectral_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
     internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
     return internal::spectral_conformal_map(table, cotangent_laplacian(t),
                                             internal::disk_borders(table, t.input().names().sheets),
-                                            solver, internal::progress_of(np));
-  }
-
-/// maps a disk with the solver that `solver_for()` chooses; see above.
-template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
-  requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  spectral_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
-    return spectral_conformal_map(t, Linear_solver::automatic, np);
+                                            internal::progress_of(np));
   }
 
 /// \cond

@@ -95,11 +95,7 @@ template <RefinableTriangulation Triangulation>
       if (options.method != Map_method::spectral)
         throw Invalid_input(Element_kind::none, 0,
                             "for a cloud of points only --method spectral works");
-      if (options.solver == Linear_solver::iterative)
-        throw Invalid_input(
-            Element_kind::none, 0,
-            "the matrix of a cloud of points is not that of a graph, and iterations "
-            "may not converge; take a direct solver");
+      internal::expect_factor_of_spectral_map(options.solver);
       Map_to_plane map;
       map.uv = conformal_map_of_points(points_of_rows(t, points), options.neighbors,
                                        parameters::visitor(internal::Map_visitor{&options}));

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -43,6 +44,17 @@ Injective_map certified_map(const Triangulation& t, Eigen::MatrixX2d uv) {
   return map;
 }
 
+namespace internal {
+
+inline void expect_factor_of_spectral_map(Linear_solver solver) {
+  if (solver == Linear_solver::iterative)
+    throw std::invalid_argument(
+        "the matrix of a spectral map is singular but for a billionth, so that iterations do not "
+        "converge; take a direct solver, or another method");
+}
+
+} // namespace internal
+
 /*!
 \brief maps a disk, or several, to the plane, and certifies the map.
 
@@ -58,6 +70,7 @@ Any other surface is cut open before:
 \param np named parameters of the map, see `Map_method`
 \return the map. The status of a harmonic one is that of `injective_harmonic_map()`, of others that
   of `certified_map()`
+\throws std::invalid_argument if you ask to iterate for a spectral map
 \throws Invalid_input and others as the functions do that `Map_method` names
 \complexity that of the map and of its certificate
 */
@@ -68,7 +81,8 @@ Injective_map parametrize(Triangulation& t, Map_method method, Linear_solver sol
   case Map_method::least_squares:
     return certified_map(t, least_squares_conformal_map(t, solver, np));
   case Map_method::spectral:
-    return certified_map(t, spectral_conformal_map(t, solver, np));
+    internal::expect_factor_of_spectral_map(solver);
+    return certified_map(t, spectral_conformal_map(t, np));
   case Map_method::harmonic:
     break;
   }

@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_OPERATORS_PARAMETRIZATION_BORDER_SPECTRUM_H
 
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
-#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -39,7 +38,6 @@ inline void regularise_isolated(Complex_matrix& c) {
 // lengths of edges.)
 // `progress` returns whether to go on, after each solution; the result is empty if not.
 inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_border& border,
-                                                 Linear_solver solver,
                                                  const std::function<bool()>& progress) {
   constexpr double shift = 1e-9; // added to all eigenvalues; changes no eigenvector but by rounding
   Eigen::VectorXd weight = Eigen::VectorXd::Zero(c.rows()); // sums to 1
@@ -53,12 +51,11 @@ inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_bo
     if (weight[r] > 0) c.coeffRef(r, r) += shift * weight[r];
     start[r] = std::polar(weight[r], static_cast<double>(r) + static_cast<double>(r * r));
   }
-  const Eigen::Index size = c.rows();
-  const auto factored = chosen_factorization(std::move(c), solver);
+  const Chosen_factorization<std::complex<double>> factored(raised_factorization(c));
   start = factored.solve(start);
   if (!progress()) return {};
-  return Inverse_lanczos(factored, weight, std::vector<std::uint32_t>(row_number(size), 0),
-                         Eigen::MatrixXcd::Ones(size, 1))
+  return Inverse_lanczos(factored, weight, std::vector<std::uint32_t>(row_number(c.rows()), 0),
+                         Eigen::MatrixXcd::Ones(c.rows(), 1))
       .smallest(start, progress);
 }
 

@@ -172,11 +172,11 @@ static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
 
 static Eigen::MatrixX2d spectral_map_of_disk(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
-                                             const Disk_border& border, Linear_solver solver,
+                                             const Disk_border& border,
                                              Counted_solutions& solutions) {
   if (!solutions.begins()) return {};
   Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(laplacian, {border}), border,
-                                                solver, [&] { return solutions.follows(); });
+                                                [&] { return solutions.follows(); });
   if (w.size() == 0) return {};
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
@@ -199,12 +199,10 @@ Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
                                         const std::vector<Disk_border>& borders,
-                                        Linear_solver solver,
                                         const std::function<bool(std::size_t)>& progress) {
   Counted_solutions solutions(progress);
-  return maps_of_disks(table, laplacian, borders, [&](auto&... disk) {
-    return spectral_map_of_disk(disk..., solver, solutions);
-  });
+  return maps_of_disks(table, laplacian, borders,
+                       [&](auto&... disk) { return spectral_map_of_disk(disk..., solutions); });
 }
 
 } // namespace internal

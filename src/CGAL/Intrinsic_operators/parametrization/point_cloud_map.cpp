@@ -87,9 +87,8 @@ Eigen::MatrixX2d conformal_map_of_points(const std::vector<std::array<double, 3>
   const Disk_border border = cloud_border(cloud);
   const Complex_matrix form = area_form(cloud);
   std::size_t solutions = 0;
-  Eigen::VectorXcd w =
-      first_of_border_spectrum(conformal_energy(cloud, form), border, Linear_solver::direct,
-                               [&] { return progress(++solutions); });
+  Eigen::VectorXcd w = first_of_border_spectrum(conformal_energy(cloud, form), border,
+                                                [&] { return progress(++solutions); });
   if (w.size() == 0) return {};
   const std::complex<double> start = w[border.rows[0]];
   if (std::abs(start) > 0) w *= std::conj(start) / std::abs(start);
