@@ -6,7 +6,6 @@
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -144,13 +143,13 @@ TEST(Multigrid_factorization, finds_constants_with_masses_near_the_rounding_of_w
 
 // Rows without connections are in no group, so that groups of the others stay as few.
 TEST(Multigrid_factorization, takes_few_steps_where_most_rows_are_fixed) {
-  const int n = 120;
-  const Matrix a = grid_matrix(n, 0);
-  std::vector<char> is_fixed(static_cast<std::size_t>(n * n), 1);
-  for (int v = 0; v < n * n; ++v)
-    if (v / n > 2 * n / 3 && v % n != 0) is_fixed[static_cast<std::size_t>(v)] = 0;
-  const Matrix m = IT::internal::with_fixed_rows(a, is_fixed);
-  const Eigen::VectorXd b = Eigen::VectorXd::Random(a.rows());
+  constexpr int n = 120;
+  const auto is_fixed = [](Eigen::Index v) { return v / n <= 2 * n / 3 || v % n == 0; };
+  Matrix m = grid_matrix(n, 1);
+  m.prune([&](Eigen::Index i, Eigen::Index j, double) {
+    return i == j || (!is_fixed(i) && !is_fixed(j));
+  });
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(m.rows());
   IT::Iterations steps;
   const Eigen::VectorXd x = Multigrid(m).solve(b, steps);
   EXPECT_LE((m * x - b).norm(), 2e-10 * b.norm());

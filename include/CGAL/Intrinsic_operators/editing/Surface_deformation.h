@@ -65,8 +65,8 @@ public:
   \param t the triangulation; no reference to it is kept
   \param handles rows of the handles, repeated or not
   \param energy the energy to minimize
-  \param solver how to solve, for any number of displacements. Harmonic problems can be iterated; the
-    square of the Laplacian, which many handles of the biharmonic energy need, is factored
+  \param solver how to solve, for any number of displacements. Harmonic problems can be iterated;
+    the square of the Laplacian, which many handles of the biharmonic energy need, is factored
   \param np optional named parameters:
     - `visitor(v)`: `v.progress(step)` is called with a `Deformation_step` after each, and returns
       whether to go on. If not, the `status()` is `cancelled`, and nothing can be deformed.

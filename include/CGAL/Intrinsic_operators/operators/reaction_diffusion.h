@@ -56,8 +56,8 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if a coefficient is out of its range, or the load has the wrong size;
   if c is zero and the load does not sum to zero, or the surface is not connected
-\throws std::runtime_error if rounding makes the matrix indefinite; or if you asked for an iteration,
-  and it does not converge
+\throws std::runtime_error if rounding makes the matrix indefinite; or if you asked for an
+  iteration, and it does not converge
 \complexity that of a sparse factorization
 */
 template <MeasuredTriangulation Triangulation>

@@ -19,8 +19,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A matrix that is ready for right sides, by the solver that was chosen when it was seen. A model of
-// `Factorization`.
+// A matrix that is ready for right sides, by the solver that was chosen when it was seen. A model
+// of `Factorization`.
 template <Matrix_number Scalar>
 class Chosen_factorization {
 public:

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,17 @@ struct Vector_options {
   /// only `directions()` asks.
   std::function<bool(Vector_step, std::uint64_t)> progress{};
 };
+
+namespace internal {
+
+// \throws std::invalid_argument if a field on a cloud is to be iterated: its matrix is not that of
+// a graph without negative weights
+inline void expect_factor_for_cloud(const Vector_options& options) {
+  if (options.solver == Linear_solver::iterative)
+    throw std::invalid_argument("fields on a cloud of points need a direct solver; take one");
+}
+
+} // namespace internal
 
 /// Vectors at places: in their tangent planes, see `Tangents_at_places`, or in space.
 struct Given_vectors {

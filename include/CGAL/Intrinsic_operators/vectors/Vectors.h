@@ -174,9 +174,7 @@ public:
     Visitor visitor{&options, Vector_step::field};
     const auto np = parameters::visitor(std::ref(visitor));
     if (is_cloud()) {
-      if (options.solver == Linear_solver::iterative)
-        refuse("the matrix of a cloud of points is not that of a graph, and iterations may not "
-               "converge; take a direct solver");
+      internal::expect_factor_for_cloud(options);
       const Point_cloud_vectors& c = cloud(options.neighbors);
       if (!visitor.progress(0U)) return {cancelled()};
       const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);

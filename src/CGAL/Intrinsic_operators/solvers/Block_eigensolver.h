@@ -17,9 +17,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
 The smallest eigenvalues of `a x = lambda m x` without a factor of `a`: a block of vectors is
-replaced by the best combinations of it, of its residuals after a cycle of multigrid, and of the step
-before (locally optimal block preconditioned conjugate gradients: Knyazev 2001). A block finds all
-vectors of a multiple eigenvalue. Constants in the kernel of a Laplacian are known, and taken out.
+replaced by the best combinations of it, of its residuals after a cycle of multigrid, and of the
+step before (locally optimal block preconditioned conjugate gradients: Knyazev 2001). A block finds
+all vectors of a multiple eigenvalue. Constants in the kernel of a Laplacian are known, and taken
+out.
 */
 class Block_eigensolver {
 public:

@@ -122,8 +122,8 @@ private:
       to = pack[r];
   }
 
-  // The rows of a front have places that are scattered: their values are copied to consecutive ones,
-  // where panels of columns of the supernode apply to them.
+  // The rows of a front have places that are scattered: their values are copied to consecutive
+  // ones, where panels of columns of the supernode apply to them.
   static constexpr int panel = 4;
 
   template <class Pack>

@@ -106,8 +106,8 @@ private:
     return level == 0 ? *finest_ : levels_[level - 1].coarse;
   }
 
-  // Real matrices are factored with the sums of their rows. Where constants are in the kernel, right
-  // sides sum to zero, so that one raised entry fixes one value at zero.
+  // Real matrices are factored with the sums of their rows. Where constants are in the kernel,
+  // right sides sum to zero, so that one raised entry fixes one value at zero.
   void factor_last(const Matrix_with_sums<Number>& a) {
     Matrix m = a.matrix;
     if constexpr (std::same_as<Number, double>) {
