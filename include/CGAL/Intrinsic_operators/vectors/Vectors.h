@@ -132,8 +132,7 @@ public:
   \param place the place
   \param method how; clouds of points have only `affine`
   \param options how
-  \throws Invalid_input, std::invalid_argument as `transport()`, or if the method does not suit a
-    cloud
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if a cloud lacks the method
   */
   Found_vectors logarithms(const Place& place, Logarithm_method method,
                            const Vector_options& options = {}) {
