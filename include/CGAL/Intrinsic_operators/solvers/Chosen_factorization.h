@@ -14,6 +14,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <concepts>
 #include <functional>
 #include <utility>
 
@@ -27,8 +28,9 @@ public:
   using Matrix = Eigen::SparseMatrix<Scalar>;
   using Vectors = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  template <Factorization Factored>
-  explicit Chosen_factorization(Factored f)
+  template <class Factored>
+  explicit Chosen_factorization(Factored f) requires(
+      !std::same_as<Factored, Chosen_factorization> && Factorization<Factored>)
       : size_(f.size()),
         solve_([f = std::move(f)](const Vectors& b) -> Vectors { return f.solve(b); }) {}
 

@@ -7,7 +7,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>

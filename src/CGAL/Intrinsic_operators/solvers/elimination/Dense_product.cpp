@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_operators/solvers/Dense_product.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Dense_product.h>
 
 #include <cstring>
 

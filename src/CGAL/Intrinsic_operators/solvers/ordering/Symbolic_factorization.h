@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H
 
-#include <CGAL/Intrinsic_operators/solvers/Nested_dissection.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_operators/solvers/minimum_degree_order.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Nested_dissection.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/minimum_degree_order.h>
 
 #include <Eigen/SparseCore>
 
@@ -243,4 +243,4 @@ inline void Symbolic_factorization::find_parts() {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

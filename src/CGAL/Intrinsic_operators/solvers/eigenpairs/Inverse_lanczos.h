@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H
 
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 
@@ -58,4 +58,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -152,4 +152,4 @@ Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Numb
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_FACTOR_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_FACTOR_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_FACTOR_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_FACTOR_H
 
-#include <CGAL/Intrinsic_operators/solvers/Dense_product.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Dense_product.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 
@@ -235,4 +235,4 @@ struct Laplacian_factor : Multifrontal_factor<double> {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_FACTOR_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_FACTOR_H

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid_hierarchy.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid_hierarchy.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
@@ -134,7 +134,7 @@ struct Multigrid {
 };
 
 // The sums of the rows of a matrix, zero in components where rounding explains all of them.
-static Eigen::VectorXd excess_of(const Eigen::SparseMatrix<double>& a) {
+inline Eigen::VectorXd excess_of(const Eigen::SparseMatrix<double>& a) {
   const Row_sums sums(a);
   const std::vector<std::uint32_t> component = components_of_matrix(a);
   const std::vector<char> has_constants = laplacian_components(sums, component);
@@ -143,11 +143,11 @@ static Eigen::VectorXd excess_of(const Eigen::SparseMatrix<double>& a) {
     if (has_constants[component[r]] != 0) result[static_cast<Eigen::Index>(r)] = 0;
   return result;
 }
-static Eigen::VectorXd excess_of(const Eigen::SparseMatrix<std::complex<double>>& a) {
+inline Eigen::VectorXd excess_of(const Eigen::SparseMatrix<std::complex<double>>& a) {
   return Eigen::VectorXd::Zero(a.cols());
 }
 
-static void expect_tolerance(double tolerance) {
+inline void expect_tolerance(double tolerance) {
   if (!(tolerance >= 1e-14 && tolerance <= 1))
     throw std::invalid_argument("the tolerance must be between 1e-14 and 1");
 }
@@ -208,4 +208,4 @@ Multigrid_factorization<Scalar>::solve(const Vectors& b) const {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H

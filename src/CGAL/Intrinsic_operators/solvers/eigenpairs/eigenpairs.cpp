@@ -3,12 +3,12 @@
 
 #if __has_include(<Spectra/SymGEigsShiftSolver.h>)
 
-#include <CGAL/Intrinsic_operators/solvers/Block_eigensolver.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Block_eigensolver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Cholesky>

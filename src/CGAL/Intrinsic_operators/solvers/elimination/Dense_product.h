@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -76,4 +76,4 @@ struct Dense_panel {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

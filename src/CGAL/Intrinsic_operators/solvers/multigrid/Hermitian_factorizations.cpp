@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_cholesky.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_cholesky.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
 #include <Eigen/SparseCore>
 

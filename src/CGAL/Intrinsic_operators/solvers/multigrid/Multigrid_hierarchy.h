@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_HIERARCHY_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_HIERARCHY_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_HIERARCHY_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_HIERARCHY_H
 
-#include <CGAL/Intrinsic_operators/solvers/Aggregates.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Aggregates.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -166,4 +166,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_HIERARCHY_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_HIERARCHY_H

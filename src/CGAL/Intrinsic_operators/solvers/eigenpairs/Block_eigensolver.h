@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_BLOCK_EIGENSOLVER_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_BLOCK_EIGENSOLVER_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_BLOCK_EIGENSOLVER_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_BLOCK_EIGENSOLVER_H
 
-#include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -56,4 +56,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_BLOCK_EIGENSOLVER_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_BLOCK_EIGENSOLVER_H
