@@ -28,9 +28,11 @@ public:
   using Matrix = Eigen::SparseMatrix<Scalar>;
   using Vectors = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
+  // \tparam Factored a model of `Factorization`. Its concept would ask whether this class is
+  // copyable, and so whether this constructor copies.
   template <class Factored>
-  explicit Chosen_factorization(Factored f) requires(
-      !std::same_as<Factored, Chosen_factorization> && Factorization<Factored>)
+    requires(!std::same_as<Factored, Chosen_factorization>)
+  explicit Chosen_factorization(Factored f)
       : size_(f.size()),
         solve_([f = std::move(f)](const Vectors& b) -> Vectors { return f.solve(b); }) {}
 

@@ -22,8 +22,9 @@ template <class Scalar>
 struct Multigrid;
 
 // As a constructor of `Multigrid_factorization`.
-std::shared_ptr<const Multigrid<double>>
-make_multigrid(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
+template <class Scalar>
+std::shared_ptr<const Multigrid<Scalar>>
+make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
                double tolerance);
 } // namespace internal
 

@@ -102,8 +102,9 @@ Eigen::VectorXd Block_eigensolver::improve(Block& x, Block& step, const Block& o
       a.block(begin[i], begin[j], b.x.cols(), c.x.cols()) = b.x.transpose() * c.a;
       m.block(begin[i], begin[j], b.x.cols(), c.x.cols()) = b.x.transpose() * c.m;
     }
-  const auto [values, weights] =
+  const std::pair<Eigen::VectorXd, Eigen::MatrixXd> found =
       small_eigenpairs((a + a.transpose()) / 2, (m + m.transpose()) / 2, n);
+  const Eigen::MatrixXd& weights = found.second;
   const auto combine = [&](Eigen::MatrixXd Block::*part) {
     const Eigen::MatrixXd moved =
         step.*part * weights.middleRows(n, s) + other.*part * weights.bottomRows(o);
@@ -113,7 +114,7 @@ Eigen::VectorXd Block_eigensolver::improve(Block& x, Block& step, const Block& o
   combine(&Block::x);
   combine(&Block::a);
   combine(&Block::m);
-  return values;
+  return found.first;
 }
 
 // \return whether it was not cancelled

@@ -31,6 +31,10 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a,
   return factor_fronts(a, analysis);
 }
 
+// which a compiler instantiates with the class below
+template std::shared_ptr<const Multigrid<std::complex<double>>>
+make_multigrid(const Eigen::SparseMatrix<std::complex<double>>&, const Eigen::VectorXd&, double);
+
 } // namespace internal
 
 template class Multigrid_factorization<std::complex<double>>;

@@ -164,6 +164,22 @@ static void expect_right_side(const Multigrid<Scalar>& m,
                                 "must sum to zero there; subtract its mean, or fix a value");
 }
 
+template <class Scalar>
+std::shared_ptr<const Multigrid<Scalar>>
+make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
+               double tolerance) {
+  expect_factorable(laplacian);
+  expect_tolerance(tolerance);
+  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
+    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  Eigen::SparseMatrix<Scalar> full = laplacian.template selfadjointView<Eigen::Lower>();
+  const Vector sums = full * Vector::Ones(full.cols());
+  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
+  full.makeCompressed();
+  return std::make_shared<const Multigrid<Scalar>>(std::move(full), diagonal, tolerance);
+}
+
 } // namespace internal
 
 template <internal::Matrix_number Scalar>

@@ -24,19 +24,8 @@ static std::string message_of(const Iterations& iterations) {
   return message.str();
 }
 
-std::shared_ptr<const Multigrid<double>>
-make_multigrid(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
-               double tolerance) {
-  expect_factorable(laplacian);
-  expect_tolerance(tolerance);
-  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
-    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
-  Eigen::SparseMatrix<double> full = laplacian.selfadjointView<Eigen::Lower>();
-  const Eigen::VectorXd sums = full * Eigen::VectorXd::Ones(full.cols());
-  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
-  full.makeCompressed();
-  return std::make_shared<const Multigrid<double>>(std::move(full), diagonal, tolerance);
-}
+template std::shared_ptr<const Multigrid<double>> make_multigrid(const Eigen::SparseMatrix<double>&,
+                                                                 const Eigen::VectorXd&, double);
 
 } // namespace internal
 
