@@ -205,8 +205,10 @@ private:
       i = Dense_panel::sum(below, rest->data(), count, sums[0][0].data());
     for (; i + static_cast<std::ptrdiff_t>(lanes) <= count; i += lanes)
       for (std::size_t m = 0; m < columns; ++m)
-        for (std::size_t l = 0; l < lanes; ++l)
-          sums[m][l] += Times(rest[i + l], Times::of_entries)(below[m] + parts * (i + l));
+        for (std::size_t l = 0; l < lanes; ++l) {
+          const std::ptrdiff_t at = i + static_cast<std::ptrdiff_t>(l);
+          sums[m][l] += Times(rest[at], Times::of_entries)(below[m] + parts * at);
+        }
     for (std::size_t l = 0; i < count; ++i, ++l)
       for (std::size_t m = 0; m < columns; ++m)
         sums[m][l] += Times(rest[i], Times::of_entries)(below[m] + parts * i);
