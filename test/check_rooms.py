@@ -166,13 +166,14 @@ def check_header(header, text):
         yield f"{header} needs the include guard {expected_guard(header)}"
 
 
-def check_rooms(headers, rooms, used):
+def check_rooms(public, headers, rooms, used):
     """Yields what is wrong with rooms as a whole."""
-    count = collections.Counter(header.rpartition("/")[0] for header in headers)
+    count = collections.Counter(header.rpartition("/")[0] for header in public)
+    own = {header.rpartition("/")[0] for header in headers}
     for folders, beside in rooms:
         for folder in folders:
             number = count[folder]
-            if number == 0:
+            if folder not in own:
                 yield f"{folder}/ is named in README.md and has no headers"
             if number > MOST_HEADERS:
                 used.add(folder)
@@ -308,7 +309,7 @@ def check(include):
         yield from check_includes(include, file, text, headers, places, used)
     for header, text in headers.items():
         yield from check_header(header, text)
-    yield from check_rooms(public, rooms, used)
+    yield from check_rooms(public, headers, rooms, used)
     yield from check_circles(headers)
     yield from check_lists_of_sources(sources)
     yield from check_program(include.parent, used)

@@ -40,6 +40,7 @@ LEFT_OUT = {
         "faces_violating_triangle_inequality homology_generators insert_curves insert_place "
         "insert_places insert_point_on_sheets intrinsic_face_colors restore_input_edges "
         "rows_with_constant_kernel shorten_curves singularities triangles_at_points",
+    "counts rows": "solver_for",
     "a map that the user gives, in any units": "certified_map pack_components",
     "takes what the user gives to other elements, in its units":
         "corner_coordinates definition_of directions_along_path even_levels fields_of_layout "

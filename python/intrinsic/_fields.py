@@ -17,7 +17,7 @@ from ._singularities import Singularities
 if TYPE_CHECKING:
     from typing import Any, Literal
     from numpy.typing import ArrayLike, NDArray
-    from ._types import Numbers, Place, Places, Progress, SignedCurves
+    from ._types import Numbers, Place, Places, Progress, SignedCurves, Solver
 
 
 class VectorField(_Shown):
@@ -281,15 +281,18 @@ class _Fields:
                             progress)
 
     def direction_field(self, degree: int = 4, *, align: float | None = None,
-                        fixed: tuple[Places, ArrayLike] | None = None, flip: bool = True,
-                        progress: Progress = None) -> DirectionField:
+                        fixed: tuple[Places, ArrayLike] | None = None, solver: Solver = "auto",
+                        flip: bool = True, progress: Progress = None) -> DirectionField:
         """Returns the smoothest field of directions: `degree` 1 for vectors, 2 for lines, 4 for
         crosses; a `DirectionField`.
 
         With `align`, a number that is not negative, it follows the directions of curvature, for
         even degrees: 0 gives the smoothest of such fields, more is closer to them. `fixed` is a
-        pair of vertices and directions there, as for `transport()`.
+        pair of vertices and directions there, as for `transport()`. `solver` is "direct"; or
+        "iterative", in less memory, up to a residual of 1e-10; "auto" takes that beyond five
+        million vertices.
         """
+        _options.expect_solver(solver)
         core = self._flipped(flip)
         points, vectors = _pair(fixed) if fixed is not None else ([], np.zeros((0, 2)))
         vectors = _arrays.numbers(vectors, "fixed[1]")
@@ -299,7 +302,7 @@ class _Fields:
             align = _options.number(align, "align")
         degree = _degree(degree)
         found = _core.direction_field(core, degree, align, self._places(points, "fixed[0]"),
-                                      vectors, self._cloud_neighbors(), progress)
+                                      vectors, self._cloud_neighbors(), solver, progress)
         return DirectionField(core, degree, found, self._cloud_neighbors())
 
     def signed_distance(self, curves: SignedCurves, *, time_factor: float = 1.0,

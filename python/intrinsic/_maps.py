@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from typing import Any, Literal
     from numpy.typing import ArrayLike, NDArray
     from ._surface import Surface
-    from ._types import Angle, Numbers, Path, Progress
+    from ._types import Angle, Numbers, Path, Progress, Solver
 
 
 class PlaneMap(_Shown):
@@ -117,8 +117,8 @@ def _angle_arrays(angles, name, vertices):
 class _Maps:
     @overload
     def parametrize(self, method: Literal["harmonic", "lscm", "spectral"] = ..., *,
-                    cut: Literal["auto"] | ArrayLike | None = ..., flip: bool = ...,
-                    progress: Progress = ...) -> PlaneMap: ...
+                    cut: Literal["auto"] | ArrayLike | None = ..., solver: Solver = ...,
+                    flip: bool = ..., progress: Progress = ...) -> PlaneMap: ...
 
     @overload
     def parametrize(self, method: Literal["conformal"], *,
@@ -127,8 +127,8 @@ class _Maps:
 
     def parametrize(self, method: Literal["harmonic", "lscm", "spectral", "conformal"] = "harmonic",
                     *, cut: Literal["auto"] | ArrayLike | None = None,
-                    start: Literal["input", "delaunay"] | None = None, flip: bool = True,
-                    progress: Progress = None) -> PlaneMap | ConformalMap:
+                    start: Literal["input", "delaunay"] | None = None, solver: Solver = "auto",
+                    flip: bool = True, progress: Progress = None) -> PlaneMap | ConformalMap:
         """Maps a surface to the plane: a `PlaneMap`.
 
         `method` is "harmonic": to the unit disk, made injective by insertions of vertices;
@@ -139,9 +139,16 @@ class _Maps:
         `cut` is "auto" to cut any surface open to disks along short curves, the default if it is no
         disk, or an array of edges of shape (k, 2), as pairs of vertices. Of faces that form no
         oriented manifold, each is mapped once, and edges of more than two faces are cut.
+
+        `solver` is "direct"; or "iterative", in less memory, up to a residual of 1e-10; "auto"
+        takes that for harmonic maps from a million vertices on.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
+        _options.expect_solver(solver)
         if method == "conformal":
+            if solver == "iterative":
+                raise ValueError('solver="iterative" is not for conformal maps, whose matrices '
+                                 'change in each step; leave it out with method="conformal"')
             return self._conformal_map_of_disk(
                 cut, start or ("delaunay" if flip else "input"), progress)
         if start is not None:
@@ -155,7 +162,7 @@ class _Maps:
         if method == "harmonic":  # which inserts vertices
             core = _core.copy(core)
         *found, inserted, is_injective = _core.parametrize(core, method, self._cloud_neighbors(),
-                                                           progress)
+                                                           solver, progress)
         # the triangulation on whose faces the map is linear, and certified
         mapped = surface if is_cloud else type(self)._of(core)
         result = PlaneMap(mapped, *found, inserted)
@@ -207,18 +214,21 @@ class _Maps:
         return ConformalMap(_core.uniformize(core, target, start == "input", count, *arrays,
                                              progress), self)
 
-    def eigen(self, count: int = 10, *, flip: bool = True,
+    def eigen(self, count: int = 10, *, solver: Solver = "auto", flip: bool = True,
               progress: Progress = None) -> tuple[Numbers, Numbers]:
         """Returns the `count` smallest eigenvalues of the Laplacian, of shape (count,), in
         1 / area, and the eigenfunctions, of shape (n, count), orthonormal in the mass matrix. There
         are as many as vertices. If `count` is larger, up to 1000 vertices have all of them; on
-        larger surfaces it is an error."""
+        larger surfaces it is an error. `solver` is "direct"; or "iterative", in less memory, up to
+        a residual of 1e-8; "auto" takes that from a million vertices on."""
+        _options.expect_solver(solver)
         count = _options.number(count, "count")
-        return _core.eigen(self._flipped(flip), count, progress)
+        return _core.eigen(self._flipped(flip), count, solver, progress)
 
     def deform(self, handles: ArrayLike | Mapping[int, ArrayLike],
                displacements: ArrayLike | None = None, *,
-               energy: Literal["biharmonic", "harmonic"] = "biharmonic", flip: bool = True,
+               energy: Literal["biharmonic", "harmonic"] = "biharmonic",
+               solver: Solver = "auto", flip: bool = True,
                progress: Progress = None) -> Numbers:
         """Moves some vertices, and the others with them, as smoothly as possible. Returns the
         displacements of all vertices, of shape (n, d).
@@ -227,8 +237,10 @@ class _Maps:
         `handles` is a dict from vertices to displacements. d is 3 in space, and may be any number.
         The same handles may move many times: that is fast. `energy` is "biharmonic", smooth at
         handles too, or "harmonic", which stays within the range of displacements. Components
-        without a handle do not move.
+        without a handle do not move. `solver` is "direct"; or "iterative", in less memory, up to a
+        residual of 1e-10; "auto" takes that beyond five million vertices.
         """
+        _options.expect_solver(solver)
         _arrays.expect_word(energy, "energy", ("biharmonic", "harmonic"))
         if displacements is None:
             if not isinstance(handles, dict):
@@ -240,7 +252,7 @@ class _Maps:
         if moved.ndim != 2 or len(moved) != len(rows):
             raise ValueError(f"displacements has the shape {moved.shape}; give a row for each of "
                              f"{len(rows)} handles")
-        return _core.deform(core, rows, moved, energy, progress)
+        return _core.deform(core, rows, moved, energy, solver, progress)
 
     def _is_disk(self):
         found = self.report["input"]

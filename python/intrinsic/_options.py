@@ -21,6 +21,11 @@ def expect(**options):
         _arrays.expect_word(x, name, _WORDS[name])
 
 
+def expect_solver(x):
+    """Checks how linear problems are to be solved."""
+    _arrays.expect_word(x, "solver", ("auto", "direct", "iterative"))
+
+
 def expect_correspondence(x):
     """Checks a correspondence: the module has one of those that the library has."""
     if isinstance(x, str) and x in ("signposts", "crossings"):

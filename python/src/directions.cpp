@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_operators/distance/curve_sources.h>
 #include <CGAL/Intrinsic_operators/distance/distance_sources.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
@@ -41,9 +42,10 @@ py::tuple connection_laplacian(Surface& s, int degree) {
 
 py::tuple direction_field(Surface& s, int degree, const std::optional<double>& strength,
                           const Place_arrays& places, const Doubles& vectors, std::size_t neighbors,
-                          Watch& watch) {
+                          const std::string& solver, Watch& watch) {
   const IT::Given_vectors fixed = given_vectors(places_of(s, places), vectors);
-  const IT::Vector_options options = vector_options(1, neighbors, watch);
+  IT::Vector_options options = vector_options(1, neighbors, watch);
+  options.solver = IT::solver_named(solver);
   IT::Found_directions found = with_triangulation(s, watch, [&](auto& t) {
     return vectors_on(s, t).directions(degree, strength, fixed, options);
   });

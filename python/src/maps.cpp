@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/map_to_plane.h>
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
 #include <CGAL/Intrinsic_triangulations/input/definition_of.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -65,10 +66,12 @@ IT::Map_method method_of(const std::string& name) {
 }
 
 // The surface may be refined.
-py::tuple parametrize(Surface& s, const std::string& method, std::size_t neighbors, Watch& watch) {
+py::tuple parametrize(Surface& s, const std::string& method, std::size_t neighbors,
+                      const std::string& solver, Watch& watch) {
   IT::Map_options options;
   options.method = method_of(method);
   options.neighbors = neighbors;
+  options.solver = IT::solver_named(solver);
   const char* const stage = options.method == IT::Map_method::harmonic ? "rounds" : "solutions";
   options.progress = [&](std::uint64_t count) { return watch(stage, count); };
   IT::Map_to_plane map = with_triangulation(s, watch, [&](auto& t) {
@@ -147,10 +150,11 @@ std::uint32_t sheets(Surface& s) {
 
 // ---- Eigenfunctions ----------------------------------------------------------------------------
 
-py::tuple eigen(Surface& s, std::size_t count, Watch& watch) {
+py::tuple eigen(Surface& s, std::size_t count, const std::string& solver, Watch& watch) {
   Watching visitor{&watch, "solutions"};
   IT::Eigenpairs pairs = with_triangulation(s, watch, [&](auto& t) {
-    return IT::surface_modes(t, count, IT::parameters::visitor(std::ref(visitor)));
+    return IT::surface_modes(t, count, IT::solver_named(solver),
+                             IT::parameters::visitor(std::ref(visitor)));
   });
   return py::make_tuple(array_of(std::move(pairs.values)), array_of(std::move(pairs.vectors)));
 }
@@ -160,7 +164,7 @@ py::tuple eigen(Surface& s, std::size_t count, Watch& watch) {
 // The deformation that was used last: its handles may move many times.
 struct Kept_deformation {
   std::vector<std::uint32_t> rows;
-  std::string energy;
+  std::string energy, solver;
   IT::Surface_deformation deformation;
 };
 
@@ -171,7 +175,7 @@ IT::Deformation_energy energy_of(const std::string& name) {
 }
 
 py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& displacements,
-                           const std::string& energy, Watch& watch) {
+                           const std::string& energy, const std::string& solver, Watch& watch) {
   const IT::Deformation_energy minimized = energy_of(energy);
   const Row_matrix given = matrix_of(displacements);
   const std::vector<std::uint32_t> rows = numbers_of(
@@ -179,11 +183,12 @@ py::array_t<double> deform(Surface& s, const Integers& handles, const Doubles& d
   return array_of(with_triangulation(s, watch, [&](auto& t) -> Row_matrix {
     std::shared_ptr<void>& place = s.cache["deformation"];
     auto* kept = static_cast<Kept_deformation*>(place.get());
-    if (kept == nullptr || kept->rows != rows || kept->energy != energy) {
+    if (kept == nullptr || kept->rows != rows || kept->energy != energy || kept->solver != solver) {
       Watching visitor{&watch, "factorization"};
-      auto made = std::make_shared<Kept_deformation>(Kept_deformation{
-          rows, energy,
-          IT::Surface_deformation(t, rows, minimized, IT::parameters::visitor(std::ref(visitor)))});
+      auto made = std::make_shared<Kept_deformation>(
+          Kept_deformation{rows, energy, solver,
+                           IT::Surface_deformation(t, rows, minimized, IT::solver_named(solver),
+                                                   IT::parameters::visitor(std::ref(visitor)))});
       if (made->deformation.status() == IT::Status::cancelled) return {};
       kept = made.get();
       place = std::move(made);

@@ -95,6 +95,10 @@ class Hostile(With_folder):
                 ("max_vertices", lambda x: s.adapt(max_vertices=x)),
                 ("neighbors", lambda x: it.points(s.points, neighbors=x)),
                 ("energy", lambda x: s.deform([0], [[1]], energy=x)),
+                ("solver", lambda x: s.deform([0], [[1]], solver=x)),
+                ("solver", lambda x: s.direction_field(solver=x)),
+                ("solver", lambda x: s.eigen(solver=x)),
+                ("solver", lambda x: s.parametrize(solver=x)),
                 ("method", lambda x: s.distance(0, method=x)),
                 ("target", lambda x: s.uniformize(target=x))):
             for x in "1", b"1", float("nan"), -1, True, {1}, np.zeros((2, 2)), object(), lambda: 1:

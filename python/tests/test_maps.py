@@ -157,6 +157,18 @@ class Closed_forms(unittest.TestCase):
         np.testing.assert_allclose(functions.T @ (M @ functions), np.eye(4), atol=1e-10)
         np.testing.assert_allclose(s.laplacian() @ functions, (M @ functions) * values, atol=1e-12)
 
+    def test_iterations_agree_with_factors(self):
+        s = it.Surface(*grid(40))
+        for name, solve in (("eigen", lambda x: s.eigen(4, solver=x)[0]),
+                            ("deform", lambda x: s.deform({0: [1], 90: [3]}, solver=x)),
+                            ("harmonic", lambda x: s.parametrize(solver=x).uv),
+                            ("lscm", lambda x: s.parametrize("lscm", solver=x).uv),
+                            ("field", lambda x: s.direction_field(
+                                2, fixed=([0], [[1, 0]]), solver=x).coordinates)):
+            found, expected = solve("iterative"), solve("direct")
+            np.testing.assert_allclose(found, expected, atol=1e-7, err_msg=name)
+            np.testing.assert_array_equal(solve("auto"), expected, err_msg=name)  # a small one
+
     def test_deformations_of_a_square(self):
         V, F = grid()
         s = it.Surface(V, F)
@@ -197,7 +209,10 @@ class Arguments(unittest.TestCase):
                 ("a row for each", lambda: s.deform([0, 1], [[1, 0, 0]])),
                 ("displacements are missing", lambda: s.deform([0])),
                 ("from 0 to 15", lambda: s.deform({16: [1]})),
-                ("energy", lambda: s.deform({0: [1.0]}, energy="none"))):
+                ("energy", lambda: s.deform({0: [1.0]}, energy="none")),
+                ("leave it out", lambda: s.parametrize("conformal", solver="iterative")),
+                ("direct solver", lambda: it.points(grid(4)[0]).direction_field(
+                    solver="iterative"))):
             with self.assertRaisesRegex(ValueError, message):
                 call()
 

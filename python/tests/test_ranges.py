@@ -69,6 +69,10 @@ WORDS = {
     "uniformize --target": (S.uniformize, "target"),
     "uniformize --start": (S.uniformize, "start"),
     "edit --energy": (S.deform, "energy"),
+    "edit --solver": typing.get_args(_types.Solver),
+    "eigen --solver": typing.get_args(_types.Solver),
+    "field --solver": typing.get_args(_types.Solver),
+    "parametrize --solver": typing.get_args(_types.Solver),
 }
 
 

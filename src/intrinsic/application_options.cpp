@@ -8,6 +8,33 @@
 
 namespace program {
 
+namespace {
+
+void add_solver_option(CLI::App& command, Options& options) {
+  std::string& solver = options.application.solver;
+  const Words solvers({{"auto", "by size"},
+                       {"direct", "by a factorization"},
+                       {"iterative", "in less memory, up to a residual"}},
+                      solver);
+  Option_adder{command}("--solver", solver, {solvers.check()},
+                        "how linear problems are solved: " + solvers.help());
+}
+
+// Refuses iterations, and says why.
+void add_solver_of_heat(CLI::App& command, Options& options) {
+  const CLI::Validator direct(
+      [](std::string& word) -> std::string {
+        if (word == "direct") return {};
+        return word + ": far from its source heat is smaller than the residual of an iteration by "
+                      "hundreds of powers of ten; give direct";
+      },
+      "direct");
+  Option_adder{command}("--solver", options.application.solver, {direct},
+                        "how heat is computed: direct (by a factorization, default)");
+}
+
+} // namespace
+
 void add_distance_searches(CLI::App& command, Options& options) {
   const Option_adder add(command);
   Application_options& a = options.application;
@@ -37,6 +64,7 @@ void add_distance_searches(CLI::App& command, Options& options) {
   add("--sources", a.source_sets, {file_name},
       "text file: on each line the vertices of a set; the distances from each set are found, a "
       "row of a matrix each");
+  add_solver_of_heat(command, options);
 }
 
 void add_distance_lines(CLI::App& command, Options& options) {
@@ -72,6 +100,7 @@ void add_parametrize_options(CLI::App& command, Options& options) {
           " (default): cut open along few edges unless it is a disk; or a file that lists the "
           "edges, two vertices a line");
   add_start_option(command, options);
+  add_solver_option(command, options);
   command.callback([&options] {
     if (options.application.cut.empty() && options.application.map != "conformal")
       options.application.cut = defaults::cut;
@@ -111,6 +140,7 @@ void add_transport_options(CLI::App& command, Options& options) {
                         "text file: on each line the number of a vertex, an angle in degrees from "
                         "the first edge there, and a length or none")
       ->required();
+  add_solver_of_heat(command, options);
 }
 
 void add_logmap_options(CLI::App& command, Options& options) {
@@ -121,6 +151,7 @@ void add_logmap_options(CLI::App& command, Options& options) {
       "exact");
   Option_adder{command}("--method", options.application.logarithm, {methods.check()},
                         methods.help());
+  add_solver_of_heat(command, options);
 }
 
 void add_field_options(CLI::App& command, Options& options) {
@@ -135,11 +166,13 @@ void add_field_options(CLI::App& command, Options& options) {
   add("--align", a.alignment, {in_range(ranges::align)},
       "how strongly the field follows the directions of principal curvature; 0: as little as "
       "possible");
+  add_solver_option(command, options);
 }
 
 void add_eigen_options(CLI::App& command, Options& options) {
   Option_adder{command}("--count", options.application.count, {in_range(ranges::count)},
                         "how many; " + default_is(defaults::count));
+  add_solver_option(command, options);
 }
 
 void add_edit_options(CLI::App& command, Options& options) {
@@ -150,6 +183,7 @@ void add_edit_options(CLI::App& command, Options& options) {
   const Words energies({{"biharmonic", ""}, {"harmonic", ""}}, defaults::energy);
   add("--energy", options.application.energy, {energies.check()},
       "energy to minimize: " + energies.help());
+  add_solver_option(command, options);
 }
 
 } // namespace program

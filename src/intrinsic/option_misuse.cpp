@@ -192,6 +192,9 @@ std::string parametrize_misuse(const Options& o) {
                ? ""
                : "lengths of triangles are scaled by conformal maps alone; give --start with "
                  "--method conformal";
+  if (o.application.solver == "iterative")
+    return "the matrices of conformal maps change in each step, and are factored; leave --solver "
+           "iterative out with --method conformal";
   if (!o.application.cut.empty() || o.refines || has_constraints(o))
     return "--method conformal maps disks, between their vertices, and flips all edges; leave "
            "--cut, --refine, --sharp-angle and --marked out";

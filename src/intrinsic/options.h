@@ -70,6 +70,7 @@ struct Application_options {
   std::string singularities; ///< file of points with indices; empty: none
   std::string handles;       ///< file of vertices and their displacements; empty: none
   std::string energy = defaults::energy; ///< of a deformation
+  std::string solver = "auto";           ///< of linear problems: `auto`, `direct` or `iterative`
 };
 
 /// Which angles a surface gets, and from which triangles.

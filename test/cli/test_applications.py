@@ -132,6 +132,29 @@ class Eigen(Applications):
         self.assertEqual(self.run_program("eigen", mesh, "--count", "0").code, 2)
 
 
+class Solver(Applications):
+    def test_iterations_agree_with_factors(self):
+        values = {solver: self.stats("eigen", self.sphere, "--count", "4", "--solver",
+                                     solver)["eigen"]["values"]
+                  for solver in ("auto", "direct", "iterative")}
+        self.assertEqual(values["auto"], values["direct"])
+        for x, y in zip(values["direct"], values["iterative"]):
+            self.assertAlmostEqual(x, y, 9)
+
+    def test_heat_is_not_iterated(self):
+        for command in ("distance", "logmap", "transport"):
+            result = self.run_program(command, self.sphere, "--solver", "iterative")
+            self.assertEqual(result.code, 2)
+            self.assertIn("smaller than the residual", result.err)
+        self.stats("distance", self.sphere, "--source", "0", "--solver", "direct")
+
+    def test_conformal_maps_are_not_iterated(self):
+        result = self.run_program("parametrize", self.sphere, "--method", "conformal", "--solver",
+                                  "iterative")
+        self.assertEqual(result.code, 2)
+        self.assertIn("are factored", result.err)
+
+
 class Edit(Applications):
     def handles(self, rows):
         return self.write("handles.txt", "".join(" ".join(map(repr, r)) + "\n" for r in rows))

@@ -21,7 +21,7 @@ subtraction}
 Steps of the heat flow of functions use \itc{Laplacian_factorization}, those of vectors
 \itc{Cholesky_factorization}; \itf{smallest_eigenpairs} takes either. \itc{Fixed_values_solver}
 chooses one when it sees the matrix, so that the choice is not a parameter of its type. It iterates
-with \itc{Multigrid_factorization} if you ask for it.
+with \itc{Multigrid_factorization} if you ask for it, or if \itf{solver_for} says so.
 
 \cgalHeading{Complexity}
 

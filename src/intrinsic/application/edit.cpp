@@ -6,6 +6,7 @@
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 
 #include <cstdint>
 #include <vector>
@@ -42,7 +43,8 @@ void run_edit(const Options& options) {
     const Handles handles = read_handles(options, t.input().number_of_rows());
     const IT::Surface_deformation deformation(t, handles.rows,
                                               is_harmonic ? IT::Deformation_energy::harmonic
-                                                          : IT::Deformation_energy::biharmonic);
+                                                          : IT::Deformation_energy::biharmonic,
+                                              IT::solver_named(options.application.solver));
     Computed computed{"edit", {}, {}};
     computed.displacements = deformation.displacements(handles.displacements);
     computed.json = {{"handles", handles.rows.size()},

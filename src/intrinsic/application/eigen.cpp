@@ -5,6 +5,7 @@
 #include "application.h"
 
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ Computed eigenfunctions(const IT::Eigenpairs& pairs) {
 
 void run_eigen(const Options& options) {
   run_application(options, [&](const auto& t, const Sources&, const Points&, Progress&) {
-    return eigenfunctions(IT::surface_modes(t, options.application.count));
+    return eigenfunctions(IT::surface_modes(t, options.application.count,
+                                            IT::solver_named(options.application.solver)));
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/parametrization/map_to_plane.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <cstdint>
@@ -22,6 +23,7 @@ IT::Map_options asked_of(const Options& options, Progress& progress) {
   asked.method = method == "lscm"       ? IT::Map_method::least_squares
                  : method == "spectral" ? IT::Map_method::spectral
                                         : IT::Map_method::harmonic;
+  asked.solver = IT::solver_named(options.application.solver);
   asked.keeps_edges = has_constraints(options);
   asked.neighbors = options.neighbors.value_or(asked.neighbors);
   asked.progress = [&progress](std::uint64_t steps) {

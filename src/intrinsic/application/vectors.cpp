@@ -5,6 +5,7 @@
 #include "../support/text_lines.h"
 #include "application.h"
 
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/vectors/Vectors.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/formulas/is_torn.h>
@@ -45,6 +46,7 @@ IT::Vector_options asked_options(const Options& options) {
   IT::Vector_options asked;
   asked.time_factor = options.application.time_factor;
   asked.neighbors = options.neighbors.value_or(asked.neighbors);
+  asked.solver = IT::solver_named(options.application.solver);
   return asked;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/operators/surface_modes.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 
 #include <gtest/gtest.h>
@@ -215,6 +216,32 @@ TEST(Eigenpairs, beyond_a_cluster_of_small_ones_are_right_or_refused) {
   }
 }
 
+// Multiple ones, too, and those of several components; constants have exactly the value zero.
+TEST(Eigenpairs, by_iteration_are_those_of_the_stencil) {
+  for (const auto& [n, count] : {std::pair{20U, 1}, {20U, 9}, {33U, 40}}) {
+    const Exact t(torus(n, 0));
+    const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
+    const IT::Eigenpairs pairs = IT::smallest_eigenpairs(l, m, count, IT::Linear_solver::iterative);
+    const std::vector<double> values = eigenvalues_of_stencil(n);
+    ASSERT_EQ(pairs.values.size(), count);
+    EXPECT_EQ(pairs.values[0], 0);
+    for (Eigen::Index i = 0; i < count; ++i)
+      EXPECT_NEAR(pairs.values[i], values[static_cast<std::size_t>(i)], 1e-12) << n << ' ' << i;
+    const Eigen::MatrixXd products = pairs.vectors.transpose() * m * pairs.vectors;
+    EXPECT_LE((products - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-12) << n;
+    const Eigen::MatrixXd residual =
+        l * pairs.vectors - m * pairs.vectors * pairs.values.asDiagonal();
+    for (Eigen::Index i = 0; i < count; ++i)
+      EXPECT_LE(residual.col(i).norm(), 1e-8 * pairs.values[i] + 1e-14) << n << ' ' << i;
+  }
+  const Exact two(beside(rough_torus(12, 0.2, 1), rough_torus(12, 0.3, 2), 30).input());
+  const Matrix l = IT::cotangent_laplacian(two), m = IT::galerkin_mass_matrix(two);
+  const IT::Eigenpairs exact = IT::smallest_eigenpairs(l, m, 8, IT::Linear_solver::direct),
+                       found = IT::smallest_eigenpairs(l, m, 8, IT::Linear_solver::iterative);
+  EXPECT_EQ(found.values[1], 0);
+  EXPECT_LE((found.values - exact.values).norm(), 1e-11 * exact.values[7]);
+}
+
 TEST(Eigenpairs, can_be_followed_and_cancelled) {
   const Exact t(torus(20, 0));
   const Matrix l = IT::cotangent_laplacian(t), m = IT::lumped_mass_matrix(t);
@@ -228,6 +255,11 @@ TEST(Eigenpairs, can_be_followed_and_cancelled) {
   EXPECT_EQ(all.status, IT::Status::done);
   EXPECT_GT(calls, 6U);
   EXPECT_EQ(all.values, IT::smallest_eigenpairs(l, m, 6).values);
+  const Following third{[](std::size_t k) { return k < 3; }};
+  EXPECT_EQ(
+      IT::smallest_eigenpairs(l, m, 6, IT::Linear_solver::iterative, IT::parameters::visitor(third))
+          .status,
+      IT::Status::cancelled);
   for (const std::size_t last : {std::size_t{0}, calls / 2, calls - 1}) {
     const Following stop{[last](std::size_t k) { return k < last; }};
     const IT::Eigenpairs none = IT::smallest_eigenpairs(l, m, 6, IT::parameters::visitor(stop));

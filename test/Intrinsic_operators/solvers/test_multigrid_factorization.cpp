@@ -3,6 +3,8 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 
 #include <Eigen/Dense>
@@ -127,6 +129,33 @@ TEST(Multigrid_factorization, projects_constants_out_of_components) {
   EXPECT_EQ(x[2 * size], 0);
 }
 
+// In the sum of weights and these masses, rounding changes masses by more than 1e-7; and constants
+// are large beside the right side, but do not hide the residual.
+TEST(Multigrid_factorization, finds_constants_with_masses_near_the_rounding_of_weights) {
+  const Matrix laplacian = grid_matrix(50, 0);
+  for (const double mass : {1e-3, 1e-9}) {
+    const Eigen::VectorXd masses = Eigen::VectorXd::LinSpaced(laplacian.rows(), mass, 5 * mass);
+    const Eigen::VectorXd x = Multigrid(laplacian, masses).solve(masses);
+    EXPECT_LE((x.array() - 1).abs().maxCoeff(), 1e-9) << mass;
+  }
+  EXPECT_THROW(Multigrid(laplacian, Eigen::VectorXd::Ones(5)), std::invalid_argument);
+}
+
+// Rows without connections are in no group, so that groups of the others stay as few.
+TEST(Multigrid_factorization, takes_few_steps_where_most_rows_are_fixed) {
+  constexpr int n = 120;
+  const auto is_fixed = [](Eigen::Index v) { return v / n <= 2 * n / 3 || v % n == 0; };
+  Matrix m = grid_matrix(n, 1);
+  m.prune([&](Eigen::Index i, Eigen::Index j, double) {
+    return i == j || (!is_fixed(i) && !is_fixed(j));
+  });
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(m.rows());
+  IT::Iterations steps;
+  const Eigen::VectorXd x = Multigrid(m).solve(b, steps);
+  EXPECT_LE((m * x - b).norm(), 2e-10 * b.norm());
+  EXPECT_LE(steps.most, 22);
+}
+
 TEST(Multigrid_factorization, refuses_what_it_cannot_solve) {
   const Matrix good = grid_matrix(40, 1);
   EXPECT_THROW(Multigrid(Matrix(3, 4)), std::invalid_argument);
@@ -153,11 +182,12 @@ TEST(Multigrid_factorization, of_an_indefinite_matrix_says_so) {
   EXPECT_THROW(Multigrid(a).solve(b), std::runtime_error);
 }
 
-// Rounding of the entries leaves a residual far above the least tolerance.
+// Rounding of the entries leaves a residual far above the least tolerance: the solution is 1e9.
 TEST(Multigrid_factorization, never_returns_a_wrong_solution_silently) {
-  const Matrix a = grid_matrix(60, 1e-9);
-  const Eigen::VectorXd b = Eigen::VectorXd::Ones(a.rows());
-  const Multigrid multigrid(a, 1e-14);
+  std::mt19937 random(5);
+  const Complex_matrix a = turned(grid_matrix(60, 1e-9), random);
+  const Eigen::VectorXcd b = Eigen::VectorXcd::Ones(a.rows());
+  const IT::Multigrid_factorization<std::complex<double>> multigrid(a, 1e-14);
   IT::Iterations iterations;
   multigrid.solve(b, iterations);
   EXPECT_EQ(iterations.status, IT::Status::cap);
@@ -183,10 +213,24 @@ TEST(Multigrid_factorization, solves_with_fixed_values) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     values[static_cast<Eigen::Index>(i)] = linear(static_cast<int>(rows[i]));
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n * n);
-  for (const auto solver : {IT::Linear_solver::direct, IT::Linear_solver::iterative}) {
+  for (const auto solver :
+       {IT::Linear_solver::automatic, IT::Linear_solver::direct, IT::Linear_solver::iterative}) {
     const Eigen::VectorXd x = IT::solve_with_fixed_values(a, zero, rows, values, solver);
     for (int v = 0; v < n * n; ++v) EXPECT_NEAR(x[v], linear(v), 1e-7);
   }
+}
+
+TEST(Linear_solver, is_chosen_by_size_and_number_of_right_sides) {
+  using enum IT::Linear_solver;
+  EXPECT_EQ(IT::solver_for(999'999, 1), direct);
+  EXPECT_EQ(IT::solver_for(1'000'000, 3), iterative);
+  EXPECT_EQ(IT::solver_for(1'000'000, 4), direct);
+  EXPECT_EQ(IT::solver_for(1'000'000), direct);
+  EXPECT_EQ(IT::solver_for(5'000'001), iterative);
+  EXPECT_EQ(IT::solver_named("auto"), automatic);
+  EXPECT_EQ(IT::solver_named("direct"), direct);
+  EXPECT_EQ(IT::solver_named("iterative"), iterative);
+  EXPECT_THROW(IT::solver_named("fast"), std::invalid_argument);
 }
 
 } // namespace multigrid_factorizations

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Graph_separation.h>
-#include <CGAL/Intrinsic_operators/solvers/Nested_dissection.h>
-#include <CGAL/Intrinsic_operators/solvers/Separable_graph.h>
-#include <CGAL/Intrinsic_operators/solvers/Separator_refinement.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Graph_separation.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Nested_dissection.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separable_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separator_refinement.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>

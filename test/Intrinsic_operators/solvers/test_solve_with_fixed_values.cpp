@@ -6,9 +6,18 @@
 #include "delaunay.h"
 #include "operator_test_meshes.h"
 
+#include <CGAL/Intrinsic_operators/editing/Heat_flow.h>
+#include <CGAL/Intrinsic_operators/editing/Surface_deformation.h>
+#include <CGAL/Intrinsic_operators/editing/interpolate_harmonically.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_operators/operators/transfer.h>
+#include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/harmonic_map.h>
+#include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
+#include <CGAL/Intrinsic_operators/vectors/direction_field.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Explicit_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Signposts.h>
@@ -19,11 +28,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -273,6 +285,60 @@ TEST(Solve_with_fixed_values, definite_matrices_need_not_be_laplacians) {
   const Eigen::MatrixXd x = IT::solve_with_fixed_values(a, b, Rows{}, Eigen::MatrixXd(0, 1));
   EXPECT_NEAR(x(0, 0), 1, 1e-12);
   EXPECT_NEAR(x(1, 0) * s, 1, 1e-12);
+}
+
+// A factor is the oracle of iterations, in all problems that take a solver. Iterations have at least
+// two levels with so many vertices.
+TEST(Linear_solver, solves_every_problem_up_to_its_residual) {
+  using enum IT::Linear_solver;
+  const auto t = delaunay<Exact>(rough_grid(40, 0.3, 0.5, 7).input());
+  const Eigen::Index n = IT::cotangent_laplacian(t).rows();
+  const auto expect_equal = [](const char* problem, const auto& solve) {
+    const Eigen::MatrixXd found = solve(iterative), expected = solve(direct);
+    EXPECT_LE((found - expected).norm(), 1e-6 * expected.norm()) << problem;
+    EXPECT_GT((found - expected).norm(), 0) << problem; // was another way
+  };
+  const Rows rows{0, 77, 1000};
+  const Vector values = Eigen::Vector3d(1, 3, 2);
+  expect_equal("harmonic map", [&](auto s) { return Eigen::MatrixXd(IT::harmonic_map(t, s)); });
+  expect_equal("interpolation", [&](auto s) {
+    return Eigen::MatrixXd(IT::interpolate_harmonically(t, rows, values, s));
+  });
+  Vector load = Vector::Zero(n);
+  load[5] = 1;
+  load[900] = -1;
+  for (const double reaction : {0., 0.1})
+    expect_equal("reaction and diffusion", [&](auto s) {
+      return Eigen::MatrixXd(
+          IT::solve_reaction_diffusion(t, {.diffusion = 1, .reaction = reaction}, load, s));
+    });
+  expect_equal("heat", [&](auto s) { return IT::Heat_flow(t, 5., s).step(load); });
+  for (const auto energy : {IT::Deformation_energy::harmonic, IT::Deformation_energy::biharmonic})
+    expect_equal("deformation", [&](auto s) {
+      return IT::Surface_deformation(t, rows, energy, s).displacements(values);
+    });
+  expect_equal("least squares map",
+               [&](auto s) { return Eigen::MatrixXd(IT::least_squares_conformal_map(t, s)); });
+  auto copy = t;
+  EXPECT_THROW(IT::parametrize(copy, IT::Map_method::spectral, iterative), std::invalid_argument);
+  using Fixed = std::vector<std::pair<Exact::vertex_descriptor, std::complex<double>>>;
+  for (const Fixed& fixed : {Fixed{}, Fixed{{*vertices(t.mesh()).begin(), {1, 0}}}})
+    expect_equal("directions", [&](auto s) {
+      const auto f = IT::smoothest_direction_field(t, 4, fixed, s).powers;
+      Eigen::MatrixXd result(static_cast<Eigen::Index>(f.size()), 2);
+      for (std::size_t i = 0; i < f.size(); ++i)
+        result.row(static_cast<Eigen::Index>(i)) << f[i].real(), f[i].imag();
+      return result;
+    });
+}
+
+TEST(Linear_solver, is_refused_for_the_square_of_the_laplacian) {
+  const auto t = delaunay<Exact>(rough_grid(20, 0.3, 0.5, 7).input());
+  EXPECT_NE(message_of([&] {
+              IT::Surface_deformation(t, border_rows(t), IT::Deformation_energy::biharmonic,
+                                      IT::Linear_solver::iterative);
+            }).find("take a direct solver"),
+            std::string::npos);
 }
 
 } // namespace

@@ -6,7 +6,8 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
-#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -39,20 +40,23 @@ public:
   \tparam Triangulation a model of `MeasuredTriangulation`
   \param t the triangulation; no reference to it is kept
   \param time the time, in units of area: about the square of the radius of averaging
+  \param solver how to solve for steps, of any number of functions
   \throws std::invalid_argument if the time is negative or not finite
   \throws Invalid_input if a face has no area
   \complexity that of a sparse factorization
   */
   template <MeasuredTriangulation Triangulation>
-  Heat_flow(const Triangulation& t, double time)
+  Heat_flow(const Triangulation& t, double time, Linear_solver solver = Linear_solver::automatic)
       : mass_(lumped_mass_matrix(t).diagonal()),
-        solver_(checked(time) * cotangent_laplacian(t), positive(mass_)) {}
+        solver_(internal::chosen_factorization(checked(time) * cotangent_laplacian(t),
+                                               positive(mass_), solver)) {}
 
   /*!
   \brief lets the heat flow.
   \param values a row per vertex, a column per function
   \return the new values
   \throws std::invalid_argument if there is not a row per vertex
+  \throws No_convergence if an iteration does not converge
   \complexity linear in the entries of the factor, for each column
   */
   Eigen::MatrixXd step(const Eigen::MatrixXd& values) const;
@@ -71,7 +75,7 @@ private:
   }
 
   Eigen::VectorXd mass_;
-  Laplacian_factorization solver_;
+  internal::Chosen_factorization<double> solver_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -64,11 +65,14 @@ public:
   \param t the triangulation; no reference to it is kept
   \param handles rows of the handles, repeated or not
   \param energy the energy to minimize
+  \param solver how to solve, for any number of displacements. Harmonic problems can be iterated;
+    the square of the Laplacian, which many handles of the biharmonic energy need, is factored
   \param np optional named parameters:
     - `visitor(v)`: `v.progress(step)` is called with a `Deformation_step` after each, and returns
       whether to go on. If not, the `status()` is `cancelled`, and nothing can be deformed.
   \throws Invalid_input if a face has no area
-  \throws std::invalid_argument if a row does not exist
+  \throws std::invalid_argument if a row does not exist; or if you asked for an iteration, and the
+    square of the Laplacian is needed
   \throws Indefinite_matrix if rounding makes the matrix indefinite. If few handles (some tens) have
   free neighbours, this needs two handles at distance zero: the biharmonic problem then becomes two
   harmonic ones, which slivers do not harm, see `Laplacian_factorization`
@@ -77,22 +81,31 @@ public:
   */
   template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
-                      Deformation_energy energy = Deformation_energy::biharmonic,
+                      Deformation_energy energy, Linear_solver solver,
                       const NP& np = parameters::default_values())
       : Surface_deformation(cotangent_laplacian(t), lumped_mass_matrix(t).diagonal(), handles,
-                            energy, internal::progress_of(np)) {
+                            energy, solver, internal::progress_of(np)) {
     internal::expect_names<internal::tags::visitor>(np);
   }
+
+  /// solves as `solver_for()` chooses; see the other constructor.
+  template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+  Surface_deformation(const Triangulation& t, std::span<const std::uint32_t> handles,
+                      Deformation_energy energy = Deformation_energy::biharmonic,
+                      const NP& np = parameters::default_values())
+      : Surface_deformation(t, handles, energy, Linear_solver::automatic, np) {}
 
   /*!
   \brief factors the operator of two matrices.
   \param laplacian the matrix L, positive semidefinite
   \param mass the diagonal of the matrix M, positive except at isolated vertices; only the
   biharmonic energy needs it
+  \param solver how to solve
   */
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
-                      std::span<const std::uint32_t> handles, Deformation_energy energy)
-      : Surface_deformation(laplacian, mass, handles, energy,
+                      std::span<const std::uint32_t> handles, Deformation_energy energy,
+                      Linear_solver solver = Linear_solver::automatic)
+      : Surface_deformation(laplacian, mass, handles, energy, solver,
                             [](Deformation_step) { return true; }) {}
 
   /// returns `cancelled` if a visitor stopped the constructor, else `done`.
@@ -112,8 +125,9 @@ public:
 private:
   Surface_deformation(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
                       std::span<const std::uint32_t> handles, Deformation_energy energy,
-                      const std::function<bool(Deformation_step)>& progress);
-  void factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass);
+                      Linear_solver solver, const std::function<bool(Deformation_step)>& progress);
+  void factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& mass,
+                         Linear_solver solver);
 
   Status status_ = Status::done;
   std::vector<std::uint32_t> rows_; // handles, and what stays

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -29,20 +30,24 @@ refined triangulation. Values that rounding moves out of the range are set back.
 \param t the triangulation
 \param rows vertices with values, by their rows
 \param values a value per row
+\param solver how to solve the linear problem
 \return a value per vertex, at `t.input_vertex(v)`
 \throws std::invalid_argument if sizes do not fit, a value is not finite, a row has two values, or a
 component has none (the message names one of its rows)
 \throws Invalid_input if a face has no area
-\complexity that of a sparse factorization
+\throws No_convergence if you asked for an iteration, and it does not converge
+\complexity that of a sparse factorization, or linear for each step of an iteration
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd interpolate_harmonically(const Triangulation& t,
                                          std::span<const std::uint32_t> rows,
-                                         const Eigen::VectorXd& values) {
+                                         const Eigen::VectorXd& values,
+                                         Linear_solver solver = Linear_solver::automatic) {
   if (values.size() != static_cast<Eigen::Index>(rows.size()))
     throw std::invalid_argument("there must be a value per row that has one");
   const Eigen::SparseMatrix<double> l = cotangent_laplacian(t);
-  Eigen::VectorXd x = Fixed_values_solver(l, rows).solve(Eigen::VectorXd::Zero(l.rows()), values);
+  Eigen::VectorXd x =
+      solve_with_fixed_values(l, Eigen::VectorXd::Zero(l.rows()), rows, values, solver);
   if (rows.size() > 0 && internal::has_no_positive_entry_off_diagonal(l))
     x = x.cwiseMax(values.minCoeff()).cwiseMin(values.maxCoeff());
   return x;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
@@ -32,7 +33,7 @@ void check(const Reaction_diffusion& e);
 Eigen::VectorXd solve_reaction_diffusion(const Eigen::SparseMatrix<double>& laplacian,
                                          const Eigen::SparseMatrix<double>& mass,
                                          const Reaction_diffusion& equation,
-                                         const Eigen::VectorXd& load);
+                                         const Eigen::VectorXd& load, Linear_solver solver);
 
 } // namespace internal
 
@@ -50,19 +51,22 @@ If c is zero, solutions differ by constants: the one of mean zero is returned.
 \param t the triangulation
 \param equation the coefficients
 \param load b, in the numbering of the input
+\param solver how to solve the linear problem
 \return values at the vertices, in the numbering of the input; zero at vertices without faces
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if a coefficient is out of its range, or the load has the wrong size;
   if c is zero and the load does not sum to zero, or the surface is not connected
-\throws std::runtime_error if rounding makes the matrix indefinite
+\throws std::runtime_error if rounding makes the matrix indefinite; or if you asked for an
+  iteration, and it does not converge
 \complexity that of a sparse factorization
 */
 template <MeasuredTriangulation Triangulation>
 Eigen::VectorXd solve_reaction_diffusion(const Triangulation& t, const Reaction_diffusion& equation,
-                                         const Eigen::VectorXd& load) {
+                                         const Eigen::VectorXd& load,
+                                         Linear_solver solver = Linear_solver::automatic) {
   internal::check(equation);
   return internal::solve_reaction_diffusion(cotangent_laplacian(t), galerkin_mass_matrix(t),
-                                            equation, load);
+                                            equation, load, solver);
 }
 
 namespace internal {

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/operators/mass_matrix.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Twin_points.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -37,6 +38,7 @@ all functions. A point of a cloud at the place of an earlier one has the values 
 \param t the triangulation
 \param count how many; of a surface with at most `most_modes_of_all` rows that have a mass all of
   them, if there are fewer
+\param solver see `smallest_eigenpairs()`
 \param np see `smallest_eigenpairs()`
 \return the pairs, by rows of `t.input_vertex()`, in 1 / area of the input
 \throws Invalid_input if a face has no area, or if a larger surface has fewer, and as
@@ -44,7 +46,7 @@ all functions. A point of a cloud at the place of an earlier one has the values 
 \complexity that of `smallest_eigenpairs()`
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
-Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
+Eigenpairs surface_modes(const Triangulation& t, std::size_t count, Linear_solver solver,
                          const NP& np = parameters::default_values()) {
   const Eigen::SparseMatrix<double> mass = lumped_mass_matrix(t), all = cotangent_laplacian(t);
   std::vector<Eigen::Triplet<double>> chosen; // the columns of the rows with a mass
@@ -58,16 +60,23 @@ Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
                             " vertices and as many eigenfunctions, not " + std::to_string(count) +
                             "; ask for fewer: some hundred take seconds");
   const auto most = static_cast<Eigen::Index>(std::min(count, chosen.size()));
-  if (size == mass.rows()) return smallest_eigenpairs(all, mass, most, np);
+  if (size == mass.rows()) return smallest_eigenpairs(all, mass, most, solver, np);
   Eigen::SparseMatrix<double> rows(mass.rows(), size);
   rows.setFromTriplets(chosen.begin(), chosen.end());
   const Eigen::SparseMatrix<double> back = rows.transpose();
   Eigen::SparseMatrix<double> laplacian = back * all * rows;
   laplacian.makeCompressed();
-  Eigenpairs pairs = smallest_eigenpairs(laplacian, back * mass * rows, most, np);
+  Eigenpairs pairs = smallest_eigenpairs(laplacian, back * mass * rows, most, solver, np);
   pairs.vectors = rows * pairs.vectors;
   if (pairs.values.size() > 0) Twin_points(t).copy(pairs.vectors);
   return pairs;
+}
+
+/// computes them with the solver that `solver_for()` chooses; see above.
+template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Eigenpairs surface_modes(const Triangulation& t, std::size_t count,
+                         const NP& np = parameters::default_values()) {
+  return surface_modes(t, count, Linear_solver::automatic, np);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/operators/cotangent_laplacian.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -45,6 +46,7 @@ conformal_energy(const Eigen::SparseMatrix<double>& laplacian,
 Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
                                              const std::vector<Disk_border>& borders,
+                                             Linear_solver solver,
                                              const std::function<bool(std::size_t)>& progress);
 Eigen::MatrixX2d spectral_conformal_map(const Face_table& table,
                                         const Eigen::SparseMatrix<double>& laplacian,
@@ -82,6 +84,7 @@ finds out exactly.
 \tparam Triangulation a model of `MeasuredTriangulation` and `NumberedTriangulation`
 \tparam NP a chain of named parameters
 \param t the triangulation of a disk, or of several
+\param solver how to solve the linear problem
 \param np an optional named parameter:
   - `visitor(v)`: `v.progress(n)` is called before each factorization and after each solution, with
     the number of solutions, a `std::size_t`; it returns whether to go on
@@ -93,12 +96,20 @@ finds out exactly.
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  least_squares_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
+  least_squares_conformal_map(const Triangulation& t, Linear_solver solver,
+                              const NP& np = parameters::default_values()) {
     internal::expect_names<internal::tags::visitor>(np);
     const internal::Face_table table = internal::face_table(t);
     return internal::least_squares_conformal_map(
         table, cotangent_laplacian(t), internal::disk_borders(table, t.input().names().sheets),
-        internal::progress_of(np));
+        solver, internal::progress_of(np));
+  }
+
+/// maps a disk with the solver that `solver_for()` chooses; see above.
+template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+  requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
+  least_squares_conformal_map(const Triangulation& t, const NP& np = parameters::default_values()) {
+    return least_squares_conformal_map(t, Linear_solver::automatic, np);
   }
 
 /*!

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/certify_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
@@ -45,16 +46,19 @@ Without `flip_to_delaunay()` the map exists too, but without that guarantee.
 \param t the triangulation
 \param border the positions of the border, see `circular_border()` and `polygonal_border()`; inner
 vertices may be fixed too
+\param solver how to solve the linear problem
 \return a point, x and y, per row of `t.input_vertex()`; given positions stay exactly; isolated
   vertices are at (0, 0)
 \throws Invalid_input if a face has no area
 \throws std::invalid_argument if rows and positions do not fit, or no value is fixed on a component
 \throws Indefinite_matrix (a `std::runtime_error`) if rounding makes the matrix indefinite; it names
 a row
-\complexity that of a sparse factorization
+\throws No_convergence if you asked for an iteration, and it does not converge
+\complexity that of a sparse factorization, or linear for each step of an iteration
 */
 template <MeasuredTriangulation Triangulation>
-Eigen::MatrixX2d harmonic_map(const Triangulation& t, const Border_map& border) {
+Eigen::MatrixX2d harmonic_map(const Triangulation& t, const Border_map& border,
+                              Linear_solver solver = Linear_solver::automatic) {
   const Eigen::SparseMatrix<double> laplacian = cotangent_laplacian(t);
   std::vector<char> has_faces(static_cast<std::size_t>(laplacian.rows()), 0);
   for (const typename Triangulation::halfedge_descriptor h : halfedges(t.mesh()))
@@ -69,15 +73,15 @@ Eigen::MatrixX2d harmonic_map(const Triangulation& t, const Border_map& border) 
   Eigen::MatrixX2d values = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(rows.size()), 2);
   values.topRows(border.positions.rows()) = border.positions;
   return solve_with_fixed_values(laplacian, Eigen::MatrixX2d::Zero(laplacian.rows(), 2), rows,
-                                 values);
+                                 values, solver);
 }
 
 /// maps a disk to the unit disk by harmonic functions, and several to disks beside each other: to
 /// the `circular_border()`.
 template <MeasuredTriangulation Triangulation>
   requires NumberedTriangulation<Triangulation> Eigen::MatrixX2d
-  harmonic_map(const Triangulation& t) {
-    return harmonic_map(t, circular_border(t));
+  harmonic_map(const Triangulation& t, Linear_solver solver = Linear_solver::automatic) {
+    return harmonic_map(t, circular_border(t), solver);
   }
 
 /// \cond
@@ -184,6 +188,7 @@ vertices in 20 rounds and left at least 100 wrong faces; the limit leaves 27.
 thrown
 \param border the positions of the border, a convex polygon; see `circular_border()` and
 `polygonal_border()`
+\param solver how to solve the linear problems
 \param np optional named parameters:
   - `maximum_rounds(n)`: cap on the number of rounds of refinement. Default: 20.
   - `visitor(v)`: `v.progress(map)` is called in each round after flips, and with the new map, and
@@ -196,6 +201,7 @@ thrown
 */
 template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
+                                     Linear_solver solver,
                                      const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::maximum_rounds, internal::tags::visitor>(np);
   const std::size_t cap = internal::value_or<internal::tags::maximum_rounds>(np, std::size_t{20});
@@ -206,7 +212,7 @@ Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
   for (;; ++result.rounds) {
     flip_to_delaunay(t);
     if (!observed.progress(result)) break;
-    result.uv = harmonic_map(t, border);
+    result.uv = harmonic_map(t, border, solver);
     const Map_certificate complete = internal::complete_certificate(t, result.uv);
     result.certificate = internal::shortened(complete);
     if (complete.is_injective()) return result;
@@ -226,6 +232,13 @@ Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
   }
   result.status = Status::cancelled;
   return result;
+}
+
+/// maps disks to a border, with the solver that `solver_for()` chooses; see above.
+template <RefinableTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Injective_map injective_harmonic_map(Triangulation& t, const Border_map& border,
+                                     const NP& np = parameters::default_values()) {
+  return injective_harmonic_map(t, border, Linear_solver::automatic, np);
 }
 
 /// maps disks to the `circular_border()`; see above.

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.h>
 #include <CGAL/Intrinsic_operators/parametrization/parametrize.h>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/CorrespondingTriangulation.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
@@ -32,6 +33,7 @@ struct Map_options {
   /// Whether edges stay as they are. Flips and splits of edges make harmonic maps injective; else
   /// they may not be.
   bool keeps_edges = false;
+  Linear_solver solver = Linear_solver::automatic; ///< of linear problems
   /// Of each point of a cloud, see `conformal_map_of_points()`.
   std::size_t neighbors = defaults::neighbors;
   /// Is called with the number of rounds of a harmonic map, or of solutions of another; returns
@@ -64,9 +66,9 @@ template <class Triangulation>
 Injective_map map_as_asked(Triangulation& t, const Map_options& options) {
   const Map_visitor visitor{&options};
   if (options.method != Map_method::harmonic || !options.keeps_edges)
-    return parametrize(t, options.method, parameters::visitor(visitor));
+    return parametrize(t, options.method, options.solver, parameters::visitor(visitor));
   if (!visitor.ask(0)) return {Status::cancelled, {}, {}};
-  Injective_map map = certified_map(t, harmonic_map(t)); // in one round
+  Injective_map map = certified_map(t, harmonic_map(t, options.solver)); // in one round
   if (!visitor.ask(1)) return {Status::cancelled, {}, {}};
   return map;
 }
@@ -93,6 +95,7 @@ template <RefinableTriangulation Triangulation>
       if (options.method != Map_method::spectral)
         throw Invalid_input(Element_kind::none, 0,
                             "for a cloud of points only --method spectral works");
+      internal::expect_factor_of_spectral_map(options.solver);
       Map_to_plane map;
       map.uv = conformal_map_of_points(points_of_rows(t, points), options.neighbors,
                                        parameters::visitor(internal::Map_visitor{&options}));

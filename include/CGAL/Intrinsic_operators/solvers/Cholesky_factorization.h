@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOLESKY_FACTORIZATION_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOLESKY_FACTORIZATION_H
 
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -84,8 +86,7 @@ Copies share the factor, which does not change; several threads may solve at a t
 
 \tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
 */
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+template <internal::Matrix_number Scalar>
 class Cholesky_factorization {
 public:
   using Matrix = Eigen::SparseMatrix<Scalar>; ///< what is factored
@@ -133,10 +134,8 @@ private:
 };
 
 /// constructs from a matrix without naming its numbers.
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
-  Cholesky_factorization(const Eigen::SparseMatrix<Scalar>&)
-->Cholesky_factorization<Scalar>;
+template <internal::Matrix_number Scalar>
+Cholesky_factorization(const Eigen::SparseMatrix<Scalar>&) -> Cholesky_factorization<Scalar>;
 
 namespace internal {
 

@@ -4,17 +4,16 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_FIXED_VALUES_SOLVER_H
 
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,7 +43,7 @@ public:
   \brief factors the free part of a matrix.
   \param a the matrix, both triangles of it \pre definite on the free rows: positive, or negative
   \param rows the fixed rows, in any order, repeated or not
-  \param solver how to solve for the free rows
+  \param solver how to solve for the free rows; `automatic`: for any number of right sides
   \throws std::invalid_argument if the matrix is not square, finite and symmetric, or a row does not
     exist; or if no value is fixed in a component of the free rows on which constants are in the
     kernel (the message names a row of it)
@@ -52,7 +51,7 @@ public:
   \complexity that of a sparse factorization, or linear in the number of entries
   */
   Fixed_values_solver(const Eigen::SparseMatrix<double>& a, std::span<const std::uint32_t> rows,
-                      Linear_solver solver = Linear_solver::direct);
+                      Linear_solver solver = Linear_solver::automatic);
 
   /*!
   \brief solves for some right sides.
@@ -67,17 +66,24 @@ public:
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
 private:
-  void factor_with_subtraction(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& excess);
   Eigen::MatrixXd fixed_part(const Eigen::MatrixXd& b, const Eigen::MatrixXd& values) const;
 
   std::vector<std::uint32_t> rows_;    // fixed ones, in the given order
   Eigen::SparseMatrix<double> matrix_; // with the sign that makes it positive definite
   double sign_ = 1;
-  // nothing, if all rows are fixed
-  std::variant<std::monostate, Laplacian_factorization, Cholesky_factorization<double>,
-               Multigrid_factorization<double>>
-      factorization_;
+  std::optional<internal::Chosen_factorization<double>>
+      factorization_; // none if all rows are fixed
 };
+
+namespace internal {
+
+// The same once. Where the rule has chosen an iteration that does not converge, it factors.
+Eigen::MatrixXd solve_with_fixed_values(const Eigen::SparseMatrix<double>& a,
+                                        const Eigen::MatrixXd& b,
+                                        std::span<const std::uint32_t> rows,
+                                        const Eigen::MatrixXd& values, Linear_solver solver);
+
+} // namespace internal
 
 /*!
 \brief solves a symmetric linear problem `a x = b` with given values in some rows (Dirichlet
@@ -103,8 +109,8 @@ typename B::PlainObject solve_with_fixed_values(const Eigen::SparseMatrix<double
                                                 const Eigen::MatrixBase<B>& b,
                                                 std::span<const std::uint32_t> rows,
                                                 const Eigen::MatrixBase<Values>& values,
-                                                Linear_solver solver = Linear_solver::direct) {
-  return Fixed_values_solver(a, rows, solver).solve(b, values);
+                                                Linear_solver solver = Linear_solver::automatic) {
+  return internal::solve_with_fixed_values(a, b, rows, values, solver);
 }
 
 /*!

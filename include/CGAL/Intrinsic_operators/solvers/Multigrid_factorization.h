@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_FACTORIZATION_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_FACTORIZATION_H
 
+#include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
@@ -19,13 +20,13 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 template <class Scalar>
 struct Multigrid;
-} // namespace internal
 
-/// How to solve a linear problem.
-enum class Linear_solver {
-  direct,   ///< by a factorization, accurate up to rounding
-  iterative ///< by `Multigrid_factorization`: in less memory, with a residual of 1e-10
-};
+// As a constructor of `Multigrid_factorization`.
+template <class Scalar>
+std::shared_ptr<const Multigrid<Scalar>>
+make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
+               double tolerance);
+} // namespace internal
 
 /// How an iteration for some right sides ended.
 struct Iterations {
@@ -66,8 +67,7 @@ Copies share everything. Different threads may solve at once.
 
 \tparam Scalar `double` for symmetric matrices, `std::complex<double>` for Hermitian ones
 */
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+template <internal::Matrix_number Scalar>
 class Multigrid_factorization {
 public:
   using Matrix = Eigen::SparseMatrix<Scalar>; ///< what is prepared
@@ -85,6 +85,19 @@ public:
   \complexity linear in the number of entries
   */
   explicit Multigrid_factorization(const Matrix& a, double tolerance = 1e-10);
+
+  /*!
+  \brief prepares L + D with the Laplacian L of a graph and a diagonal D, as
+  `Laplacian_factorization`. So D is not lost beside large weights, as it is in their sum.
+  \param laplacian the matrix L; only entries below its diagonal are read
+  \param diagonal D, a number per row
+  \param tolerance the greatest relative residual of solutions
+  \throws std::invalid_argument,Indefinite_matrix as the other constructor, or if sizes do not fit
+  \complexity linear in the number of entries
+  */
+  Multigrid_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+                          double tolerance = 1e-10) requires std::same_as<Scalar, double>
+      : multigrid_(internal::make_multigrid(laplacian, diagonal, tolerance)) {}
 
   /// returns the number of rows.
   Eigen::Index size() const;
@@ -115,10 +128,9 @@ private:
 };
 
 /// constructs from a matrix without naming its numbers.
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
-  Multigrid_factorization(const Eigen::SparseMatrix<Scalar>&, double = 1e-10)
-->Multigrid_factorization<Scalar>;
+template <internal::Matrix_number Scalar>
+Multigrid_factorization(const Eigen::SparseMatrix<Scalar>&, double = 1e-10)
+    -> Multigrid_factorization<Scalar>;
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_H
 
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
@@ -26,6 +27,7 @@ struct Eigenpairs {
 namespace internal {
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               Linear_solver solver,
                                const std::function<bool(std::size_t)>& progress);
 } // namespace internal
 
@@ -41,14 +43,21 @@ of `a` sum to zero, as for the cotangent Laplacian, the matrix is factored witho
 up to rounding, also with slivers. Small matrices (up to 64 rows), or if `count` is at least half of
 the rows, are solved densely, up to rounding of the greatest eigenvalue. If `a` is zero, as for
 isolated vertices, all eigenvalues are zero and vectors are arbitrary.
+
+An iterative solver does without a factor: a block of vectors improves by cycles of multigrid
+(LOBPCG: Knyazev 2001). Values are right up to rounding, the residual of each vector is at most
+1e-8 \f$|\lambda m x|\f$, and memory is that of three to nine times as many vectors as pairs. If
+you ask for more than a sixteenth of all pairs, a factor takes less memory, and is used.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
+\param solver how
 \param np optional named parameters:
   - `visitor(v)`: `v.progress(n)` is called before each solution with a factored matrix (also in the
-    search of the shift) with the number of previous ones, a `std::size_t`; it returns whether to go
-    on. Dense solutions do not call it.
-\return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is due to rounding only
+    search of the shift), or before each cycle, with the number of previous ones, a `std::size_t`;
+    it returns whether to go on. Dense solutions do not call it.
+\return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is due to rounding only if the
+  solver is direct
 \throws std::invalid_argument if sizes do not fit
 \throws Indefinite_matrix if a matrix is not definite up to rounding
 \throws std::runtime_error if the method does not converge within its cap of restarts, or a residual
@@ -59,9 +68,18 @@ isolated vertices, all eigenvalues are zero and vectors are arbitrary.
 template <NamedParameters NP = parameters::Parameters<>>
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
-                               const NP& np = parameters::default_values()) {
+                               Linear_solver solver, const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::visitor>(np);
-  return internal::smallest_eigenpairs(a, m, count, internal::progress_of(np));
+  return internal::smallest_eigenpairs(a, m, count, internal::chosen_solver(solver, a.rows(), 1),
+                                       internal::progress_of(np));
+}
+
+/// computes them with the solver that `solver_for()` chooses; see above.
+template <NamedParameters NP = parameters::Parameters<>>
+Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                               const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               const NP& np = parameters::default_values()) {
+  return smallest_eigenpairs(a, m, count, Linear_solver::automatic, np);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -21,6 +21,10 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
+// The numbers of matrices that are factored: real for symmetric ones, complex for Hermitian ones.
+template <class Scalar>
+concept Matrix_number = std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>;
+
 // A row of a matrix as the index of a standard container: Eigen's indices have a sign. \pre not
 // negative
 inline std::size_t row_number(Eigen::Index row) { return static_cast<std::size_t>(row); }
@@ -41,15 +45,14 @@ Eigen::SparseMatrix<Scalar> matrix_of(Eigen::Index rows, Eigen::Index columns,
 \return for each row the least row of its component
 \complexity linear in the number of entries, nearly
 */
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
-      std::vector<std::uint32_t> components_of_matrix(const Eigen::SparseMatrix<Scalar>& a) {
-    return internal::joined_sets(static_cast<std::size_t>(a.cols()), [&a](const auto& join) {
-      for (int c = 0; c < a.outerSize(); ++c)
-        for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(a, c); i; ++i)
-          if (i.value() != Scalar(0)) join(i.row(), c);
-    });
-  }
+template <internal::Matrix_number Scalar>
+std::vector<std::uint32_t> components_of_matrix(const Eigen::SparseMatrix<Scalar>& a) {
+  return internal::joined_sets(static_cast<std::size_t>(a.cols()), [&a](const auto& join) {
+    for (int c = 0; c < a.outerSize(); ++c)
+      for (typename Eigen::SparseMatrix<Scalar>::InnerIterator i(a, c); i; ++i)
+        if (i.value() != Scalar(0)) join(i.row(), c);
+  });
+}
 
 namespace internal {
 

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_DIRECTION_PROBLEM_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 
 #include <Eigen/Core>
 
@@ -30,6 +31,7 @@ struct Direction_problem {
   Eigen::VectorXcd guide; // the wanted direction, zero if there is none
   double strength;        // of the guide, in multiples of 1 / squared mean length of edges
   std::vector<std::pair<std::size_t, std::complex<double>>> fixed;
+  Linear_solver solver = Linear_solver::automatic;
 };
 
 // The smoothest field, its values of length 1; zero at isolated vertices. Empty if cancelled.

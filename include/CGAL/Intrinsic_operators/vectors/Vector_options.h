@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_VECTOR_OPTIONS_H
 
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -41,12 +43,25 @@ struct Vector_options {
   double time_factor = defaults::time_factor;
   /// Of each point of a cloud, see `Point_cloud_vectors`.
   std::size_t neighbors = defaults::neighbors;
+  /// Of linear problems of direction fields; those of heat and of clouds are factored.
+  Linear_solver solver = Linear_solver::automatic;
   /// How far logarithms along shortest paths go, in the units of the input.
   double maximum_distance = std::numeric_limits<double>::infinity();
   /// Is called with what is done, and how much of it; returns whether to go on. On clouds of points
   /// only `directions()` asks.
   std::function<bool(Vector_step, std::uint64_t)> progress{};
 };
+
+namespace internal {
+
+// \throws std::invalid_argument if a field on a cloud is to be iterated: its matrix is not that of
+// a graph without negative weights
+inline void expect_factor_for_cloud(const Vector_options& options) {
+  if (options.solver == Linear_solver::iterative)
+    throw std::invalid_argument("fields on a cloud of points need a direct solver; take one");
+}
+
+} // namespace internal
 
 /// Vectors at places: in their tangent planes, see `Tangents_at_places`, or in space.
 struct Given_vectors {

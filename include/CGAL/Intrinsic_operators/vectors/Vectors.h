@@ -132,8 +132,7 @@ public:
   \param place the place
   \param method how; clouds of points have only `affine`
   \param options how
-  \throws Invalid_input, std::invalid_argument as `transport()`, or if the method does not suit a
-    cloud
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if a cloud lacks the method
   */
   Found_vectors logarithms(const Place& place, Logarithm_method method,
                            const Vector_options& options = {}) {
@@ -174,6 +173,7 @@ public:
     Visitor visitor{&options, Vector_step::field};
     const auto np = parameters::visitor(std::ref(visitor));
     if (is_cloud()) {
+      internal::expect_factor_for_cloud(options);
       const Point_cloud_vectors& c = cloud(options.neighbors);
       if (!visitor.progress(0U)) return {cancelled()};
       const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);
@@ -185,8 +185,8 @@ public:
     const auto kept = find.at_vertices(fixed);
     const Direction_field f =
         alignment ? aligned_direction_field(t_, degree, principal_directions(t_, points_),
-                                            *alignment, kept, np)
-                  : smoothest_direction_field(t_, degree, kept, np);
+                                            *alignment, kept, options.solver, np)
+                  : smoothest_direction_field(t_, degree, kept, options.solver, np);
     if (f.status == Status::cancelled) return {cancelled()};
     const Field_singularities<Triangulation> singular = singularities(t_, f);
     Found_directions found{

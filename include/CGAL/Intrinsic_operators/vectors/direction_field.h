@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_OPERATORS_VECTORS_DIRECTION_FIELD_H
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -131,6 +132,7 @@ solution of a linear problem.
 \param degree the number of equivalent directions at a vertex: 1 for vectors, 4 for crosses
 \param fixed vertices, and their fixed directions in polar coordinates; if there are several at a
   vertex, the mean of their powers counts
+\param solver how to solve the linear problems: one for each step of the search for an eigenvector
 \param np optional named parameters:
   - `visitor(v)`: `v.progress(step)` is called with a `Direction_step` after each step that takes
     long but the last, and returns whether to go on.
@@ -142,13 +144,23 @@ solution of a linear problem.
 \complexity that of factoring a complex matrix, and of solving with it for some tens of times
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Direction_field smoothest_direction_field(const Triangulation& t, int degree,
+                                          const internal::Fixed_directions<Triangulation>& fixed,
+                                          Linear_solver solver,
+                                          const NP& np = parameters::default_values()) {
+  internal::expect_names<internal::tags::visitor>(np);
+  internal::Direction_problem problem = internal::direction_problem(t, degree, fixed);
+  problem.solver = solver;
+  return internal::solved(t, problem, internal::progress_of(np));
+}
+
+/// finds the smoothest field with the solver that `solver_for()` chooses; see above.
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Direction_field
 smoothest_direction_field(const Triangulation& t, int degree,
                           const internal::Fixed_directions<Triangulation>& fixed = {},
                           const NP& np = parameters::default_values()) {
-  internal::expect_names<internal::tags::visitor>(np);
-  return internal::solved(t, internal::direction_problem(t, degree, fixed),
-                          internal::progress_of(np));
+  return smoothest_direction_field(t, degree, fixed, Linear_solver::automatic, np);
 }
 
 /*!
@@ -164,15 +176,16 @@ mean length of edges.
   2: both signs.
 \param strength zero gives the smoothest guided field; larger values bring it closer to the guide
 \param fixed see `smoothest_direction_field()`
+\param solver see `smoothest_direction_field()`
 \param np see `smoothest_direction_field()`
 \throws std::invalid_argument if there is not a vector per vertex, or the strength is negative, and
 as `smoothest_direction_field()` does
 */
 template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
-Direction_field aligned_direction_field(const Triangulation& t, int degree,
-                                        const Tangent_field& guide, double strength = 0,
-                                        const internal::Fixed_directions<Triangulation>& fixed = {},
-                                        const NP& np = parameters::default_values()) {
+Direction_field
+aligned_direction_field(const Triangulation& t, int degree, const Tangent_field& guide,
+                        double strength, const internal::Fixed_directions<Triangulation>& fixed,
+                        Linear_solver solver, const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::visitor>(np);
   internal::Direction_problem problem = internal::direction_problem(t, degree, fixed);
   if (guide.size() != static_cast<std::size_t>(problem.guide.size()))
@@ -187,7 +200,17 @@ Direction_field aligned_direction_field(const Triangulation& t, int degree,
   for (std::size_t i = 0; i < guide.size() && longest > 0; ++i)
     problem.guide[static_cast<Eigen::Index>(i)] = internal::power_of(guide[i] / longest, degree);
   problem.strength = strength;
+  problem.solver = solver;
   return internal::solved(t, problem, internal::progress_of(np));
+}
+
+/// finds a smooth field with the solver that `solver_for()` chooses; see above.
+template <ConnectedTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
+Direction_field aligned_direction_field(const Triangulation& t, int degree,
+                                        const Tangent_field& guide, double strength = 0,
+                                        const internal::Fixed_directions<Triangulation>& fixed = {},
+                                        const NP& np = parameters::default_values()) {
+  return aligned_direction_field(t, degree, guide, strength, fixed, Linear_solver::automatic, np);
 }
 
 /*!

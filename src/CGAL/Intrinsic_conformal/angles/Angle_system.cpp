@@ -4,7 +4,7 @@
 #include <CGAL/Intrinsic_conformal/angles/Angle_system.h>
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>

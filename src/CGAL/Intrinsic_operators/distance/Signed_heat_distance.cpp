@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/solvers/Diffusion.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -47,7 +48,8 @@ public:
   // L
   // \throws Indefinite_matrix if rounding makes the matrix indefinite; it names a fixed row
   Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian, Eigen::VectorXd mass,
-                           std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside);
+                           std::span<const std::uint32_t> rows, std::vector<std::uint32_t> beside,
+                           Linear_solver solver);
 
   // \param values as of `Fixed_values_solver::solve()`
   Eigen::MatrixXd solve(const Eigen::MatrixXd& values) const;
@@ -86,10 +88,11 @@ static std::vector<std::uint32_t> rows_beside_free_ones(const Eigen::SparseMatri
 Biharmonic_interpolation::Biharmonic_interpolation(const Eigen::SparseMatrix<double>& laplacian,
                                                    Eigen::VectorXd mass,
                                                    std::span<const std::uint32_t> rows,
-                                                   std::vector<std::uint32_t> beside)
+                                                   std::vector<std::uint32_t> beside,
+                                                   Linear_solver solver)
     : mass_(std::move(mass)), beside_(std::move(beside)),
       is_fixed_(marked_rows(laplacian.rows(), rows)), laplacian_(laplacian),
-      harmonic_(laplacian, rows) {
+      harmonic_(laplacian, rows, solver) {
   find_measures(rows);
   factor_strengths();
 }
@@ -179,7 +182,7 @@ static bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
 Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& laplacian,
                                          const Eigen::VectorXd& mass,
                                          std::span<const std::uint32_t> handles,
-                                         Deformation_energy energy,
+                                         Deformation_energy energy, Linear_solver solver,
                                          const std::function<bool(Deformation_step)>& progress)
     : rows_(handles.begin(), handles.end()), handles_(handles.size()), size_(laplacian.rows()) {
   if (mass.size() != size_)
@@ -195,15 +198,15 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
     if (is_handle[r] != 0) has_none[component[r]] = 0;
   for (const std::uint32_t r : internal::least_rows(component, has_none)) rows_.push_back(r);
   if (energy == Deformation_energy::harmonic)
-    solver_.emplace(laplacian, rows_);
+    solver_.emplace(laplacian, rows_, solver);
   else
-    factor_biharmonic(laplacian, mass);
+    factor_biharmonic(laplacian, mass, solver);
   if (progress(Deformation_step::factored)) status_ = Status::done;
 }
 
 // By handles if that is faster; also if the matrix is not definite and memory suffices.
 void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& laplacian,
-                                            const Eigen::VectorXd& mass) {
+                                            const Eigen::VectorXd& mass, Linear_solver solver) {
   // Both ways take as long for 64 handles on 2,800 and on 10,000 vertices, for 128 on 38,000; 2000
   // handles take 8 seconds on 10,000 vertices, 28 on 38,000.
   constexpr std::size_t few = 64, many = 2000;
@@ -216,11 +219,17 @@ void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& l
     const double greatest = size_ > 0 ? mass.maxCoeff() : 0;
     const double unit = greatest > 0 ? std::ldexp(1., -std::ilogb(greatest)) : 1;
     by_handles_ = std::make_shared<const internal::Biharmonic_interpolation>(
-        laplacian, unit * mass, rows_, std::move(beside));
+        laplacian, unit * mass, rows_, std::move(beside), solver);
   };
   if (is_laplacian && beside.size() <= few) return by_handles();
+  if (solver == Linear_solver::iterative)
+    throw std::invalid_argument(
+        "the square of the Laplacian, which biharmonic deformations by more than " +
+        std::to_string(few) +
+        " handles beside free vertices need, is too near to singular to iterate; take a direct "
+        "solver, the harmonic energy, or fewer handles");
   try {
-    solver_.emplace(internal::bilaplacian(laplacian, mass), rows_);
+    solver_.emplace(internal::bilaplacian(laplacian, mass), rows_, Linear_solver::direct);
   } catch (const Indefinite_matrix& error) {
     if (!is_laplacian || beside.size() > many ||
         beside.size() > numbers / static_cast<std::size_t>(size_))

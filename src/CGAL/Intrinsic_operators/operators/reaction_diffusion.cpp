@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -35,7 +36,7 @@ static bool is_connected(const Eigen::SparseMatrix<double>& mass, const Eigen::V
 Eigen::VectorXd solve_reaction_diffusion(const Eigen::SparseMatrix<double>& laplacian,
                                          const Eigen::SparseMatrix<double>& mass,
                                          const Reaction_diffusion& equation,
-                                         const Eigen::VectorXd& load) {
+                                         const Eigen::VectorXd& load, Linear_solver solver) {
   if (load.size() != mass.rows())
     throw std::invalid_argument("the load must have an entry per vertex");
   Eigen::SparseMatrix<double> m = equation.diffusion * laplacian;
@@ -57,8 +58,8 @@ Eigen::VectorXd solve_reaction_diffusion(const Eigen::SparseMatrix<double>& lapl
     area.maxCoeff(&largest);
     fixed.push_back(static_cast<std::uint32_t>(largest));
   }
-  Eigen::VectorXd u = solve_with_fixed_values(
-      m, b, fixed, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size())));
+  Eigen::VectorXd u = Intrinsic_triangulations::solve_with_fixed_values(
+      m, b, fixed, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size())), solver);
   if (equation.reaction == 0) {
     u.array() -= (mass * u).sum() / mass.sum();
     for (const std::uint32_t v : without_area) u[v] = 0;

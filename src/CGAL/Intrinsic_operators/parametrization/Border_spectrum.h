@@ -6,7 +6,8 @@
 
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -50,7 +51,7 @@ inline Eigen::VectorXcd first_of_border_spectrum(Complex_matrix c, const Disk_bo
     if (weight[r] > 0) c.coeffRef(r, r) += shift * weight[r];
     start[r] = std::polar(weight[r], static_cast<double>(r) + static_cast<double>(r * r));
   }
-  const auto factored = raised_factorization(c);
+  const Chosen_factorization<std::complex<double>> factored(raised_factorization(c));
   start = factored.solve(start);
   if (!progress()) return {};
   return Inverse_lanczos(factored, weight, std::vector<std::uint32_t>(row_number(c.rows()), 0),

@@ -6,7 +6,8 @@
 #include <CGAL/Intrinsic_operators/parametrization/conformal_map.h>
 #include <CGAL/Intrinsic_operators/parametrization/disk_border.h>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.h>
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
@@ -152,7 +153,7 @@ static std::pair<int, int> opposite_rows(const Disk_border& border) {
 
 static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
                                                   const Eigen::SparseMatrix<double>& laplacian,
-                                                  const Disk_border& border,
+                                                  const Disk_border& border, Linear_solver solver,
                                                   Counted_solutions& solutions) {
   if (!solutions.begins()) return {};
   Complex_matrix c = conformal_energy(laplacian, {border});
@@ -164,7 +165,7 @@ static Eigen::MatrixX2d least_squares_map_of_disk(const Face_table& table,
   w[first] = 0;
   w[second] = 1;
   c = with_fixed_rows(std::move(c), is_fixed);
-  w = raised_factorization(c).solve(w);
+  w = chosen_factorization(std::move(c), solver).solve(w);
   if (!solutions.follows()) return {};
   return scaled_to_area(table, w);
 }
@@ -187,10 +188,11 @@ static Eigen::MatrixX2d spectral_map_of_disk(const Face_table& table,
 Eigen::MatrixX2d least_squares_conformal_map(const Face_table& table,
                                              const Eigen::SparseMatrix<double>& laplacian,
                                              const std::vector<Disk_border>& borders,
+                                             Linear_solver solver,
                                              const std::function<bool(std::size_t)>& progress) {
   Counted_solutions solutions(progress);
   return maps_of_disks(table, laplacian, borders, [&](auto&... disk) {
-    return least_squares_map_of_disk(disk..., solutions);
+    return least_squares_map_of_disk(disk..., solver, solutions);
   });
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -16,8 +17,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -68,6 +67,16 @@ static void expect_excess(const Eigen::VectorXd& excess,
                                 ", where constants may be added to any solution; fix one there");
 }
 
+// With negative weights, as at the border, both ways subtract; if one fails, the other may work.
+static Chosen_factorization<double> factored_with_subtraction(const Eigen::SparseMatrix<double>& a,
+                                                              const Eigen::VectorXd& excess) {
+  try {
+    return Chosen_factorization<double>(Cholesky_factorization<double>(a));
+  } catch (const Indefinite_matrix&) {
+    return Chosen_factorization<double>(Laplacian_factorization(a, excess));
+  }
+}
+
 } // namespace internal
 
 std::vector<std::uint32_t> rows_with_constant_kernel(const Eigen::SparseMatrix<double>& a) {
@@ -88,23 +97,14 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   const std::vector<std::uint32_t> component = components_of_matrix(free_part);
   const internal::Free_excess found(matrix_, is_fixed, component);
   internal::expect_excess(found.excess, component);
-  if (solver == Linear_solver::iterative)
-    factorization_.emplace<Multigrid_factorization<double>>(free_part);
-  else if (found.excess.minCoeff() >= 0 &&
-           (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part)))
-    factorization_.emplace<Laplacian_factorization>(free_part, found.excess);
+  const bool is_free_of_subtraction =
+      found.excess.minCoeff() >= 0 &&
+      (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part));
+  if (is_free_of_subtraction ||
+      internal::chosen_solver(solver, free_part.cols()) == Linear_solver::iterative)
+    factorization_ = internal::chosen_factorization(free_part, found.excess, solver);
   else
-    factor_with_subtraction(free_part, found.excess);
-}
-
-// With negative weights, as at the border, both ways subtract; if one fails, the other may work.
-void Fixed_values_solver::factor_with_subtraction(const Eigen::SparseMatrix<double>& a,
-                                                  const Eigen::VectorXd& excess) {
-  try {
-    factorization_.emplace<Cholesky_factorization<double>>(a);
-  } catch (const Indefinite_matrix&) {
-    factorization_.emplace<Laplacian_factorization>(a, excess);
-  }
+    factorization_ = internal::factored_with_subtraction(free_part, found.excess);
 }
 
 Eigen::MatrixXd Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b,
@@ -134,14 +134,23 @@ Eigen::MatrixXd Fixed_values_solver::solve(const Eigen::MatrixXd& b,
   Eigen::MatrixXd x = fixed_part(b, values);
   Eigen::MatrixXd right = sign_ * b - matrix_ * x;
   for (const std::uint32_t r : rows_) right.row(r).setZero(); // leaves exactly zero there
-  return x + std::visit(
-                 [&right](const auto& f) -> Eigen::MatrixXd {
-                   if constexpr (Factorization<std::remove_cvref_t<decltype(f)>>)
-                     return f.solve(right);
-                   else
-                     return Eigen::MatrixXd::Zero(right.rows(), right.cols()); // all are fixed
-                 },
-                 factorization_);
+  if (factorization_) x += factorization_->solve(right);
+  return x;
+}
+
+Eigen::MatrixXd internal::solve_with_fixed_values(const Eigen::SparseMatrix<double>& a,
+                                                  const Eigen::MatrixXd& b,
+                                                  std::span<const std::uint32_t> rows,
+                                                  const Eigen::MatrixXd& values,
+                                                  Linear_solver solver) {
+  if (chosen_solver(solver, a.rows(), b.cols()) == Linear_solver::direct)
+    return Fixed_values_solver(a, rows, Linear_solver::direct).solve(b, values);
+  try {
+    return Fixed_values_solver(a, rows, Linear_solver::iterative).solve(b, values);
+  } catch (const std::runtime_error&) { // no convergence, or indefinite by negative weights
+    if (solver == Linear_solver::iterative) throw;
+  }
+  return Fixed_values_solver(a, rows, Linear_solver::direct).solve(b, values);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

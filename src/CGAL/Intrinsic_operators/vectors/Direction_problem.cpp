@@ -3,8 +3,8 @@
 
 #include <CGAL/Intrinsic_operators/operators/Connection_graph.h>
 #include <CGAL/Intrinsic_operators/operators/connection_laplacian.h>
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.h>
 
@@ -64,7 +64,7 @@ private:
   double mass(Eigen::Index i) const { return masses_[i]; }
 
   // The factored matrix, with ones for fixed vertices; sets the right side.
-  Cholesky_factorization<Complex> factored(const Direction_problem& problem) {
+  Chosen_factorization<Complex> factored(const Direction_problem& problem) {
     // small, but it makes flat surfaces, with eigenvalue zero, definite, and others follow their
     // guide to twelve digits
     const double shift = (std::min(problem.strength, 1e12) + 0x1p-26) / graph_.squared_mean_length;
@@ -81,14 +81,14 @@ private:
     for (const auto& [i, z] : problem.fixed)
       right_[static_cast<Eigen::Index>(i)] = values[static_cast<Eigen::Index>(i)];
     m = with_fixed_rows(std::move(m), is_fixed);
-    return raised_factorization(m);
+    return chosen_factorization(std::move(m), problem.solver);
   }
 
   const Connection_graph& graph_;
   std::vector<std::uint32_t> part_;
   Eigen::VectorXd masses_;
   Eigen::VectorXcd right_;
-  Cholesky_factorization<Complex> factor_;
+  Chosen_factorization<Complex> factor_;
 };
 
 std::vector<std::complex<double>> solve(const Direction_problem& problem,

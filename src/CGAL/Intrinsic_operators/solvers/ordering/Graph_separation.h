@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_GRAPH_SEPARATION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_GRAPH_SEPARATION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_GRAPH_SEPARATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_GRAPH_SEPARATION_H
 
-#include <CGAL/Intrinsic_operators/solvers/Separable_graph.h>
-#include <CGAL/Intrinsic_operators/solvers/Separator_refinement.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separable_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separator_refinement.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -108,4 +108,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_GRAPH_SEPARATION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_GRAPH_SEPARATION_H

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_ELIMINATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_ELIMINATION_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Dense_product.h>
-#include <CGAL/Intrinsic_operators/solvers/Elimination_arithmetic.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Dense_product.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Elimination_arithmetic.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -241,4 +241,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_ELIMINATION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_ELIMINATION_H

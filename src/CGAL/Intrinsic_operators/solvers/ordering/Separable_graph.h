@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARABLE_GRAPH_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARABLE_GRAPH_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARABLE_GRAPH_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARABLE_GRAPH_H
 
 #include <algorithm>
 #include <cstddef>
@@ -101,4 +101,4 @@ inline Separable_graph coarse_graph(const Separable_graph& g, const std::vector<
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARABLE_GRAPH_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARABLE_GRAPH_H

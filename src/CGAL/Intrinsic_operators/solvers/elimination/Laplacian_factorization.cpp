@@ -3,9 +3,9 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_elimination.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_elimination.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_factor.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H
 
-#include <CGAL/Intrinsic_operators/solvers/Nested_dissection.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
-#include <CGAL/Intrinsic_operators/solvers/minimum_degree_order.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Nested_dissection.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/minimum_degree_order.h>
 
 #include <Eigen/SparseCore>
 
@@ -50,6 +50,12 @@ struct Symbolic_factorization {
   int height(int s) const { return rows_begin[row_number(s + 1)] - rows_begin[row_number(s)] + 1; }
   int columns(int s) const {
     return supernode_begin[row_number(s + 1)] - supernode_begin[row_number(s)];
+  }
+  // of all fronts
+  int greatest_height() const {
+    int result = 0;
+    for (int s = 0; s < supernodes(); ++s) result = std::max(result, height(s));
+    return result;
   }
   // the places of the rows below a supernode
   const int* rows_below(int s) const {
@@ -237,4 +243,4 @@ inline void Symbolic_factorization::find_parts() {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_SYMBOLIC_FACTORIZATION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SYMBOLIC_FACTORIZATION_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -16,7 +16,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-Inverse_lanczos::Inverse_lanczos(Cholesky_factorization<Complex> factor, Eigen::VectorXd masses,
+Inverse_lanczos::Inverse_lanczos(Chosen_factorization<Complex> factor, Eigen::VectorXd masses,
                                  std::vector<std::uint32_t> part, Eigen::MatrixXcd known)
     : factor_(std::move(factor)), masses_(std::move(masses)), part_(std::move(part)),
       known_(std::move(known)) {}

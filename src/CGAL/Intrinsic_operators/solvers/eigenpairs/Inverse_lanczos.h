@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H
 
-#include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ public:
   // \param masses the diagonal of M, not negative
   // \param part the row that represents the part of each row
   // \param known columns, orthonormal by M in each part; eigenvectors are orthogonal to them
-  Inverse_lanczos(Cholesky_factorization<Complex> factor, Eigen::VectorXd masses,
+  Inverse_lanczos(Chosen_factorization<Complex> factor, Eigen::VectorXd masses,
                   std::vector<std::uint32_t> part, Eigen::MatrixXcd known = {});
 
   // \param start any vector, zero in parts that are left out; in rows without mass it solves
@@ -50,7 +50,7 @@ private:
   Eigen::VectorXd norms(const Eigen::VectorXcd& x) const;
   void divide(Eigen::Ref<Eigen::VectorXcd> x, const Eigen::VectorXd& norm) const;
 
-  Cholesky_factorization<Complex> factor_;
+  Chosen_factorization<Complex> factor_;
   Eigen::VectorXd masses_;
   std::vector<std::uint32_t> part_;
   Eigen::MatrixXcd known_;
@@ -58,4 +58,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_INVERSE_LANCZOS_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_EIGENPAIRS_INVERSE_LANCZOS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
@@ -19,7 +19,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*
 Groups of unknowns that strong entries of a Hermitian matrix connect. A smooth function is nearly
 constant on a group, times the phase of each unknown. The phase is 1 for weights; for connections it
-turns the vector of the group along edges.
+turns the vector of the group along edges. Rows without connections, as those of fixed values, are
+in no group: smoothing solves them.
 */
 template <class Number>
 class Aggregates {
@@ -39,7 +40,7 @@ public:
     for (int i = 0; i < a.cols(); ++i)
       if (group[row_number(i)] < 0) join(i, begun);
     for (int i = 0; i < a.cols(); ++i)
-      if (group[row_number(i)] < 0) begin_group(i);
+      if (group[row_number(i)] < 0 && greatest_[row_number(i)] > 0) begin_group(i);
   }
 
   // whether an entry is not small beside the greatest ones of its row and of its column
@@ -50,7 +51,7 @@ public:
            n >= greatest_[row_number(i)] || n >= greatest_[row_number(j)];
   }
 
-  std::vector<int> group;
+  std::vector<int> group; // -1: none
   std::vector<Number> phase;
   int groups = 0;
 
@@ -64,7 +65,7 @@ private:
   }
 
   bool is_free_with_neighbours(int i) const {
-    bool is_free = group[row_number(i)] < 0;
+    bool is_free = group[row_number(i)] < 0 && greatest_[row_number(i)] > 0;
     for_each_neighbour(i, [&](int j, const Number& w) {
       is_free = is_free && (group[row_number(j)] < 0 || !is_strong(i, j, w));
     });
@@ -108,9 +109,12 @@ private:
 /*
 The prolongation from aggregates: their phases, after one step of the damped method of Jacobi with
 the matrix whose weak entries are added to its diagonal. It makes the functions of groups overlap.
+The diagonal is without the excess, so that constants stay constants.
+\param excess a number per row: of real matrices the sum of the row, else zero
 */
 template <class Number>
-Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Number>& a) {
+Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Number>& a,
+                                                  const Eigen::VectorXd& excess) {
   constexpr double damping = 2. / 3;
   const Aggregates<Number> aggregates(a);
   Eigen::SparseMatrix<Number, Eigen::RowMajor> result(a.rows(), aggregates.groups);
@@ -119,6 +123,8 @@ Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Numb
   result.reserve(3 * a.rows());
   for (int i = 0; i < a.cols(); ++i) {
     columns.clear();
+    result.startVec(i);
+    if (aggregates.group[row_number(i)] < 0) continue;
     const auto add = [&](int j, const Number& factor) {
       const int c = aggregates.group[row_number(j)];
       if (std::find(columns.begin(), columns.end(), c) == columns.end()) {
@@ -127,18 +133,17 @@ Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Numb
       }
       value[row_number(c)] += factor * aggregates.phase[row_number(j)];
     };
-    double diagonal = 0;
+    double diagonal = -excess[i];
     for (typename Eigen::SparseMatrix<Number>::InnerIterator e(a, i); e; ++e)
       if (e.row() == i || !aggregates.is_strong(i, static_cast<int>(e.row()), e.value()))
         diagonal += std::real(e.value());
-    add(i, 1 - damping);
+    add(i, diagonal > 0 ? 1 - damping : 1);
     if (diagonal > 0)
       for (typename Eigen::SparseMatrix<Number>::InnerIterator e(a, i); e; ++e)
         if (const int j = static_cast<int>(e.row());
             j != i && aggregates.is_strong(i, j, e.value()))
           add(j, Number(-damping / diagonal * Eigen::numext::conj(e.value())));
     std::sort(columns.begin(), columns.end());
-    result.startVec(i);
     for (const int c : columns) result.insertBack(i, c) = value[row_number(c)];
   }
   result.finalize();
@@ -147,4 +152,4 @@ Eigen::SparseMatrix<Number> smoothed_prolongation(const Eigen::SparseMatrix<Numb
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_AGGREGATES_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_AGGREGATES_H

@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid_hierarchy.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid_hierarchy.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include <Eigen/Core>
@@ -36,20 +36,23 @@ struct Multigrid {
   using Matrix = Eigen::SparseMatrix<Scalar>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  Multigrid(Matrix full, double least_residual)
-      : matrix(std::move(full)), tolerance(least_residual) {
+  // \param full compressed, both triangles
+  Multigrid(Matrix full, Eigen::VectorXd excess, double least_residual)
+      : matrix{std::move(full), std::move(excess)}, tolerance(least_residual) {
     if constexpr (std::is_same_v<Scalar, double>) find_kernel();
-    for (int i = 0; i < matrix.cols(); ++i)
-      if (!(std::real(matrix.coeff(i, i)) > 0) && !is_in_kernel(i)) throw Indefinite_matrix(i);
-    if (matrix.cols() > 0) cycle.emplace(matrix, !kernel_size.empty());
+    const Eigen::VectorXd diagonal = matrix.matrix.diagonal().real();
+    for (int i = 0; i < diagonal.size(); ++i)
+      if (!(diagonal[i] > 0) && !is_in_kernel(i)) throw Indefinite_matrix(i);
+    cycle.emplace(matrix);
   }
 
   // Finds the components where rows sum to zero.
   void find_kernel() {
-    component = components_of_matrix(matrix);
-    const Row_sums sums(matrix);
-    const std::vector<char> has_constants = laplacian_components(sums, component);
-    if (std::find(has_constants.begin(), has_constants.end(), 1) == has_constants.end()) return;
+    component = components_of_matrix(matrix.matrix);
+    std::vector<char> has_constants(component.size(), 1);
+    for (std::size_t r = 0; r < component.size(); ++r)
+      if (matrix.excess[static_cast<Eigen::Index>(r)] != 0) has_constants[component[r]] = 0;
+    if (least_rows(component, has_constants).empty()) return;
     kernel_size.assign(component.size(), 0);
     for (const std::uint32_t root : component)
       if (has_constants[root] != 0) ++kernel_size[root];
@@ -122,13 +125,32 @@ struct Multigrid {
     return most;
   }
 
-  Matrix matrix;
+  Matrix_with_sums<Scalar> matrix;
   double tolerance;
   std::vector<std::uint32_t> component; // of each row, its least row
   std::vector<double>
       kernel_size; // of components with constants in the kernel, at their least rows
   std::optional<Multigrid_hierarchy<Scalar>> cycle;
 };
+
+// The sums of the rows of a matrix, zero in components where rounding explains all of them.
+inline Eigen::VectorXd excess_of(const Eigen::SparseMatrix<double>& a) {
+  const Row_sums sums(a);
+  const std::vector<std::uint32_t> component = components_of_matrix(a);
+  const std::vector<char> has_constants = laplacian_components(sums, component);
+  Eigen::VectorXd result = sums.sum;
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (has_constants[component[r]] != 0) result[static_cast<Eigen::Index>(r)] = 0;
+  return result;
+}
+inline Eigen::VectorXd excess_of(const Eigen::SparseMatrix<std::complex<double>>& a) {
+  return Eigen::VectorXd::Zero(a.cols());
+}
+
+inline void expect_tolerance(double tolerance) {
+  if (!(tolerance >= 1e-14 && tolerance <= 1))
+    throw std::invalid_argument("the tolerance must be between 1e-14 and 1");
+}
 
 // Refuses right sides without a solution.
 template <class Scalar>
@@ -142,26 +164,41 @@ static void expect_right_side(const Multigrid<Scalar>& m,
                                 "must sum to zero there; subtract its mean, or fix a value");
 }
 
+template <class Scalar>
+std::shared_ptr<const Multigrid<Scalar>>
+make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
+               double tolerance) {
+  expect_factorable(laplacian);
+  expect_tolerance(tolerance);
+  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
+    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  Eigen::SparseMatrix<Scalar> full = laplacian.template selfadjointView<Eigen::Lower>();
+  const Vector sums = full * Vector::Ones(full.cols());
+  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
+  full.makeCompressed();
+  return std::make_shared<const Multigrid<Scalar>>(std::move(full), diagonal, tolerance);
+}
+
 } // namespace internal
 
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
-  Multigrid_factorization<Scalar>::Multigrid_factorization(const Matrix& a, double tolerance) {
-    internal::expect_factorable(a);
-    if (!(tolerance >= 1e-14 && tolerance <= 1))
-      throw std::invalid_argument("the tolerance must be between 1e-14 and 1");
-    Matrix full = a.template selfadjointView<Eigen::Lower>();
-    full.makeCompressed();
-    multigrid_ = std::make_shared<const internal::Multigrid<Scalar>>(std::move(full), tolerance);
-  }
+template <internal::Matrix_number Scalar>
+Multigrid_factorization<Scalar>::Multigrid_factorization(const Matrix& a, double tolerance) {
+  internal::expect_factorable(a);
+  internal::expect_tolerance(tolerance);
+  Matrix full = a.template selfadjointView<Eigen::Lower>();
+  full.makeCompressed();
+  Eigen::VectorXd excess = internal::excess_of(full);
+  multigrid_ = std::make_shared<const internal::Multigrid<Scalar>>(std::move(full),
+                                                                   std::move(excess), tolerance);
+}
 
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>> Eigen::Index
-  Multigrid_factorization<Scalar>::size()
-const { return multigrid_->matrix.cols(); }
+template <internal::Matrix_number Scalar>
+Eigen::Index Multigrid_factorization<Scalar>::size() const {
+  return multigrid_->matrix.matrix.cols();
+}
 
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+template <internal::Matrix_number Scalar>
 typename Multigrid_factorization<Scalar>::Vectors
 Multigrid_factorization<Scalar>::solve(const Vectors& b, Iterations& iterations) const {
   if (b.rows() != size())
@@ -176,8 +213,7 @@ Multigrid_factorization<Scalar>::solve(const Vectors& b, Iterations& iterations)
   return x;
 }
 
-template <class Scalar>
-  requires std::same_as<Scalar, double> || std::same_as<Scalar, std::complex<double>>
+template <internal::Matrix_number Scalar>
 typename Multigrid_factorization<Scalar>::Vectors
 Multigrid_factorization<Scalar>::solve(const Vectors& b) const {
   Iterations iterations;
@@ -188,4 +224,4 @@ Multigrid_factorization<Scalar>::solve(const Vectors& b) const {
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIGRID_MULTIGRID_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ARITHMETIC_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ARITHMETIC_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_ARITHMETIC_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_ARITHMETIC_H
 
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -159,4 +159,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ARITHMETIC_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_ELIMINATION_ARITHMETIC_H

@@ -4,8 +4,11 @@
 #if __has_include(<Spectra/SymGEigsShiftSolver.h>)
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
+#include <CGAL/Intrinsic_operators/solvers/eigenpairs/Block_eigensolver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Cholesky>
@@ -23,7 +26,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -57,17 +59,14 @@ public:
   template <Factorization Factored>
   Shifted_inverse(Factored factored, Solution_counter& solutions)
       : factorization_(std::move(factored)), solutions_(&solutions) {}
-  Eigen::Index rows() const {
-    return std::visit([](const auto& f) { return f.size(); }, factorization_);
-  }
+  Eigen::Index rows() const { return factorization_.size(); }
   Eigen::Index cols() const { return rows(); }
   void set_shift(double) {}
   void perform_op(const double* x, double* y) const {
     solutions_->count();
     const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, rows());
     Eigen::Map<Eigen::VectorXd> result(y, rows());
-    result =
-        std::visit([&v](const auto& f) { return Eigen::VectorXd(f.solve(v)); }, factorization_);
+    result = factorization_.solve(v);
     if (out_.values.size() == 0) return;
     const Eigen::VectorXd parts = out_.vectors.transpose() * v;
     result -= out_.vectors * parts.cwiseProduct(out_.values);
@@ -79,7 +78,7 @@ public:
   }
 
 private:
-  std::variant<Cholesky_factorization<double>, Laplacian_factorization> factorization_;
+  Chosen_factorization<double> factorization_;
   Eigenpairs out_{};
   Solution_counter* solutions_;
 };
@@ -305,6 +304,7 @@ static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
 
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                               Linear_solver solver,
                                const std::function<bool(std::size_t)>& progress) {
   const Eigen::Index size = a.rows();
   if (a.cols() != size || m.rows() != size || m.cols() != size)
@@ -320,6 +320,9 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
     return smallest_of(is_laplacian(a) ? dense_laplacian_eigenpairs(a, m, count)
                                        : dense_eigenpairs(Eigen::MatrixXd(a), m),
                        count);
+  // blocks of more vectors take more memory than a factor
+  if (solver == Linear_solver::iterative && count <= size / 16)
+    return Block_eigensolver(a, m, progress).smallest(count);
   // eigenvalues of about one: Spectra has thresholds without units
   const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
   if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))

@@ -1,14 +1,15 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -60,6 +61,19 @@ private:
   std::vector<double> left_, right_; // by tiles, these by columns
 };
 
+// Products of a few columns of a matrix, which lie apart, and a vector.
+struct Dense_panel {
+  static constexpr std::size_t columns = 4;
+  using Columns = std::array<const double*, columns>;
+
+  // Adds the columns times factors to a vector.
+  static void add(const Columns& column, const double* factor, std::ptrdiff_t rows, double* to);
+  // Adds the products of columns and a vector, row by row, to four sums of each column in turn.
+  // \return how many rows it has added, all but less than four
+  static std::ptrdiff_t sum(const Columns& column, const double* vector, std::ptrdiff_t rows,
+                            double* sums);
+};
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_DENSE_PRODUCT_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_DENSE_PRODUCT_H

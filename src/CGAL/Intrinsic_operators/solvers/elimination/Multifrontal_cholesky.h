@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_CHOLESKY_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_CHOLESKY_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_CHOLESKY_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_CHOLESKY_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_elimination.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_factor.h>
-#include <CGAL/Intrinsic_operators/solvers/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_elimination.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_factor.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -70,4 +70,4 @@ factor_lower_triangle(const Eigen::SparseMatrix<Scalar>& a) {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MULTIFRONTAL_CHOLESKY_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ELIMINATION_MULTIFRONTAL_CHOLESKY_H

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_cholesky.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_cholesky.h>
 
 #include <Eigen/SparseCore>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Multifrontal_cholesky.h>
-#include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_cholesky.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
 #include <Eigen/SparseCore>
 
@@ -30,6 +30,10 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a,
   expect_factorable(a);
   return factor_fronts(a, analysis);
 }
+
+// which a compiler instantiates with the class below
+template std::shared_ptr<const Multigrid<std::complex<double>>>
+make_multigrid(const Eigen::SparseMatrix<std::complex<double>>&, const Eigen::VectorXd&, double);
 
 } // namespace internal
 

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_NESTED_DISSECTION_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_NESTED_DISSECTION_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_NESTED_DISSECTION_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_NESTED_DISSECTION_H
 
-#include <CGAL/Intrinsic_operators/solvers/Graph_separation.h>
-#include <CGAL/Intrinsic_operators/solvers/Separable_graph.h>
-#include <CGAL/Intrinsic_operators/solvers/Separator_refinement.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Graph_separation.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separable_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separator_refinement.h>
 
 #include <Eigen/SparseCore>
 
@@ -101,4 +101,4 @@ std::vector<int> dissected_order(const Eigen::SparseMatrix<Scalar>& a,
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_NESTED_DISSECTION_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_NESTED_DISSECTION_H

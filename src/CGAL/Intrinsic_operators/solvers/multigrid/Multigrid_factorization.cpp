@@ -1,12 +1,17 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Intrinsic_operators/solvers/Multigrid.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -18,6 +23,9 @@ static std::string message_of(const Iterations& iterations) {
           << iterations.residual << "; factor the matrix, or make the triangulation Delaunay";
   return message.str();
 }
+
+template std::shared_ptr<const Multigrid<double>> make_multigrid(const Eigen::SparseMatrix<double>&,
+                                                                 const Eigen::VectorXd&, double);
 
 } // namespace internal
 

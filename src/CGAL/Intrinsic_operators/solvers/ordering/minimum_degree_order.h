@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_MINIMUM_DEGREE_ORDER_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_MINIMUM_DEGREE_ORDER_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_MINIMUM_DEGREE_ORDER_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_MINIMUM_DEGREE_ORDER_H
 
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
@@ -24,8 +24,9 @@ template <class Scalar>
 bool is_ordered_by_int(const Eigen::SparseMatrix<Scalar>& a) {
   int most = 0;
   for (int c = 0; c < a.cols(); ++c) {
-    const int *const begin = a.innerIndexPtr() + a.outerIndexPtr()[c],
-                     *const end = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
+    const int *const begin = a.innerIndexPtr() + a.outerIndexPtr()[c], *const end =
+                                                                           a.innerIndexPtr() +
+                                                                           a.outerIndexPtr()[c + 1];
     if (!std::binary_search(begin, end, c)) return false;
     most = std::max(most, static_cast<int>(end - begin));
   }
@@ -73,4 +74,4 @@ std::vector<int> minimum_degree_order(const Eigen::SparseMatrix<Scalar>& a) {
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_MINIMUM_DEGREE_ORDER_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_MINIMUM_DEGREE_ORDER_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARATOR_REFINEMENT_H
-#define CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARATOR_REFINEMENT_H
+#ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARATOR_REFINEMENT_H
+#define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARATOR_REFINEMENT_H
 
-#include <CGAL/Intrinsic_operators/solvers/Separable_graph.h>
+#include <CGAL/Intrinsic_operators/solvers/ordering/Separable_graph.h>
 
 #include <algorithm>
 #include <array>
@@ -150,4 +150,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_SEPARATOR_REFINEMENT_H
+#endif // CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_SEPARATOR_REFINEMENT_H
