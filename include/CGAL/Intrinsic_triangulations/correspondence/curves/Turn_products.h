@@ -24,7 +24,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 In each triangle at the vertex, the quotient of the vectors along its last and its first side is a
 corner, `apex()`. That over many triangles is their product; a tree of products per vertex gives it
 in a logarithmic number of steps. The tree of a vertex is made once products without it have taken
-as long.
+as long. Factors are multiplied in the order of the tree before, too: results do not depend on
+earlier calls.
 \tparam FT number type of the plane
 */
 template <FieldNumber FT>
@@ -44,17 +45,18 @@ public:
                               std::uint32_t first, std::uint32_t count) {
     const std::uint32_t begin = fans.first_slot(first), degree = fans.degree(first);
     Tree& tree = trees_[begin];
+    const auto leaf = [&](std::size_t n) {
+      return corner(input, fans, values, begin + static_cast<std::uint32_t>(n));
+    };
     if (tree.nodes.empty()) {
       tree.steps += count;
-      if (tree.steps <= degree) return multiplied(fans, values, first, count);
-      build(tree, input, fans, values, begin, degree);
+      if (tree.steps <= degree)
+        return turn([&](std::size_t n) { return product_below(n, degree, leaf); }, degree,
+                    first - begin, count);
+      build(tree, degree, leaf);
     }
-    // a straight line goes round the tip of a thin spike many times
-    const std::size_t from = first - begin, to = from + count % degree;
-    const Plane_vector<FT> part = to <= degree
-                                      ? product(tree, from, to)
-                                      : product(tree, from, degree) * product(tree, 0, to - degree);
-    return part * power(product(tree, 0, degree), count / degree);
+    return turn([&](std::size_t n) -> const Plane_vector<FT>& { return tree.nodes[n]; }, degree,
+                first - begin, count);
   }
 
 private:
@@ -64,42 +66,53 @@ private:
     std::vector<Plane_vector<FT>> nodes;
   };
 
+  // of the triangle at a slot; the last one of a border has none
   template <class Values>
-  static Plane_vector<FT> corner(const Vertex_fans& fans, const Values& values,
+  static Plane_vector<FT> corner(const Input& input, const Vertex_fans& fans, const Values& values,
                                  std::uint32_t slot) {
-    const Face_values<FT> v = values(fans.halfedge(slot));
+    const std::uint32_t h = fans.halfedge(slot);
+    if (input.is_border(h)) return {FT(1), FT(0)};
+    const Face_values<FT> v = values(h);
     const auto& l = v.squared_lengths;
     return apex(l[0], l[1], l[2], v.quadruple_area);
   }
 
-  template <class Values>
-  static Plane_vector<FT> multiplied(const Vertex_fans& fans, const Values& values,
-                                     std::uint32_t first, std::uint32_t count) {
-    Plane_vector<FT> result = corner(fans, values, first);
-    for (std::uint32_t n = 1; n < count; ++n)
-      result = result * corner(fans, values, fans.advance(first, n));
-    return result;
-  }
-
-  template <class Values>
-  static void build(Tree& tree, const Input& input, const Vertex_fans& fans, const Values& values,
-                    std::uint32_t begin, std::uint32_t degree) {
-    tree.nodes.resize(2 * std::size_t{degree});
-    for (std::uint32_t n = 0; n < degree; ++n) // the last one of a border has no triangle
-      tree.nodes[degree + n] = input.is_border(fans.halfedge(begin + n))
-                                   ? Plane_vector<FT>{FT(1), FT(0)}
-                                   : corner(fans, values, begin + n);
+  template <class Leaf>
+  static void build(Tree& tree, std::size_t degree, const Leaf& leaf) {
+    tree.nodes.resize(2 * degree);
+    for (std::size_t n = 0; n < degree; ++n) tree.nodes[degree + n] = leaf(n);
     for (std::size_t n = degree; --n > 0;)
       tree.nodes[n] = tree.nodes[2 * n] * tree.nodes[2 * n + 1];
   }
+  // the node of a tree that is not there
+  template <class Leaf>
+  static Plane_vector<FT> product_below(std::size_t n, std::size_t degree, const Leaf& leaf) {
+    if (n >= degree) return leaf(n - degree);
+    return product_below(2 * n, degree, leaf) * product_below(2 * n + 1, degree, leaf);
+  }
+
+  // \param node a functor from the number of a node to it
+  template <class Node>
+  static Plane_vector<FT> turn(const Node& node, std::size_t degree, std::size_t from,
+                               std::uint32_t count) {
+    // a straight line goes round the tip of a thin spike many times
+    const std::size_t to = from + count % degree;
+    const Plane_vector<FT> part =
+        to <= degree ? product(node, degree, from, to)
+                     : product(node, degree, from, degree) * product(node, degree, 0, to - degree);
+    if (count < degree) return part;
+    return part *
+           power(product(node, degree, 0, degree), count / static_cast<std::uint32_t>(degree));
+  }
 
   // of leaves from one to another; products commute
-  static Plane_vector<FT> product(const Tree& tree, std::size_t from, std::size_t to) {
-    const std::size_t degree = tree.nodes.size() / 2;
+  template <class Node>
+  static Plane_vector<FT> product(const Node& node, std::size_t degree, std::size_t from,
+                                  std::size_t to) {
     Plane_vector<FT> result{FT(1), FT(0)};
     for (from += degree, to += degree; from < to; from /= 2, to /= 2) {
-      if (from % 2 != 0) result = result * tree.nodes[from++];
-      if (to % 2 != 0) result = result * tree.nodes[--to];
+      if (from % 2 != 0) result = result * node(from++);
+      if (to % 2 != 0) result = result * node(--to);
     }
     return result;
   }
