@@ -180,11 +180,15 @@ private:
       metric().statistics().sharpenings[bits] += wide.size();
     };
     if (are_narrow()) return;
-    if (repeats_flips(wide)) {
+    bool are_known = std::all_of(wide.begin(), wide.end(), [this](const Indexed_face& f) {
+      return memory_.values.of(f) != nullptr;
+    });
+    if (!are_known && repeats_flips(wide)) {
+      memory_.values.keep(this->replayed_values(wide), false);
+      are_known = true;
+    }
+    if (are_known) {
       count(106);
-      if (std::any_of(wide.begin(), wide.end(),
-                      [this](const Indexed_face& f) { return !memory_.values.of(f); }))
-        memory_.values.keep(this->replayed_values(wide), false);
       refine_by_replayed(wide);
     }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
@@ -242,8 +246,8 @@ private:
 
   // Finds values for all edges whose stored values are too inaccurate for weights, by repeating
   // flips, if that takes less time than one by one. It also finds those of all faces with wide
-  // intervals, which are usually asked for next, but leaves the stored ones: weights must not depend
-  // on the order in which they are asked for.
+  // intervals, which are usually asked for next, but leaves the stored ones: weights must not
+  // depend on the order in which they are asked for.
   void find_values() const {
     const std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();

@@ -117,12 +117,13 @@ Interval_nt<false> narrow_area(const Input_metric& input, std::uint32_t f) {
 template <FieldNumber FT>
 FT Input_side_values<FT>::squared_length(Face_side s) const {
   if constexpr (std::is_same_v<FT, Short_ball>)
-    if (is_plain_ && !input_.has_excess(s.face))
-      if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, (s.slot + 1) % 3))
+    if (is_plain_ && !input_.has_excess(s.face)) {
+      const unsigned next = (s.slot + 1) % 3;
+      if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, next))
         return internal::enclosed(internal::long_squared_norm(*u));
-      else
-        return internal::enclosed(internal::long_squared_norm(
-            internal::long_vector(input_, s.face, s.slot, (s.slot + 1) % 3)));
+      return internal::enclosed(
+          internal::long_squared_norm(internal::long_vector(input_, s.face, s.slot, next)));
+    }
   return input_.squared_length<FT>(s.face, s.slot);
 }
 

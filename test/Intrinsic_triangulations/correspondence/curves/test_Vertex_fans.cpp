@@ -121,11 +121,11 @@ TEST(Turn_products, do_not_depend_on_earlier_ones) {
   const auto values = [&](std::uint32_t h) { return face_at(input, h); };
   std::uint32_t first = 0; // at the tip
   while (fans.degree(fans.slot(first)) < 37) ++first;
-  IT::internal::Turn_products<double> used;
+  IT::Turn_products<double> used;
   for (const std::uint32_t count : {36U, 37U, 5U, 17U, 90U, 1U})
     for (std::uint32_t n = 0; n < 37; n += 3) {
       const std::uint32_t slot = fans.advance(fans.slot(first), n);
-      IT::internal::Turn_products<double> fresh;
+      IT::Turn_products<double> fresh;
       const auto x = fresh(input, fans, values, slot, count),
                  y = used(input, fans, values, slot, count);
       EXPECT_EQ(x.x, y.x);

@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief computes turns about input vertices: quotients of vectors from a vertex to its neighbours.
@@ -127,6 +127,6 @@ private:
   std::unordered_map<std::uint32_t, Tree> trees_; // by the first slot of the fan
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TURN_PRODUCTS_H

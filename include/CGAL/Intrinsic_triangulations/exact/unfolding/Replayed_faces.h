@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -79,12 +80,12 @@ inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d,
 that, a face is one of the input.
 \tparam FT a model of `Field`
 */
-template <class FT>
+template <FieldNumber FT>
 class Replayed_values {
 public:
   /// knows nothing yet.
-  /// \param mesh the connectivity of the input \param are_most whether it will know most faces: then
-  /// values lie in the order of edges and faces
+  /// \param mesh the connectivity of the input
+  /// \param are_most whether it will know most faces: values then lie in their order
   Replayed_values(const Gluing_map& mesh, bool are_most)
       : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0),
         are_most_(are_most) {
