@@ -185,6 +185,14 @@ meshes::Mesh nearly_square_grid(unsigned seed, double noise) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-noise, noise);
   for (auto& p : m.points) p = {p[0] + shift(random), p[1] + shift(random), 0};
+  // beside it another one that does not flip: with more flips than edges, values would follow flips
+  const auto first = static_cast<std::uint32_t>(m.points.size());
+  const meshes::Mesh other = meshes::translated(meshes::grid(20, 20), {200, 0, 0});
+  m.points.insert(m.points.end(), other.points.begin(), other.points.end());
+  for (auto t : other.triangles) {
+    for (std::uint32_t& v : t) v += first;
+    m.triangles.push_back(t);
+  }
   return m;
 }
 

@@ -8,7 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Figure_finder.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
@@ -67,8 +69,8 @@ public:
   // see `Predicate_session::cotangent_weight()`
   double cotangent_weight(const Diamond& d, double tolerance) const {
     if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
-    if (!memory_.are_weighed && asks_for_all()) find_weights();
-    if (const auto weight = known_weight(d)) return *weight;
+    if (!memory_.are_found && asks_for_all()) find_values();
+    if (const auto weight = replayed_weight(d)) return *weight;
     if (const auto weight = metric().stored_weight(d)) return *weight;
     // Users get the nearest double, which does not depend on the way of computation. Statistics
     // allow an error, so that angles near 1e-9 need no more than 106 bits, and mostly no sign.
@@ -113,6 +115,15 @@ public:
       repeat_flips(faces, std::max(bits, 106U), visit);
     else
       unfold(faces, bits, visit);
+  }
+
+  // Lets values in 106 bits follow all further flips, and gives the metric those that it has now.
+  // Called before a flip: what it stores depends on moves, not on queries.
+  void follow_flips() const {
+    if (places_.flips() == nullptr) return;
+    const std::vector<Indexed_face> all = this->all_faces();
+    memory_.values.keep(this->replayed_values(all), true);
+    refine_by_replayed(all);
   }
 
 private:
@@ -169,9 +180,16 @@ private:
       metric().statistics().sharpenings[bits] += wide.size();
     };
     if (are_narrow()) return;
-    if (repeats_flips(wide)) {
+    bool are_known = std::all_of(wide.begin(), wide.end(), [this](const Indexed_face& f) {
+      return memory_.values.of(f) != nullptr;
+    });
+    if (!are_known && repeats_flips(wide)) {
+      memory_.values.keep(this->replayed_values(wide), false);
+      are_known = true;
+    }
+    if (are_known) {
       count(106);
-      if (!refine_by_weights(wide)) repeat_flips(wide, 106, refine);
+      refine_by_replayed(wide);
     }
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (are_narrow()) return true;
@@ -186,18 +204,13 @@ private:
     });
   }
 
-  // refines faces by what was found together with all weights, if that was all of them
-  bool refine_by_weights(const std::vector<Indexed_face>& wide) const {
-    if (!memory_.are_weighed) return false;
-    const auto known = [this](const Indexed_face& face) {
-      return std::lower_bound(memory_.enclosures.begin(), memory_.enclosures.end(), face.face,
-                              [](const auto& x, std::uint32_t f) { return x.first.face < f; });
-    };
-    for (const Indexed_face& f : wide)
-      if (const auto i = known(f); i == memory_.enclosures.end() || i->first.face != f.face)
-        return false;
-    for (const Indexed_face& f : wide) metric().refine(known(f)->first, known(f)->second);
-    return true;
+  // by the values in 106 bits; all must be there
+  void refine_by_replayed(const std::vector<Indexed_face>& faces) const {
+    for (const Indexed_face& f : faces) {
+      const Replayed_values<Short_ball>& values = *memory_.values.of(f);
+      for (const std::uint32_t e : f.edges) metric().refine_length(e, values.length(e).interval());
+      metric().refine_area(f.face, values.area(f.face).interval());
+    }
   }
 
   // whether to compute values of faces from flips that are repeated, all at once
@@ -220,31 +233,26 @@ private:
     std::vector<Indexed_face> wide = wide_faces();
     note_crossings();
     narrow(std::move(wide));
-    memory_.enclosures = {};
     memory_.are_sharp = true;
     count_pass();
   }
-  // in the order of their numbers
   std::vector<Indexed_face> wide_faces() const {
     std::vector<Indexed_face> result;
     for (const auto f : faces(t_.mesh()))
       if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face))
         result.push_back(face);
-    std::sort(result.begin(), result.end(),
-              [](const Indexed_face& f, const Indexed_face& g) { return f.face < g.face; });
     return result;
   }
 
-  // Finds the weights of all edges whose stored values are too inaccurate, if that takes less time
-  // than one by one. It also finds narrow intervals of all faces, which are usually asked for next,
-  // but leaves the stored ones: weights must not depend on the order in which they are asked for.
-  void find_weights() const {
-    std::vector<Diamond> diamonds = inaccurate_diamonds();
+  // Finds values for all edges whose stored values are too inaccurate for weights, by repeating
+  // flips, if that takes less time than one by one. It also finds those of all faces with wide
+  // intervals, which are usually asked for next, but leaves the stored ones: weights must not
+  // depend on the order in which they are asked for.
+  void find_values() const {
+    const std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();
-    memory_.are_weighed = true;
+    memory_.are_found = true;
     count_pass();
-    memory_.weights.clear();
-    memory_.enclosures.clear();
     std::vector<Indexed_face> faces;
     faces.reserve(2 * diamonds.size());
     for (const Diamond& d : diamonds)
@@ -252,14 +260,8 @@ private:
     if (places_.has_coordinates(t_) && this->can_unfold(faces)) return;
     const std::vector<Indexed_face> wide = wide_faces();
     faces.insert(faces.end(), wide.begin(), wide.end());
-    memory_.enclosures.reserve(wide.size());
-    const auto all = memory_.ladder.weights(
-        this->input_metric(), this->replayed(faces), diamonds.size(),
-        [&](std::size_t i, const auto& v) { memory_.enclosures.emplace_back(wide[i], v); });
-    for (std::size_t i = 0; i < all.size(); ++i)
-      memory_.weights.emplace_back(diamonds[i].ij, all[i]);
+    memory_.values.keep(this->replayed_values(faces), false);
   }
-  // in the order of their edges
   std::vector<Diamond> inaccurate_diamonds() const {
     const auto& mesh = t_.mesh();
     const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
@@ -271,23 +273,21 @@ private:
       if (!metric().stored_weight(d) && !metric().remembered_signs().is_zero(d.ij))
         result.push_back(d);
     }
-    std::sort(result.begin(), result.end(),
-              [](const Diamond& a, const Diamond& b) { return a.ij < b.ij; });
     return result;
   }
-  // the double nearest to the weight of a diamond, if it was found with all others
-  std::optional<double> known_weight(const Diamond& d) const {
-    if (!memory_.are_weighed) return std::nullopt;
-    const auto& all = memory_.weights;
-    const auto i = std::lower_bound(all.begin(), all.end(), d.ij,
-                                    [](const auto& w, std::uint32_t e) { return w.first < e; });
-    if (i == all.end() || i->first != d.ij || !i->second) return std::nullopt;
-    ++metric().statistics().sharpenings[106];
-    return i->second;
+  // the double nearest to the weight of a diamond, if values in 106 bits are there and tell it
+  std::optional<double> replayed_weight(const Diamond& d) const {
+    const Replayed_values<Short_ball>* const values = memory_.values.of(d);
+    if (values == nullptr) return std::nullopt;
+    const std::optional<double> weight = Exact_ladder::nearest_weight(values->values(d));
+    if (weight) ++metric().statistics().sharpenings[106];
+    return weight;
   }
 
   // an interval of the squared length of the first side of a face, from at least `bits` bits
   FT first_squared_length(const Indexed_face& face, unsigned bits) const {
+    if (const auto* values = memory_.values.of(face); values != nullptr && bits <= 106)
+      return values->length(face.edges[0]).interval();
     if (this->can_unfold(std::array{face.edges[0]}))
       return memory_.ladder.squared_length(this->input_metric(), this->strip(face), bits);
     return enclosure(this->replayed(std::span(&face, 1)), std::max(bits, 106U))

@@ -9,7 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
+#include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/proofs/Rung.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
@@ -116,6 +118,16 @@ protected:
     if (surface != nullptr && 2 * faces.size() >= surface->number_of_faces())
       return {*surface, *places_.flips(), {faces.begin(), faces.end()}};
     return {t_.input(), places_.connectivity(t_), *places_.flips(), {faces.begin(), faces.end()}};
+  }
+
+  // the values of faces in 106 bits, by repeating flips
+  Replayed_values<Short_ball> replayed_values(std::span<const Indexed_face> faces) const {
+    return Exact_ladder::values(input_metric(), replayed(faces));
+  }
+  std::vector<Indexed_face> all_faces() const {
+    std::vector<Indexed_face> result;
+    for (const auto f : faces(t_.mesh())) result.push_back(indexed_face(t_, f));
+    return result;
   }
 
   Unfolded_faces unfolded(std::span<const Indexed_face> faces) const {

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_EXACT_LADDER_H
 
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Mpfr_number.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
@@ -106,16 +107,10 @@ public:
   weight(const Input_metric& input, const Figure& diamond, Predicate_statistics& statistics,
          double error = 0, unsigned most_bits = Mpfr_number::most_bits, unsigned first_bits = 106);
 
-  /*!
-  \brief returns the same where 106 bits tell it, for many diamonds, and encloses the values of
-  other faces in the same pass.
-  \param input see `sign()`
-  \param faces two per diamond, joined along the first side of each, and then the others
-  \param count number of diamonds
-  \param visit called with the number of each other face among these
-  */
-  std::vector<std::optional<double>> weights(const Input_metric& input, const Replayed_faces& faces,
-                                             std::size_t count, const Visit& visit);
+  /// repeats flips in 106 bits and returns what it found. \param input see `sign()`
+  static Replayed_values<Short_ball> values(const Input_metric& input, const Replayed_faces& faces);
+  /// returns the double nearest to the cotangent weight of a diamond, if its values tell it.
+  static std::optional<double> nearest_weight(const Diamond_values<Short_ball>& diamond);
 
 private:
   struct Memory;

@@ -132,6 +132,10 @@ public:
   void refine_length(std::uint32_t e, const FT& better) const {
     refine(squared_length_[e], length_[e], better);
   }
+  /// makes the interval of a quadruple area smaller; see above.
+  void refine_area(std::uint32_t f, const FT& better) const {
+    refine(quadruple_area_[f], area_[f], better);
+  }
 
   /// computes a flip so that the doubles stay good, see `flipped_consistently()`. Use it for edges
   /// that may be Delaunay: on others errors do not grow. \pre the diamond is strictly convex
@@ -243,10 +247,6 @@ private:
 
   // Lengths and areas are never negative, even if rounding makes the lower bound negative.
   static FT positive_part(const FT& x) { return {std::max(x.inf(), 0.0), x.sup()}; }
-
-  void refine_area(std::uint32_t f, const FT& better) const {
-    refine(quadruple_area_[f], area_[f], better);
-  }
 
   static void refine(FT& stored, double& approximation, const FT& better);
 

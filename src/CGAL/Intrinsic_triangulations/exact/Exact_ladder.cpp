@@ -16,6 +16,8 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <boost/config.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -94,13 +96,10 @@ namespace internal {
 
 namespace {
 
-// Visits the values of faces with rounding to the nearest. Each of many faces of the input is used
-// once: there is no memory.
-template <class Number, class Visit>
-void replay(const Input_metric& input, const Replayed_faces& faces, const Visit& visit) {
-  const Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
-  faces.for_each_face<Number>(
-      [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); }, visit);
+// Each of many faces of the input is used once: there is no memory.
+template <class Number>
+auto faces_without_memory(const Input_metric& input) {
+  return [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); };
 }
 
 // Hands out intervals of values in portions, for which rounding is changed together.
@@ -127,11 +126,19 @@ private:
   std::size_t visited_ = 0;
 };
 
+// A call: compilers move what they inline to where rounding has changed again.
+BOOST_NOINLINE std::optional<double> nearest_weight_of(const Diamond_values<Short_ball>& diamond) {
+  return nearest_double(cotangent_weight(diamond));
+}
+
 template <class Number>
 void replay_in_intervals(const Input_metric& input, const Replayed_faces& faces,
                          const Exact_ladder::Visit& visit) {
   Interval_portions<Number> portions(visit);
-  replay<Number>(input, faces, [&](const Face_values<Number>& values) { portions.add(values); });
+  to_nearest([&] {
+    faces.for_each_face<Number>(faces_without_memory<Number>(input),
+                                [&](const Face_values<Number>& v) { portions.add(v); });
+  });
   portions.hand_out();
 }
 
@@ -146,21 +153,15 @@ void Exact_ladder::for_each_enclosure(const Input_metric& input, const Replayed_
   internal::replay_in_intervals<Long_ball>(input, faces, visit);
 }
 
-std::vector<std::optional<double>> Exact_ladder::weights(const Input_metric& input,
-                                                         const Replayed_faces& faces,
-                                                         std::size_t count, const Visit& visit) {
-  using Number = Short_ball;
-  std::vector<std::optional<double>> result;
-  result.reserve(count);
-  std::optional<Face_values<Number>> left;
-  internal::Interval_portions<Number> portions(visit);
-  internal::replay<Number>(input, faces, [&](const Face_values<Number>& f) {
-    if (result.size() == count) return portions.add(f);
-    if (left) result.push_back(nearest_double(cotangent_weight(diamond_values(*left, f))));
-    left = left ? std::nullopt : std::optional(f);
+Replayed_values<Short_ball> Exact_ladder::values(const Input_metric& input,
+                                                 const Replayed_faces& faces) {
+  return internal::to_nearest([&] {
+    return faces.known_values<Short_ball>(internal::faces_without_memory<Short_ball>(input));
   });
-  portions.hand_out();
-  return result;
+}
+
+std::optional<double> Exact_ladder::nearest_weight(const Diamond_values<Short_ball>& diamond) {
+  return internal::to_nearest([&] { return internal::nearest_weight_of(diamond); });
 }
 
 template <class Figure>

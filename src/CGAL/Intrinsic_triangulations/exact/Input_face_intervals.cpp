@@ -15,6 +15,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,6 +42,30 @@ std::optional<Double_vector> vector_in_doubles(const Input_metric& input, std::u
     result[k] = d.to_double();
   }
   return result;
+}
+
+// the same, always
+Long_vector long_vector(const Input_metric& input, std::uint32_t f, unsigned from, unsigned to) {
+  const Input_metric::Sides& s = input.sides(f);
+  const Input_metric::Point &p = input.points()[s[from]], &q = input.points()[s[to]];
+  return {Double_double::difference(q[0], p[0]), Double_double::difference(q[1], p[1]),
+          Double_double::difference(q[2], p[2])};
+}
+
+// The square of the quadruple area of the triangle of two vectors. A component u v - w x of their
+// cross product goes through three roundings of at most |u v| + |w x|.
+Short_ball long_squared_area(const Long_vector& u, const Long_vector& v) {
+  constexpr double e = Double_double::rounding();
+  Double_double sum = 0;
+  double radius = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const Double_double p = u[i] * v[j], q = u[j] * v[i], c = p - q;
+    const double error = 4 * e * (std::abs(p.magnitude()) + std::abs(q.magnitude()));
+    sum = sum + c * c;
+    radius += (2 * std::abs(c.magnitude()) + error) * error;
+  }
+  return Short_ball::around(sum.scaled(4), 4 * (1 + 0x1p-40) * (radius + 8 * e * sum.magnitude()));
 }
 
 Long_vector long_cross_product(const Double_vector& u, const Double_vector& v) {
@@ -92,21 +117,28 @@ Interval_nt<false> narrow_area(const Input_metric& input, std::uint32_t f) {
 template <FieldNumber FT>
 FT Input_side_values<FT>::squared_length(Face_side s) const {
   if constexpr (std::is_same_v<FT, Short_ball>)
-    if (is_plain_ && !input_.has_excess(s.face))
-      if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, (s.slot + 1) % 3))
+    if (is_plain_ && !input_.has_excess(s.face)) {
+      const unsigned next = (s.slot + 1) % 3;
+      if (const auto u = internal::vector_in_doubles(input_, s.face, s.slot, next))
         return internal::enclosed(internal::long_squared_norm(*u));
+      return internal::enclosed(
+          internal::long_squared_norm(internal::long_vector(input_, s.face, s.slot, next)));
+    }
   return input_.squared_length<FT>(s.face, s.slot);
 }
 
 template <FieldNumber FT>
 FT Input_side_values<FT>::squared_quadruple_area(std::uint32_t f) const {
   if constexpr (std::is_same_v<FT, Short_ball>)
-    if (is_plain_ && !input_.has_excess(f))
+    if (is_plain_ && !input_.has_excess(f)) {
       if (const auto u = internal::vector_in_doubles(input_, f, 0, 1),
           v = internal::vector_in_doubles(input_, f, 0, 2);
           u && v)
         return internal::enclosed(
             Double_double(4) * internal::long_squared_norm(internal::long_cross_product(*u, *v)));
+      return internal::long_squared_area(internal::long_vector(input_, f, 0, 1),
+                                         internal::long_vector(input_, f, 0, 2));
+    }
   return input_.is_embedded() ? internal::Embedded_area<FT>(input_, f).squared
                               : input_.squared_quadruple_area<FT>(f);
 }

@@ -3,11 +3,18 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/Turn_products.h>
+
 #include "gallery.h"
+#include "meshes.h"
 #include "subdivision_oracle.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -76,6 +83,62 @@ TEST(Vertex_fans, Use_the_slots_of_removed_fans_again) {
   EXPECT_EQ(fans.halfedge(a), 7U);
   EXPECT_EQ(fans.halfedge(a + 1), 6U);
   EXPECT_EQ(fans.halfedge(b), 4U);
+}
+
+// The triangle of a halfedge, from it on.
+IT::Face_values<double> face_at(const IT::Input& input, std::uint32_t h) {
+  const auto& points = input.metric().points();
+  const auto squared_length = [&](std::uint32_t g) {
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double x = points[input.target(g)][c] - points[input.source(g)][c];
+      sum += x * x;
+    }
+    return sum;
+  };
+  const std::uint32_t n = input.next(h), l = input.next(n);
+  const double a = squared_length(h), b = squared_length(n), c = squared_length(l), p = a + c - b;
+  return {{a, b, c}, std::sqrt(4 * a * c - p * p)};
+}
+
+// A tip with n triangles, which are all different.
+meshes::Mesh cone(std::uint32_t n) {
+  meshes::Mesh m;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 6.28 * i / n, r = 1 + 0.3 * std::sin(5.1 * i);
+    m.points.push_back({r * std::cos(angle), r * std::sin(angle), 0.2 * std::cos(2.3 * i)});
+    m.triangles.push_back({i, (i + 1) % n, n});
+  }
+  m.points.push_back({0.1, 0.05, 3});
+  return m;
+}
+
+TEST(Turn_products, do_not_depend_on_earlier_ones) {
+  using Turn = std::complex<double>;
+  const meshes::Mesh m = cone(37);
+  const IT::Input input = Exact(m.input()).input();
+  const IT::Vertex_fans fans(input);
+  const auto values = [&](std::uint32_t h) { return face_at(input, h); };
+  std::uint32_t first = 0; // at the tip
+  while (fans.degree(fans.slot(first)) < 37) ++first;
+  IT::Turn_products<double> used;
+  for (const std::uint32_t count : {36U, 37U, 5U, 17U, 90U, 1U})
+    for (std::uint32_t n = 0; n < 37; n += 3) {
+      const std::uint32_t slot = fans.advance(fans.slot(first), n);
+      IT::Turn_products<double> fresh;
+      const auto x = fresh(input, fans, values, slot, count),
+                 y = used(input, fans, values, slot, count);
+      EXPECT_EQ(x.x, y.x);
+      EXPECT_EQ(x.y, y.y);
+      double angle = 0, size = 1;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const auto f = values(fans.halfedge(fans.advance(slot, i)));
+        const auto& l = f.squared_lengths;
+        angle += std::atan2(f.quadruple_area, l[0] + l[2] - l[1]);
+        size *= std::sqrt(l[2] / l[0]);
+      }
+      EXPECT_LT(std::abs(Turn(y.x, y.y) - std::polar(size, angle)), 1e-12 * size);
+    }
 }
 
 } // namespace

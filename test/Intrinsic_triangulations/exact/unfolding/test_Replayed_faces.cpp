@@ -20,6 +20,7 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
+#include <CGAL/Interval_nt.h>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <random>
 #include <utility>
@@ -111,6 +113,39 @@ TEST(Replayed_faces, in_106_bits_have_one_radius_per_flip_which_contains_exact_v
   EXPECT_GT(flips, 2000U);
   EXPECT_GT(values, 5000U);
   EXPECT_GT(widest, 0x1p-80); // flips have made some wide
+}
+
+// Values in 106 bits follow flips while rounding is upwards.
+TEST(Replayed_faces, in_106_bits_contain_exact_values_whatever_the_rounding) {
+  using Number = IT::Ball<IT::Double_double>;
+  using Function = std::function<IT::Flipped_values<Number>(const IT::Diamond_values<Number>&)>;
+  const Function flip = [](const auto& d) { // a call stays where rounding is upwards
+    return IT::flipped(d, 4 * IT::Double_double::rounding());
+  };
+  std::mt19937 random(29);
+  std::uniform_real_distribution<double> size(0.1, 1);
+  double widest = 0;
+  for (int n = 0; n < 300; ++n) {
+    const std::array<double, 7> x{size(random), size(random), size(random), size(random),
+                                  size(random), size(random), size(random)};
+    IT::Diamond_values<Number> d{x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+    IT::Diamond_values<Gmpq> e{x[0], x[1], x[2], x[3], x[4], x[5], x[6]};
+    for (int i = 0; i < 4; ++i) {
+      IT::Flipped_values<Number> f;
+      {
+        const CGAL::Protect_FPU_rounding<true> upwards;
+        f = flip(d);
+      }
+      const IT::Flipped_values<Gmpq> g = IT::flipped(e);
+      for (const auto& [ball, exact] :
+           {std::pair(f.km, g.km), std::pair(f.area_f, g.area_f), std::pair(f.area_g, g.area_g)})
+        EXPECT_TRUE(contains(ball, exact));
+      widest = std::max(widest, f.km.radius() / f.km.to_double());
+      d.jk = f.km; // the terms of the next one differ in size
+      e.jk = g.km;
+    }
+  }
+  EXPECT_LT(widest, 0x1p-85);
 }
 
 TEST(Replayed_faces, overlaps_unfolding_in_balls_of_256_bits_after_hundreds_of_flips) {

@@ -16,7 +16,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
 
 /*!
 \brief computes turns about input vertices: quotients of vectors from a vertex to its neighbours.
@@ -24,7 +24,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 In each triangle at the vertex, the quotient of the vectors along its last and its first side is a
 corner, `apex()`. That over many triangles is their product; a tree of products per vertex gives it
 in a logarithmic number of steps. The tree of a vertex is made once products without it have taken
-as long.
+as long. Factors are multiplied in the order of the tree before, too: results do not depend on
+earlier calls.
 \tparam FT `double`, `Interval_nt<false>` or a `Ball`: the number type of the plane
 */
 template <FieldNumber FT>
@@ -52,22 +53,13 @@ private:
     std::vector<Plane_vector<FT>> nodes;
   };
 
-  static Plane_vector<FT> corner(const Vertex_fans& fans, const Values& values, std::uint32_t slot);
-
-  static Plane_vector<FT> multiplied(const Vertex_fans& fans, const Values& values,
-                                     std::uint32_t first, std::uint32_t count);
-
-  static void build(Tree& tree, const Input& input, const Vertex_fans& fans, const Values& values,
-                    std::uint32_t begin, std::uint32_t degree);
-
-  // of leaves from one to another; products commute
-  static Plane_vector<FT> product(const Tree& tree, std::size_t from, std::size_t to);
-
-  static Plane_vector<FT> power(Plane_vector<FT> z, std::uint32_t exponent);
+  // of the triangle at a slot; the last one of a border has none
+  static Plane_vector<FT> corner(const Input& input, const Vertex_fans& fans, const Values& values,
+                                 std::uint32_t slot);
 
   std::unordered_map<std::uint32_t, Tree> trees_; // by the first slot of the fan
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CORRESPONDENCE_CURVES_TURN_PRODUCTS_H

@@ -182,7 +182,9 @@ private:
 
 template <class Triangulation>
 void Vertex_places<Triangulation>::repeat_flips(const Triangulation& t) const {
-  Gluing_map mesh = flips_.input_mesh(connectivity(t), t.input());
+  const Input* const surface = t.input().surface();
+  Gluing_map mesh =
+      surface != nullptr ? surface->mesh() : flips_.input_mesh(connectivity(t), t.input());
   Integer_coordinates coordinates;
   coordinates.start(
       Started{is_defined_by_metric(t)

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,16 +37,24 @@ product has |u| r_v + |v| r_u + r_u r_v and e |u v|; the quotient of s by L has
 (r_s + |s / L| r_L) / (L - r_L), as that of two `Ball`s, and 2 e of itself, for the inverse and the
 product. The terms with e^2 and the rounding of radii are left out below: they are smaller than the
 excess of e over the errors of operations.
+
+\param e four times as much allows any rounding: upwards doubles the error of each operation on
+doubles, which makes those of double-doubles, products of two such errors, four times as large
+(Boldo, Graillat, Muller, "On the robustness of the 2Sum and Fast2Sum algorithms", 2017).
 */
-inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d) {
+inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d,
+                                          double e = Double_double::rounding()) {
   using Number = Double_double;
-  constexpr double e = Number::rounding(), tiny = 0x1p-1000; // what underflows
+  constexpr double tiny = 0x1p-1000; // what underflows
   const auto size = [](const Number& x) { return std::abs(x.magnitude()); };
   const auto sum = [](const Number& u, const Number& v) { return Number::rough_sum(u, v); };
   const Number &l = d.ij.center(), &f = d.area_f.center(), &g = d.area_g.center();
   const double r_l = d.ij.radius(), r_f = d.area_f.radius(), r_g = d.area_g.radius(),
                least = l.magnitude() * (1 - 0x1p-48) - r_l;
-  if (!(least > 0)) return flipped<Ball<Number>>(d);
+  if (!(least > 0)) { // the edge may have no length
+    const Short_ball any = Short_ball::around(0, std::numeric_limits<double>::infinity());
+    return {any, any, any};
+  }
 
   const Number m = sum(d.mj.center(), -d.im.center()), k = sum(d.jk.center(), -d.ki.center()),
                x = sum(m, -k), y = sum(f, g), s = sum(x * x, y * y), n = sum(f * m, g * k),
@@ -64,6 +74,82 @@ inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d) {
   return {Ball<Number>::around(km, r_km), Ball<Number>::around(sum(half, w), r_area),
           Ball<Number>::around(sum(half, -w), r_area)};
 }
+
+/*!
+\brief holds the values of the faces that flips have met, and of those that were asked for; before
+that, a face is one of the input.
+\tparam FT a model of `Field`
+*/
+template <FieldNumber FT>
+class Replayed_values {
+public:
+  /// knows nothing yet.
+  /// \param mesh the connectivity of the input
+  /// \param are_most whether it will know most faces: values then lie in their order
+  Replayed_values(const Gluing_map& mesh, bool are_most)
+      : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0),
+        are_most_(are_most) {
+    if (!are_most) return;
+    lengths_.resize(mesh.number_of_edges());
+    areas_.resize(mesh.number_of_faces());
+  }
+
+  /// tells whether it knows a face.
+  bool knows(std::uint32_t f) const { return area_place_[f] != 0; }
+  /// adds a face of the input from its first side on.
+  template <class Face>
+  void add(std::uint32_t f, const Gluing_map& mesh, Gluing_map::Halfedge side, const Face& values) {
+    add(f, area_place_, areas_, values.second);
+    for (const FT& length : values.first) {
+      const std::uint32_t e = side.index / 2;
+      if (length_place_[e] == 0) add(e, length_place_, lengths_, length);
+      side = mesh.next(side);
+    }
+  }
+  /// follows a flip. \pre it knows both faces
+  void flip(const Diamond& d) { store(d, flipped(values(d))); }
+  /// stores the new values of a flip. \pre see above
+  void store(const Diamond& d, const Flipped_values<FT>& n) {
+    lengths_[length_place_[d.ij] - 1] = n.km;
+    areas_[area_place_[d.f] - 1] = n.area_f;
+    areas_[area_place_[d.g] - 1] = n.area_g;
+  }
+
+  /// forgets all other faces.
+  void keep_only(const std::vector<Indexed_face>& faces) {
+    std::vector<std::uint32_t> places(area_place_.size(), 0);
+    for (const Indexed_face& f : faces) places[f.face] = area_place_[f.face];
+    area_place_ = std::move(places);
+  }
+
+  /// returns the values of a diamond. \pre it knows both faces
+  Diamond_values<FT> values(const Diamond& d) const {
+    return {length(d.ij), length(d.jk), length(d.ki), length(d.im),
+            length(d.mj), area(d.f),    area(d.g)};
+  }
+  /// returns the values of a face. \pre it knows it
+  Face_values<FT> values(const Indexed_face& f) const {
+    return {{length(f.edges[0]), length(f.edges[1]), length(f.edges[2])}, area(f.face)};
+  }
+  /// returns the squared length of an edge. \pre it knows a face of it
+  const FT& length(std::uint32_t e) const { return lengths_[length_place_[e] - 1]; }
+  /// returns the quadruple area of a face. \pre it knows it
+  const FT& area(std::uint32_t f) const { return areas_[area_place_[f] - 1]; }
+
+private:
+  void add(std::uint32_t i, std::vector<std::uint32_t>& places, std::vector<FT>& values,
+           const FT& value) {
+    if (are_most_)
+      values[i] = value;
+    else
+      values.push_back(value);
+    places[i] = are_most_ ? i + 1 : static_cast<std::uint32_t>(values.size());
+  }
+
+  std::vector<std::uint32_t> length_place_, area_place_; // number in `lengths_` and one, or zero
+  std::vector<FT> lengths_, areas_;
+  bool are_most_;
+};
 
 /*!
 \brief repeats the flips that made some faces, or all, in any arithmetic.
@@ -100,8 +186,16 @@ public:
   */
   template <class FT, class Input_values, class Visit>
   void for_each_face(const Input_values& input, const Visit& visit) const {
+    const Replayed_values<FT> known = known_values<FT>(input);
+    for (const Indexed_face& f : faces_) visit(known.values(f));
+  }
+
+  /// returns the values of the faces; if no flip is left out, also of others that flips have met.
+  /// \see `for_each_face()`
+  template <class FT, class Input_values>
+  Replayed_values<FT> known_values(const Input_values& input) const {
     Gluing_map mesh = mesh_; // in the end only of the faces that are needed
-    Known_values<FT> known(mesh, 2 * faces_.size() >= mesh.number_of_faces());
+    Replayed_values<FT> known(mesh, 2 * faces_.size() >= mesh.number_of_faces());
     const auto find = [&](std::uint32_t f) {
       if (!known.knows(f)) known.add(f, mesh, Flip_list::first_side(mesh, {f}, *input_), input(f));
     };
@@ -114,10 +208,9 @@ public:
       known.flip(d);
       CGAL::Euler::flip_edge(h, mesh);
     }
-    for (const Indexed_face& f : faces_) {
-      find(f.face);
-      visit(known.values(f));
-    }
+    for (const Indexed_face& f : faces_) find(f.face);
+    if (size_ < flips_->size()) known.keep_only(faces_); // others are not up to date
+    return known;
   }
 
   /// returns the values of the faces; see above.
@@ -130,52 +223,6 @@ public:
   }
 
 private:
-  // Values of the faces that flips have met. Before that, a face is one of the input.
-  template <class FT>
-  class Known_values {
-  public:
-    Known_values(const Gluing_map& mesh, bool are_most)
-        : length_place_(mesh.number_of_edges(), 0), area_place_(mesh.number_of_faces(), 0) {
-      if (!are_most) return;
-      lengths_.reserve(mesh.number_of_edges());
-      areas_.reserve(mesh.number_of_faces());
-    }
-
-    bool knows(std::uint32_t f) const { return area_place_[f] != 0; }
-    template <class Face>
-    void add(std::uint32_t f, const Gluing_map& mesh, Gluing_map::Halfedge side,
-             const Face& values) {
-      add(area_place_[f], areas_, values.second);
-      for (const FT& length : values.first) {
-        if (std::uint32_t& place = length_place_[side.index / 2]; place == 0)
-          add(place, lengths_, length);
-        side = mesh.next(side);
-      }
-    }
-    void flip(const Diamond& d) {
-      const Flipped_values<FT> n =
-          flipped(Diamond_values<FT>{length(d.ij), length(d.jk), length(d.ki), length(d.im),
-                                     length(d.mj), area(d.f), area(d.g)});
-      lengths_[length_place_[d.ij] - 1] = n.km;
-      areas_[area_place_[d.f] - 1] = n.area_f;
-      areas_[area_place_[d.g] - 1] = n.area_g;
-    }
-    Face_values<FT> values(const Indexed_face& f) const {
-      return {{length(f.edges[0]), length(f.edges[1]), length(f.edges[2])}, area(f.face)};
-    }
-
-  private:
-    const FT& length(std::uint32_t e) const { return lengths_[length_place_[e] - 1]; }
-    const FT& area(std::uint32_t f) const { return areas_[area_place_[f] - 1]; }
-    static void add(std::uint32_t& place, std::vector<FT>& values, const FT& value) {
-      values.push_back(value);
-      place = static_cast<std::uint32_t>(values.size());
-    }
-
-    std::vector<std::uint32_t> length_place_, area_place_; // number in `lengths_` and one, or zero
-    std::vector<FT> lengths_, areas_;
-  };
-
   static Diamond diamond(Gluing_map::Halfedge h, const Gluing_map& mesh) {
     const Gluing_map::Halfedge o = Gluing_map::opposite(h), jk = mesh.next(h), im = mesh.next(o);
     return {h.index / 2,

@@ -14,8 +14,61 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
-namespace CGAL::Intrinsic_triangulations::internal {
+namespace CGAL::Intrinsic_triangulations {
+
+namespace {
+
+template <FieldNumber FT, class Leaf>
+void build_products(std::vector<Plane_vector<FT>>& nodes, std::size_t degree, const Leaf& leaf) {
+  nodes.resize(2 * degree);
+  for (std::size_t n = 0; n < degree; ++n) nodes[degree + n] = leaf(n);
+  for (std::size_t n = degree; --n > 0;) nodes[n] = nodes[2 * n] * nodes[2 * n + 1];
+}
+
+// the node of a tree that is not there
+template <FieldNumber FT, class Leaf>
+Plane_vector<FT> product_below(std::size_t n, std::size_t degree, const Leaf& leaf) {
+  if (n >= degree) return leaf(n - degree);
+  return product_below<FT>(2 * n, degree, leaf) * product_below<FT>(2 * n + 1, degree, leaf);
+}
+
+template <FieldNumber FT>
+Plane_vector<FT> power(Plane_vector<FT> z, std::size_t exponent) {
+  Plane_vector<FT> result{FT(1), FT(0)};
+  for (; exponent > 0; exponent /= 2, z = z * z)
+    if (exponent % 2 != 0) result = result * z;
+  return result;
+}
+
+// of leaves from one to another; products commute
+template <FieldNumber FT, class Node>
+Plane_vector<FT> product_of_leaves(const Node& node, std::size_t degree, std::size_t from,
+                                   std::size_t to) {
+  Plane_vector<FT> result{FT(1), FT(0)};
+  for (from += degree, to += degree; from < to; from /= 2, to /= 2) {
+    if (from % 2 != 0) result = result * node(from++);
+    if (to % 2 != 0) result = result * node(--to);
+  }
+  return result;
+}
+
+// \param node a functor from the number of a node to it
+template <FieldNumber FT, class Node>
+Plane_vector<FT> turn_over(const Node& node, std::size_t degree, std::size_t from,
+                           std::size_t count) {
+  // a straight line goes round the tip of a thin spike many times
+  const std::size_t to = from + count % degree;
+  const Plane_vector<FT> part = to <= degree
+                                    ? product_of_leaves<FT>(node, degree, from, to)
+                                    : product_of_leaves<FT>(node, degree, from, degree) *
+                                          product_of_leaves<FT>(node, degree, 0, to - degree);
+  if (count < degree) return part;
+  return part * power(product_of_leaves<FT>(node, degree, 0, degree), count / degree);
+}
+
+} // namespace
 
 template <FieldNumber FT>
 Plane_vector<FT> Turn_products<FT>::operator()(const Input& input, const Vertex_fans& fans,
@@ -23,64 +76,28 @@ Plane_vector<FT> Turn_products<FT>::operator()(const Input& input, const Vertex_
                                                std::uint32_t count) {
   const std::uint32_t begin = fans.first_slot(first), degree = fans.degree(first);
   Tree& tree = trees_[begin];
+  const auto leaf = [&](std::size_t n) {
+    return corner(input, fans, values, begin + static_cast<std::uint32_t>(n));
+  };
   if (tree.nodes.empty()) {
     tree.steps += count;
-    if (tree.steps <= degree) return multiplied(fans, values, first, count);
-    build(tree, input, fans, values, begin, degree);
+    if (tree.steps <= degree)
+      return turn_over<FT>([&](std::size_t n) { return product_below<FT>(n, degree, leaf); },
+                           degree, first - begin, count);
+    build_products(tree.nodes, degree, leaf);
   }
-  // a straight line goes round the tip of a thin spike many times
-  const std::size_t from = first - begin, to = from + count % degree;
-  const Plane_vector<FT> part = to <= degree
-                                    ? product(tree, from, to)
-                                    : product(tree, from, degree) * product(tree, 0, to - degree);
-  return part * power(product(tree, 0, degree), count / degree);
+  return turn_over<FT>([&](std::size_t n) -> const Plane_vector<FT>& { return tree.nodes[n]; },
+                       degree, first - begin, count);
 }
 
 template <FieldNumber FT>
-Plane_vector<FT> Turn_products<FT>::corner(const Vertex_fans& fans, const Values& values,
-                                           std::uint32_t slot) {
-  const Face_values<FT> v = values(fans.halfedge(slot));
+Plane_vector<FT> Turn_products<FT>::corner(const Input& input, const Vertex_fans& fans,
+                                           const Values& values, std::uint32_t slot) {
+  const std::uint32_t h = fans.halfedge(slot);
+  if (input.is_border(h)) return {FT(1), FT(0)};
+  const Face_values<FT> v = values(h);
   const auto& l = v.squared_lengths;
   return apex(l[0], l[1], l[2], v.quadruple_area);
-}
-
-template <FieldNumber FT>
-Plane_vector<FT> Turn_products<FT>::multiplied(const Vertex_fans& fans, const Values& values,
-                                               std::uint32_t first, std::uint32_t count) {
-  Plane_vector<FT> result = corner(fans, values, first);
-  for (std::uint32_t n = 1; n < count; ++n)
-    result = result * corner(fans, values, fans.advance(first, n));
-  return result;
-}
-
-template <FieldNumber FT>
-void Turn_products<FT>::build(Tree& tree, const Input& input, const Vertex_fans& fans,
-                              const Values& values, std::uint32_t begin, std::uint32_t degree) {
-  tree.nodes.resize(2 * std::size_t{degree});
-  for (std::uint32_t n = 0; n < degree; ++n) // the last one of a border has no triangle
-    tree.nodes[degree + n] = input.is_border(fans.halfedge(begin + n))
-                                 ? Plane_vector<FT>{FT(1), FT(0)}
-                                 : corner(fans, values, begin + n);
-  for (std::size_t n = degree; --n > 0;) tree.nodes[n] = tree.nodes[2 * n] * tree.nodes[2 * n + 1];
-}
-
-template <FieldNumber FT>
-Plane_vector<FT> Turn_products<FT>::product(const Tree& tree, std::size_t from, std::size_t to) {
-  const std::size_t degree = tree.nodes.size() / 2;
-  Plane_vector<FT> result{FT(1), FT(0)};
-  for (from += degree, to += degree; from < to; from /= 2, to /= 2) {
-    if (from % 2 != 0) result = result * tree.nodes[from++];
-    if (to % 2 != 0) result = result * tree.nodes[--to];
-  }
-  return result;
-}
-
-template <FieldNumber FT>
-Plane_vector<FT> Turn_products<FT>::power(Plane_vector<FT> z, std::uint32_t exponent) {
-  Plane_vector<FT> result{FT(1), FT(0)};
-  for (; exponent > 0; exponent /= 2, z = z * z)
-    if (exponent % 2 != 0) result = result * z;
-  return result;
 }
 
 template class Turn_products<double>;
@@ -88,4 +105,4 @@ template class Turn_products<Interval_nt<false>>;
 template class Turn_products<Short_ball>;
 template class Turn_products<Long_ball>;
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace CGAL::Intrinsic_triangulations
