@@ -118,8 +118,8 @@ private:
          least_ = std::numeric_limits<double>::infinity();
 };
 
-// Makes stored values accurate to `statistics_tolerance`. Nearly all are: so all intervals are looked
-// at in their order first, and those of faces only if there is a wide one.
+// Makes stored values accurate to `statistics_tolerance`. Nearly all are: so all intervals are
+// looked at in their order first, and those of faces only if there is a wide one.
 // \return the `relative_width()` afterwards
 template <class Triangulation>
 double sharpen_for_statistics(const Triangulation& t) {
