@@ -139,7 +139,7 @@ def indices(x, name, shape=None, count=None):
     if a.dtype == np.uint64 and a.size and a.max() > 2**62:
         raise ValueError(f"{name} has the number {a.max()}, which no element has")
     a = np.asarray(a, dtype=np.int64, order="C")
-    if count is not None:
+    if count is not None and a.size and not 0 <= a.min() <= a.max() < count:  # no array of flags
         refuse_first(a, (a < 0) | (a >= count), name, f"give numbers from 0 to {count - 1}")
     return a
 

@@ -138,8 +138,9 @@ TEST(Units, of_measures_are_the_users) {
     const Points& p = x.shape.points;
     r.add("area_in_space", 2, std::array{IT::area_in_space(p[0], p[8], p[9])});
     r.add("odt_energy", 4, std::array{IT::odt_energy(x.t)});
-    const IT::Measurements m =
-        IT::measure(x.t, IT::Marked_edges<T, std::uint32_t>(x.t), x.shape.points);
+    const IT::Marked_edges<T, std::uint32_t> none(x.t);
+    const IT::Measurements m = IT::measure(x.t, none, x.shape.points);
+    r.add("measure_shapes, area", 2, std::array{IT::measure_shapes(x.t, none).area});
     r.add("measure, area", 2, std::array{m.area});
     r.add("measure, trace", 0, std::array{m.laplacian_trace});
     r.add("measure, dirichlet", 2, m.dirichlet.value());

@@ -28,6 +28,29 @@ using Labels = IT::Marked_edges<Triangulation, std::uint32_t>;
 
 Shape rough(unsigned seed) { return rough_grid(6, .45, .8, seed); }
 
+// Many flips make it Delaunay.
+Shape sheared_grid(double shear) {
+  Shape s = rough_grid(12, .2, 0, 7);
+  for (auto& p : s.points) p[0] += shear * p[1];
+  return s;
+}
+
+// Isosceles trapezoids, one upon the other, in a tilted plane: every diagonal is a tie, and areas are
+// irrational, so that weights in doubles are rarely zero.
+Shape ladder(std::uint32_t rungs) {
+  Shape s;
+  for (std::uint32_t j = 0; j < rungs; ++j) {
+    const double w = 1 + 7 * j % 11, y = j;
+    s.points.push_back({y - w, -y - w, y});
+    s.points.push_back({y + w, -y + w, y});
+    if (j == 0) continue;
+    const std::uint32_t i = 2 * j;
+    s.triangles.push_back({i - 2, i - 1, i + 1});
+    s.triangles.push_back({i - 2, i + 1, i});
+  }
+  return s;
+}
+
 double area_in_space(const Shape& s) {
   double sum = 0;
   for (const auto& [i, j, k] : s.triangles)
@@ -80,30 +103,41 @@ TEST(improve, flips_and_measure_agrees_with_matrices) {
 }
 
 // One pass over the edges has the signs, and the weights, that single questions have; on grids with
-// ties, of which some are kept.
+// ties, of which some are kept, and where flips have made intervals wide.
 TEST(measure, tests_and_weighs_edges_as_single_questions_do) {
   std::size_t ties = 0, bad = 0, bad_kept = 0;
-  for (unsigned seed = 0; seed <= 6; ++seed)
+  for (unsigned seed = 0; seed <= 8; ++seed)
     for (const bool flips : {false, true}) {
-      const Shape s = seed == 0 ? rough_grid(5, 0, 0, 1) : rough(seed);
+      const Shape s = seed == 0   ? rough_grid(5, 0, 0, 1)
+                      : seed == 7 ? sheared_grid(9.3)
+                      : seed == 8 ? ladder(40)
+                                  : rough(seed);
       Triangulation t(s.input());
       if (flips) IT::flip_to_delaunay(t);
       Labels kept(t);
       for (const auto e : edges(t.mesh()))
         if (t.index(e) % 5 == 0) put(kept, e, 1);
-      const IT::Tested_edges tested = IT::measure_shapes(t, kept).edges;
+      const IT::Measurements m = IT::measure_shapes(t, kept);
+      const IT::Tested_edges& tested = m.edges;
       std::size_t constrained = 0, tied = 0, constrained_bad = 0, other_bad = 0;
+      std::array<std::size_t, 10> counts{};
       for (const auto e : edges(t.mesh())) {
         const auto h = halfedge(e, t.mesh());
-        const CGAL::Sign sign = CGAL::is_border(e, t.mesh()) ? CGAL::POSITIVE : t.delaunay_sign(h);
+        const bool is_border = CGAL::is_border(e, t.mesh());
+        const CGAL::Sign sign = is_border ? CGAL::POSITIVE : t.delaunay_sign(h);
         const double weight = Triangulation::Const_session(t).cotangent_weight(e);
         const bool is_kept = get(kept, e) != 0;
         constrained += std::size_t{is_kept};
         tied += std::size_t{!is_kept && sign == CGAL::ZERO};
         if (sign == CGAL::NEGATIVE) ++(is_kept ? constrained_bad : other_bad);
         EXPECT_NEAR(tested.weights[t.index(e)], weight, 1e-9);
+        EXPECT_NEAR(tested.weights[t.index(e)], weight,
+                    IT::statistics_tolerance * std::max(std::abs(weight), 1e-6));
         EXPECT_TRUE(sign != CGAL::ZERO || tested.weights[t.index(e)] == 0);
+        if (!is_border)
+          ++counts[weight < 0 ? 0 : weight < 2 ? 1 + static_cast<std::size_t>(4 * weight) : 9];
       }
+      EXPECT_EQ(m.quality.weights, counts);
       EXPECT_EQ(tested.constrained, constrained);
       EXPECT_EQ(tested.cocircular, tied);
       EXPECT_EQ(tested.non_delaunay, other_bad);

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -215,15 +216,17 @@ private:
     const auto squared_length = [&](auto h) {
       return t_.metric().approximate_squared_length(t_.index(edge(h, mesh)));
     };
-    double least = 180;
+    // by cotangents, which take no arc tangent per face
+    double greatest = -std::numeric_limits<double>::infinity(), least = 180;
     for (const Face f : faces(mesh)) {
       if (is_listed[t_.index(f)] != 0) continue;
       const auto h = halfedge(f, mesh), n = next(h, mesh);
-      const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh));
+      const double a = squared_length(h), b = squared_length(n), c = squared_length(next(n, mesh)),
+                   area = t_.metric().approximate_quadruple_area(t_.index(f));
       const double numerator = a + b + c - 2 * std::min({a, b, c}); // of the cotangent
-      least = std::min(least,
-                       std::atan2(t_.metric().approximate_quadruple_area(t_.index(f)), numerator) *
-                           (180 / std::numbers::pi));
+      if (!(numerator / area > greatest)) continue;
+      greatest = numerator / area;
+      least = std::atan2(area, numerator) * (180 / std::numbers::pi);
     }
     return least;
   }

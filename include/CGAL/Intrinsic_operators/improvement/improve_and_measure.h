@@ -38,9 +38,11 @@ public:
 
 /// What `improve_soundly()` has done, and what `measure_improved()` has found.
 struct Improved_surface {
-  Improvement done{};              ///< of `improve_soundly()`
-  Measurements measured{};         ///< of `measure_improved()`
-  double input_area = 0;           ///< of `measure_improved()`: see `area_of_points()`
+  Improvement done{};      ///< of `improve_soundly()`
+  Measurements measured{}; ///< of `measure_improved()`
+  /// of `measure_improved()`: see `area_of_points()`; where moves were exact, and lengths are those
+  /// between points, the area before
+  double input_area = 0;
   bool is_exact = false;           ///< whether predicates were exact
   double seconds_of_measuring = 0; ///< of `measure_improved()`
 
@@ -98,6 +100,16 @@ inline void expect_sound(const Improvement& done) {
 template <class Triangulation>
 inline constexpr bool knows_input_later =
     Triangulation::Metric::is_exact&& Triangulation::has_correspondence;
+
+// The area of the input, after moves that were exact. That of the faces before is the same where
+// their lengths are those between the points.
+template <class Triangulation>
+double area_after_moves(const Triangulation& t, const std::vector<std::array<double, 3>>& points,
+                        const Improvement& done) {
+  const bool is_of_points =
+      !t.input().metric().points().empty() && t.report().mollification.kind == Mollification::none;
+  return is_of_points ? done.area_before : area_of_points(t, points);
+}
 
 } // namespace internal
 
@@ -187,7 +199,8 @@ void measure_improved(Triangulation& t, const std::vector<std::array<double, 3>>
   const bool has_points = num_vertices(t.mesh()) == t.input().number_of_vertices();
   improved.measured =
       measure(t, constrained, has_points ? points : std::vector<std::array<double, 3>>());
-  if (internal::knows_input_later<Triangulation>) improved.input_area = area_of_points(t, points);
+  if (internal::knows_input_later<Triangulation>)
+    improved.input_area = internal::area_after_moves(t, points, improved.done);
   expect_area_kept(t, are_lengths_changed, improved);
   improved.seconds_of_measuring = watch.lap();
 }

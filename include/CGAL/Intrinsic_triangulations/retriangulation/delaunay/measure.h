@@ -4,7 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Summed_weights.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
@@ -64,32 +66,31 @@ struct Measurements {
 namespace internal {
 
 // The sign of pi minus the angles opposite an edge between two faces, and its weight. Where stored
-// intervals prove the weight to be accurate, they prove its sign, too, which is the same: so each
-// edge is tested once. What they leave open was mostly decided by flips, and is remembered.
+// values prove the weight to be accurate, they prove its sign, too, which is the same: so each edge
+// is tested once. What they leave open was mostly decided by flips, and is remembered.
 template <class Triangulation>
 std::pair<Sign, double> tested_weight(const Triangulation& t,
                                       const typename Triangulation::Const_session& session,
+                                      const Summed_weights<Triangulation>& sums,
                                       typename Triangulation::edge_descriptor e) {
   const auto h = halfedge(e, t.mesh());
-  if constexpr (Has_enclosures<typename Triangulation::Metric>)
+  if constexpr (Has_enclosures<typename Triangulation::Metric>) {
+    if (const auto w = sums.certain(t.index(e), statistics_tolerance)) return {CGAL::sign(*w), *w};
     if (const auto w = t.metric().stored_weight(t.diamond(h), statistics_tolerance))
       return {CGAL::sign(*w), *w};
+  }
   const Sign s = session.delaunay_sign(h);
   return {s, s == ZERO ? 0 : session.cotangent_weight(e, statistics_tolerance)};
 }
 
-} // namespace internal
-
-/*!
-\brief tests every edge, and finds its weight.
-
-With exact traits the test is exact. It relies on enclosures of the values that are stored, and on
-signs that were decided before; to test independently of these, see `certify_delaunay()`.
-\tparam Constrained a readable property map from edges to whether they are kept
-\complexity that of `check_delaunay()`
-*/
-template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
-Tested_edges test_edges(Triangulation& t, const Constrained& constrained) {
+// Tests every edge, and finds its weight. With exact traits the test is exact. It relies on
+// enclosures of the values that are stored, and on signs that were decided before; to test
+// independently of these, see `certify_delaunay()`.
+// \param sums of all faces
+// \param quality gets the weights
+template <class Triangulation, class Constrained>
+Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
+                        const Summed_weights<Triangulation>& sums, Quality& quality) {
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   const auto& mesh = t.mesh();
   const std::uint64_t before = t.metric().statistics().probable_zero;
@@ -102,9 +103,10 @@ Tested_edges test_edges(Triangulation& t, const Constrained& constrained) {
     Sign s = POSITIVE; // of an edge that cannot be flipped
     double& weight = result.weights[t.index(e)];
     if (f != null && g != null && f != g)
-      std::tie(s, weight) = internal::tested_weight(t, session, e);
+      std::tie(s, weight) = tested_weight(t, session, sums, e);
     else
       weight = session.cotangent_weight(e, statistics_tolerance);
+    if (f != null && g != null) add_weight(weight, quality);
     const bool is_kept = get(constrained, e);
     result.constrained += std::size_t{is_kept};
     if (s == NEGATIVE) ++(is_kept ? result.constrained_non_delaunay : result.non_delaunay);
@@ -114,18 +116,24 @@ Tested_edges test_edges(Triangulation& t, const Constrained& constrained) {
   return result;
 }
 
-/// tests all edges and measures faces, without integrals: see `measure()`.
+} // namespace internal
+
+/// tests all edges and measures faces, without integrals but the area: see `measure()`.
 template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
 Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
   Measurements result;
-  internal::measure_faces(t, result.quality); // makes accurate what the weights are found from
-  result.edges = test_edges(t, constrained);
-  internal::measure_weights(
-      t,
-      [&](const typename Triangulation::edge_descriptor& e) {
-        return result.edges.weights[t.index(e)];
-      },
-      result.quality);
+  // values become accurate before anything is found from them
+  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
+  long double area = 0;
+  internal::measure_faces(t, result.quality,
+                          [&](const Indexed_face& face, const Face_values<double>& values,
+                              double inverse, const auto& cotangents) {
+                            area += values.quadruple_area;
+                            sums.add(face, values, inverse, cotangents);
+                          });
+  result.edges = internal::test_edges(t, constrained, sums, result.quality);
+  result.area = std::ldexp(static_cast<double>(area), -2 * t.metric().scale_exponent() - 2) /
+                t.input().names().sheets;
   return result;
 }
 
@@ -162,17 +170,13 @@ private:
 // \param result has the weights
 // \param points see `measure()`
 template <class Triangulation>
-void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& points,
+void integrate(const Triangulation& t, const std::vector<std::array<double, 3>>& points,
                Measurements& result) {
   const auto& mesh = t.mesh();
   const int s = t.metric().scale_exponent();
   const Binary_scale scaled(s);
-  long double area = 0, trace = 0;
+  long double trace = 0;
   std::array<long double, 3> dirichlet = {};
-  for (const typename Triangulation::face_descriptor f : faces(mesh)) {
-    t.area(f, statistics_tolerance); // makes what is stored accurate, which does not underflow
-    area += t.metric().approximate_quadruple_area(t.index(f));
-  }
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const std::uint32_t i = t.input_vertex(source(halfedge(e, mesh), mesh)),
                         j = t.input_vertex(target(halfedge(e, mesh), mesh));
@@ -185,7 +189,6 @@ void integrate(Triangulation& t, const std::vector<std::array<double, 3>>& point
       dirichlet[k] += weight * d * d;
     }
   }
-  result.area = std::ldexp(static_cast<double>(area), -2 * s - 2) / t.input().names().sheets;
   result.laplacian_trace = static_cast<double>(trace);
   if (points.empty()) return;
   result.dirichlet.emplace();

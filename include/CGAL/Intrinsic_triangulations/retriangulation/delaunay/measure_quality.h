@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_QUALITY_H
 
+#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Summed_weights.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -16,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -60,24 +63,46 @@ namespace internal {
 class Angle_counts {
 public:
   explicit Angle_counts(Quality& q) : quality_(q) {
-    for (std::size_t k = 0; k < limits_.size(); ++k)
-      limits_[k] = 1 / std::tan(static_cast<double>(10 * (k + 1)) / degrees);
+    for (std::size_t k = 8; k > 0; --k) {
+      const double limit = 1 / std::tan(static_cast<double>(10 * k) / degrees);
+      const std::size_t cell = cell_of(limit);
+      cells_[cell].limit = limit;
+      for (std::size_t i = 0; i < cell; ++i) ++cells_[i].wider;
+    }
   }
 
   // adds the angle whose cotangent is `numerator / area`
-  void add(double area, double numerator) {
-    const double cotangent = numerator / area;
-    // the angle in degrees, and limits, are rounded: what rounding may change is left to `angle()`
-    const double slack = 0x1p-46 * (1 + cotangent * cotangent);
-    std::size_t bin = 0;
-    for (const double limit : limits_) bin += std::size_t{cotangent <= limit};
-    const bool is_certain = area > 0 && std::abs(cotangent) < 0x1p20 &&
-                            (bin == 0 || limits_[bin - 1] - cotangent > slack) &&
-                            (bin == limits_.size() || cotangent - limits_[bin] > slack);
-    if (is_certain && cotangent + slack < greatest_ && cotangent - slack > least_) {
-      ++quality_.angles[bin];
-      return;
+  // \param cotangent the same up to rounding
+  void add(double area, double numerator, double cotangent) {
+    // the angle in degrees, and limits, are rounded: what rounding may change is left to
+    // `add_angle()`
+    const double size = std::abs(cotangent), slack = 0x1p-46 * (1 + size * size);
+    if (area > 0 && size < 0x1p20 && size > slack && cotangent + slack < greatest_ &&
+        cotangent - slack > least_) {
+      const Cell& cell = cells_[cell_of(size)];
+      if (std::abs(size - cell.limit) > slack) {
+        const std::size_t acute = cell.wider + std::size_t{size <= cell.limit};
+        ++quality_.angles[cotangent > 0 ? acute : 17 - acute];
+        return;
+      }
     }
+    add_angle(area, numerator, cotangent);
+  }
+
+private:
+  static constexpr double degrees = 180 / std::numbers::pi;
+
+  // Cotangents of acute angles in a sixteenth, which has at most one of a multiple of 10 degrees.
+  struct Cell {
+    double limit = -1;     // that one, or less than all
+    std::size_t wider = 0; // how many such cotangents are in cells above
+  };
+  // all beyond cot(10 degrees) < 6 are in the last one
+  static std::size_t cell_of(double cotangent) {
+    return static_cast<std::size_t>(std::min(16 * cotangent, 95.));
+  }
+
+  void add_angle(double area, double numerator, double cotangent) {
     greatest_ = std::max(greatest_, cotangent);
     least_ = std::min(least_, cotangent);
     const double angle = std::atan2(area, numerator) * degrees;
@@ -87,45 +112,56 @@ public:
           .angles[std::min<std::size_t>(17, static_cast<std::size_t>(std::max(0.0, angle) / 10))];
   }
 
-private:
-  static constexpr double degrees = 180 / std::numbers::pi;
-
   Quality& quality_;
-  std::array<double, 17> limits_{}; // cotangents of 10 to 170 degrees
+  std::array<Cell, 96> cells_{};
   double greatest_ = -std::numeric_limits<double>::infinity(),
          least_ = std::numeric_limits<double>::infinity();
 };
 
+// Makes stored values accurate to `statistics_tolerance`. Nearly all are: so all intervals are
+// looked at in their order first, and those of faces only if there is a wide one.
+// \return the `relative_width()` afterwards
 template <class Triangulation>
-void measure_faces(const Triangulation& t, Quality& q) {
+double sharpen_for_statistics(const Triangulation& t) {
+  const double width = relative_width(t);
+  if (width <= statistics_tolerance) return width;
+  for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
+    accurate_values(t, f, statistics_tolerance);
+  return relative_width(t);
+}
+
+// Measures all faces. \pre their values are accurate
+// \param visit called with the numbers of each face, its values in scaled units, the inverse of its
+//   area, and `cotangents_of()` these
+template <class Triangulation, class Visit>
+void measure_faces(const Triangulation& t, Quality& q, const Visit& visit) {
   double sum = 0;
   Angle_counts angles(q);
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
-    const auto [lengths, area] = accurate_values(t, f, statistics_tolerance);
+    const Indexed_face face = indexed_face(t, f);
+    const Face_values<double> values = approximate_values(t.metric(), face);
+    const auto [lengths, area] = values;
     const auto [a, b, c] = lengths;
-    for (const double numerator : {a + b - c, b + c - a, c + a - b}) angles.add(area, numerator);
+    const double inverse = 1 / area;
+    const std::array<double, 3> cotangents = cotangents_of(values, inverse);
+    angles.add(area, b + c - a, cotangents[0]);
+    angles.add(area, c + a - b, cotangents[1]);
+    angles.add(area, a + b - c, cotangents[2]);
+    visit(face, values, inverse, cotangents);
     // R / (2 r) = l l' l'' (l + l' + l'') / a^2, a = 4A
     const double la = std::sqrt(a), lb = std::sqrt(b), lc = std::sqrt(c);
-    const double ratio = la / area * lb * (lc / area) * (la + lb + lc);
+    const double ratio = la * inverse * lb * (lc * inverse) * (la + lb + lc);
     q.maximum_aspect_ratio = std::max(q.maximum_aspect_ratio, ratio);
     sum += ratio;
   }
   q.mean_aspect_ratio = sum / static_cast<double>(num_faces(t.mesh()));
 }
 
-// Counts the weights of edges between two faces. \param weight a functor of edges
-template <class Triangulation, class Weight>
-void measure_weights(const Triangulation& t, const Weight& weight, Quality& q) {
-  const auto& mesh = t.mesh();
-  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
-    const double w = weight(e);
-    q.minimum_weight = std::min(q.minimum_weight, w);
-    q.maximum_weight = std::max(q.maximum_weight, w);
-    ++q.weights[w < 0 ? 0 : w < 2 ? 1 + static_cast<std::size_t>(4 * w) : 9];
-  }
+// Counts the weight of an edge between two faces.
+inline void add_weight(double w, Quality& q) {
+  q.minimum_weight = std::min(q.minimum_weight, w);
+  q.maximum_weight = std::max(q.maximum_weight, w);
+  ++q.weights[w < 0 ? 0 : w < 2 ? 1 + static_cast<std::size_t>(4 * w) : 9];
 }
 
 } // namespace internal
@@ -143,14 +179,21 @@ template <MeasuredTriangulation Triangulation,
           std::predicate<typename Triangulation::edge_descriptor> Is_tie>
 Quality measure_quality(const Triangulation& t, const Is_tie& is_tie) {
   Quality q;
-  internal::measure_faces(t, q);
+  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
+  internal::measure_faces(t, q, [&](const auto&... values) { sums.add(values...); });
+  const auto& mesh = t.mesh();
+  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   const typename Triangulation::Const_session session(t);
-  internal::measure_weights(
-      t,
-      [&](const typename Triangulation::edge_descriptor& e) {
-        return is_tie(e) ? 0 : session.cotangent_weight(e, statistics_tolerance);
-      },
-      q);
+  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
+    const auto h = halfedge(e, mesh);
+    if (face(h, mesh) == null || face(opposite(h, mesh), mesh) == null) continue;
+    if (is_tie(e))
+      internal::add_weight(0, q);
+    else if (const auto weight = sums.certain(t.index(e), statistics_tolerance))
+      internal::add_weight(*weight, q);
+    else
+      internal::add_weight(session.cotangent_weight(e, statistics_tolerance), q);
+  }
   return q;
 }
 

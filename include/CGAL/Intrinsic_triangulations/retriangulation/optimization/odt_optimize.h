@@ -104,7 +104,8 @@ Odt_result odt_optimize(Triangulation& t, const NP& np = parameters::default_val
   if (is_refined) segments = internal::restore_angles(t, asked, optimizer, result);
   check.conclude(result);
   Quality quality;
-  internal::measure_faces(t, quality);
+  internal::sharpen_for_statistics(t);
+  internal::measure_faces(t, quality, [](const auto&...) {});
   result.minimum_angle = quality.minimum_angle;
   parts.write(t, [&](std::uint32_t e) {
     if (!is_refined) return optimizer.whole(e);
