@@ -11,6 +11,12 @@ foreach(package IN ITEMS triangulations geodesics operators conformal simplifica
   string(ASCII 1 semicolon) # it would divide a list
   string(REPLACE ";" "${semicolon}" text "${text}")
   string(REGEX MATCHALL "\n## `[a-zA-Z_/]+/`\n\n[^\n]+(\n[^\n]+)*" rooms "${text}")
+  foreach(room IN LISTS rooms) # doxygen reads include/ alone
+    string(REGEX REPLACE "^\n## `([^`]*)/`.*" "\\1" name "${room}")
+    if(NOT IS_DIRECTORY "${PROJECT_SOURCE_DIR}/include/${folder}/${name}")
+      list(REMOVE_ITEM rooms "${room}")
+    endif()
+  endforeach()
   list(TRANSFORM rooms REPLACE "^\n## `(.*)/`\n\n" "\\\\dir ${folder}/\\1\n\\\\brief ")
   list(JOIN rooms "\n\n" rooms)
   string(REPLACE "${semicolon}" ";" rooms "${rooms}")

@@ -171,7 +171,7 @@ class _Learning:
 
     def _operators(self, points, k, flip, progress):
         core = self._flipped(flip)
-        eigenvalues, eigenfunctions = _core.eigen(core, k, progress)
+        eigenvalues, eigenfunctions = _core.eigen(core, k, "auto", progress)
         x, y = _gradients(core, len(points))
         return Operators(points, self.faces, self.laplacian(flip=flip),
                          self.mass(flip=flip).diagonal(),

@@ -284,7 +284,9 @@ TEST(VectorProlongation, goes_over_every_oriented_surface) {
     for (std::size_t i = 0; i < x.s.kept.size(); ++i) {
       const double factor = std::abs(p(x.s.kept[i], static_cast<Eigen::Index>(i)));
       ++(factor == 0 ? unknown : turned);
-      if (factor != 0) EXPECT_NEAR(factor, 1, 1e-12);
+      if (factor != 0) {
+        EXPECT_NEAR(factor, 1, 1e-12);
+      }
     }
   }
   EXPECT_GT(turned, unknown);
