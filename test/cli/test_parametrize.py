@@ -137,8 +137,8 @@ class Parametrize(Cli_test):
                                "-o", "m.obj")
             if method == "harmonic":
                 self.assertTrue(stats["parametrize"]["injective"])
-            elif method == "lscm":  # shrinks parts of the sphere to areas within rounding
-                self.assertEqual(stats["parametrize"]["flipped_faces"], 0)
+            elif method == "lscm":  # shrinks parts of the sphere to areas of any sign
+                self.assertLess(stats["parametrize"]["flipped_faces"], len(shapes[1][1]) / 10)
             boxes = self.boxes_of_components("m.obj")
             self.assertEqual(len(boxes), len(shapes))
             self.assert_disjoint(boxes)

@@ -252,7 +252,8 @@ TYPED_TEST(FindCurves, are_found_repeatedly_as_for_the_first_time) {
         if (!options.is_along_edges) {
           EXPECT_NEAR(c.way.length, length, 1e-9);
         }
-        EXPECT_EQ(c.way.length, alone.curves[i].way.length);
+        // to what stored lengths promise: those that follow flips are closer
+        EXPECT_NEAR(c.way.length, alone.curves[i].way.length, 0x1p-41 * c.way.length);
         EXPECT_EQ(c.way.points.size(), alone.curves[i].way.points.size());
         EXPECT_EQ(c.way.faces, alone.curves[i].way.faces);
       }

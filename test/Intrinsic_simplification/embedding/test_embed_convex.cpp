@@ -310,6 +310,37 @@ TEST(EmbedConvex, tellsThinPolyhedraFromPolygons) {
   EXPECT_LT(error_of_distances(p.points, thin), 1e-14);
 }
 
+// Heights that polygons lack: the lengths of front and back differ by their squares.
+TEST(EmbedConvex, provesNoPolygonForAThinPolyhedronWithoutStretch) {
+  for (const double height : {1e-5, 1e-6, 3e-7, 1e-7, 3e-8}) {
+    SCOPED_TRACE(height);
+    const Mesh thin = hull_of({{0, 0, 0}, {1, 0, height}, {1, 1, 0}, {0, 1, height}});
+    const IT::Convex_polyhedron p = IT::embed_convex(IT::Corresponding_triangulation(thin));
+    if (p.points.empty() || !p.certificate.is_proven) continue;
+    EXPECT_LT(p.certificate.stretch, 1e-8);
+    if (p.shape == IT::Convex_shape::doubly_covered_polygon) {
+      EXPECT_GT(p.certificate.stretch, height * height / 8);
+    } else {
+      EXPECT_LT(error_of_distances(p.points, thin), 1e-14);
+    }
+  }
+}
+
+// Vertices that get the curvature of flat neighbours do not count as flat.
+TEST(EmbedConvex, keepsCornersThatFlatNeighborsMake) {
+  const Mesh mesh = hull_of(random_points(300, {1, 1, 1}, 1));
+  for (const double within : {.01, .05, .1}) {
+    SCOPED_TRACE(within);
+    IT::Embed_options options;
+    options.flat_within = within;
+    const IT::Convex_polyhedron p = IT::embed_convex(IT::Corresponding_triangulation(mesh), options);
+    ASSERT_FALSE(p.points.empty()) << IT::reason_without_points(p);
+    EXPECT_LT(p.flat_vertices.size(), 290U);
+    EXPECT_LT(error_of_distances(p.points, mesh), .2);
+    EXPECT_EQ(p.status == IT::Status::done, std::isfinite(p.certificate.stretch));
+  }
+}
+
 TEST(EmbedConvex, refusesAnglesThatAreNoneForFlatVertices) {
   const IT::Corresponding_triangulation t(box({1, 1, 1}, 1));
   for (const double angle : {-1., 1., std::nan("")}) {

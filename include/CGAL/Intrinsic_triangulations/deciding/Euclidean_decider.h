@@ -249,6 +249,10 @@ private:
   // intervals, which are usually asked for next, but leaves the stored ones: weights must not
   // depend on the order in which they are asked for.
   void find_values() const {
+    if (memory_.values.is_following()) { // a query must not end that
+      memory_.are_found = true;
+      return;
+    }
     const std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();
     memory_.are_found = true;

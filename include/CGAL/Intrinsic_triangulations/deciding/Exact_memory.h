@@ -191,8 +191,12 @@ public:
   // follows a flip, and gives the metric the new values
   template <class Metric>
   void flip(const Metric& metric, const Flip& move) noexcept {
-    ++flips_;
-    if (move.is_taken_back()) is_following_ = false;
+    if (!move.is_taken_back()) {
+      ++flips_;
+    } else {
+      flips_ -= std::min<std::size_t>(flips_, 1);
+      is_following_ = false;
+    }
     if (!is_following_) return values_.reset();
     const Diamond& d = move.diamond;
     values_->store(d, flipped(values_->values(d), 4 * Double_double::rounding()));
@@ -209,7 +213,8 @@ public:
 private:
   std::optional<Replayed_values<Short_ball>> values_;
   bool is_following_ = false;
-  std::size_t flips_ = 0, enough_flips_ = 0;
+  std::size_t flips_ = 0; // less those taken back
+  std::size_t enough_flips_ = 0;
 };
 
 // The memory of a decider, flat parts included; a copy starts anew where possible.

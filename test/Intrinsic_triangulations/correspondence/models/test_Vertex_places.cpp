@@ -218,7 +218,7 @@ TEST(Vertex_places, give_the_same_weights_to_all_correspondences_bit_by_bit) {
         for (double& x : p) x += noise * shift(random);
       check(m, false);
     }
-  EXPECT_GT(sharpened, 400U);
+  EXPECT_GT(sharpened, 300U); // where values do not follow flips
   EXPECT_GT(zero, 150U);
 }
 
