@@ -28,7 +28,8 @@ class ConvexPolyhedron(_Shown):
     if "proven", there is a polyhedron whose vertices are no farther than "within" from `points`,
     and whose surface has these lengths: exactly if "stretch" is 0, else no curve is longer or
     shorter by more than the factor 1 + "stretch". "convex_edges" are convex for certain,
-    "flat_edges" are flat up to "within".
+    "flat_edges" are flat up to "within". A small stretch s may hide a height of about the square
+    root of s, times the size. If it is infinite, nothing is proven, and `status` is "inaccurate".
     """
 
     points: Numbers

@@ -219,8 +219,8 @@ class _Maps:
         """Returns the `count` smallest eigenvalues of the Laplacian, of shape (count,), in
         1 / area, and the eigenfunctions, of shape (n, count), orthonormal in the mass matrix. There
         are as many as vertices. If `count` is larger, up to 1000 vertices have all of them; on
-        larger surfaces it is an error. `solver` is "direct"; or "iterative", in less memory, up to
-        a residual of 1e-8; "auto" takes that from a million vertices on."""
+        larger surfaces it is an error. `solver` is "direct"; or "iterative", in less memory but
+        more time, up to a residual of 1e-8; "auto" takes that beyond five million vertices."""
         _options.expect_solver(solver)
         count = _options.number(count, "count")
         return _core.eigen(self._flipped(flip), count, solver, progress)

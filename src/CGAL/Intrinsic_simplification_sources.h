@@ -17,6 +17,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/Whole_faces.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/certify_convex.cpp>
+#include <CGAL/Intrinsic_simplification/embedding/compress_triangles.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/decrease_curvatures.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.cpp>

@@ -22,15 +22,16 @@ void add_solver_option(CLI::App& command, Options& options) {
 
 // Refuses iterations, and says why.
 void add_solver_of_heat(CLI::App& command, Options& options) {
+  const Words solvers({{"direct", "by a factorization"}, {"auto", "the same, default"}}, "");
   const CLI::Validator direct(
       [](std::string& word) -> std::string {
-        if (word == "direct") return {};
+        if (word != "iterative") return {};
         return word + ": far from its source heat is smaller than the residual of an iteration by "
                       "hundreds of powers of ten; give direct";
       },
-      "direct");
-  Option_adder{command}("--solver", options.application.solver, {direct},
-                        "how heat is computed: direct (by a factorization, default)");
+      "");
+  Option_adder{command}("--solver", options.application.solver, {direct, solvers.check()},
+                        "how heat is computed: " + solvers.help());
 }
 
 } // namespace

@@ -187,6 +187,9 @@ std::string distance_misuse(const Options& o) {
 }
 
 std::string parametrize_misuse(const Options& o) {
+  if (o.application.map == "spectral" && o.application.solver == "iterative")
+    return "the matrix of a spectral map is nearly singular, and is factored; leave --solver "
+           "iterative out with --method spectral";
   if (o.application.map != "conformal")
     return o.uniformize.start.empty()
                ? ""

@@ -51,6 +51,20 @@ TEST(Surface_deformation, handles_that_move_alike_move_everything) {
   }
 }
 
+// There is nothing to solve in components that stay, so that they need no handles.
+TEST(Surface_deformation, components_without_handles_stay) {
+  Shape many = tetrahedron();
+  for (int k = 1; k < 100; ++k) many = beside(many, tetrahedron(), 5. * k);
+  const Exact t(many.input());
+  for (const Energy energy : {Energy::harmonic, Energy::biharmonic}) {
+    const IT::Surface_deformation deformation(t, Rows{5}, energy, IT::Linear_solver::iterative);
+    const Eigen::VectorXd d = deformation.displacements(Eigen::VectorXd::Ones(1));
+    EXPECT_LE((d.segment(4, 4).array() - 1).abs().maxCoeff(), 1e-9);
+    EXPECT_EQ(d.head(4).norm(), 0);
+    EXPECT_EQ(d.tail(d.size() - 8).norm(), 0);
+  }
+}
+
 // The function with given values in some rows and L M^-1 L d = 0 in the others, to 100 digits; the diagonal of L is minus the sum of the row.
 std::vector<Precise> precise_biharmonic(const Matrix& l, const Eigen::VectorXd& mass,
                                         const Rows& rows, const Eigen::VectorXd& values) {

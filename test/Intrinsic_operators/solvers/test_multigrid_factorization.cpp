@@ -129,6 +129,20 @@ TEST(Multigrid_factorization, projects_constants_out_of_components) {
   EXPECT_EQ(x[2 * size], 0);
 }
 
+// Right sides may miss the sum zero by rounding, and more than the residual that is asked for.
+TEST(Multigrid_factorization, solves_right_sides_that_nearly_sum_to_zero) {
+  const Matrix a = grid_matrix(60, 0);
+  Eigen::VectorXd b = Eigen::VectorXd::Random(a.rows());
+  b.array() -= b.mean();
+  for (const double part : {1e-13, 1e-10, 1e-9, 1e-8}) {
+    const Eigen::VectorXd shifted = b.array() + part * b.norm() / 60;
+    IT::Iterations steps;
+    const Eigen::VectorXd x = Multigrid(a).solve(shifted, steps);
+    EXPECT_EQ(steps.status, IT::Status::done) << part;
+    EXPECT_LE((a * x - b).norm(), 2e-10 * b.norm()) << part;
+  }
+}
+
 // In the sum of weights and these masses, rounding changes masses by more than 1e-7; and constants
 // are large beside the right side, but do not hide the residual.
 TEST(Multigrid_factorization, finds_constants_with_masses_near_the_rounding_of_weights) {

@@ -680,4 +680,26 @@ TEST(Hierarchy, refuses_ratios_out_of_range_and_stops_when_asked) {
   EXPECT_EQ(levels[1].status, IT::Status::cancelled);
 }
 
+// Rounded lengths of a thin face may be those of no triangle.
+TEST(Simplify, names_faces_that_are_too_thin_for_doubles) {
+  std::size_t refused = 0;
+  for (int k = 1; k <= 20; ++k) {
+    const double offset = 1e-10, z = .1 + .01 * k;
+    const Shape shape{{{0, 0, 0}, {1, .3, z}, {.4 + offset, .12 - offset, .4 * z}, {0, 1, 0}},
+                      {{1, 0, 2}, {0, 1, 3}}};
+    const IT::Corresponding_triangulation t(shape.input());
+    IT::Simplify_options options = to(4);
+    options.kept_edges = {0, 1, 2, 3, 4};
+    try {
+      IT::simplify(t, options);
+    } catch (const IT::Invalid_input& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("too thin for doubles"), std::string::npos) << message;
+      EXPECT_NE(message.find("kept edges of it: "), std::string::npos) << message;
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 0U);
+}
+
 } // namespace

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -192,6 +193,28 @@ TEST(VectorProlongation, keeps_parallel_fields_of_a_cone_away_from_its_apex) {
   options.kept_vertices = border_of(shape);
   options.kept_vertices.push_back(n / 2 * (n + 2)); // the apex
   EXPECT_GT(compare_constant_fields(Prolonged(shape.input(), options), at), 20U);
+}
+
+// Two vertices on a diagonal that are 1e-9 apart: a thin face stays, whose stretch has no bound.
+TEST(VectorProlongation, knows_turns_though_a_thin_face_has_no_bound) {
+  constexpr std::uint32_t n = 7, a = 3 * (n + 1) + 3, b = a + 1, c = b + n + 1, d = c - 1;
+  Shape shape = grid(n);
+  for (auto& p : shape.points) p[2] = .1 * std::sin(3 * p[0] + 2 * p[1]);
+  std::erase_if(shape.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](auto v) { return v == a || v == b || v == c || v == d; });
+  });
+  const auto v = static_cast<std::uint32_t>(shape.points.size()), w = v + 1;
+  const Eigen::Vector3d m = (shape.point(a) + shape.point(c)) / 2;
+  shape.points.push_back({m[0], m[1], m[2]});
+  shape.points.push_back({m[0] - 1e-9, m[1] + 1e-9, m[2]});
+  for (const auto& t : {std::array{a, b, v}, {v, b, c}, {a, v, w}, {v, c, w}, {a, w, d}, {w, c, d}})
+    shape.triangles.push_back(t);
+  IT::Simplify_options options = to(20);
+  options.kept_vertices = {v, w};
+  const Prolonged x(shape.input(), options);
+  EXPECT_FALSE(std::isfinite(x.s.stretch.mean_upper));
+  const Eigen::VectorXd sums = Eigen::MatrixXd(x.p.cwiseAbs()).rowwise().sum();
+  EXPECT_EQ((sums.array() > .9).count(), 66);
 }
 
 // The energy of prolonged fields, of which axes and numbers change nothing but a unitary matrix.

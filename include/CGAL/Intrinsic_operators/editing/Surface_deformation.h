@@ -76,6 +76,7 @@ public:
   \throws Indefinite_matrix if rounding makes the matrix indefinite. If few handles (some tens) have
   free neighbours, this needs two handles at distance zero: the biharmonic problem then becomes two
   harmonic ones, which slivers do not harm, see `Laplacian_factorization`
+  \throws No_convergence if an iteration does not reach its tolerance
   \complexity that of a sparse factorization, and of a solution per handle with free neighbours if
   these are few
   */
@@ -118,6 +119,7 @@ public:
   \throws std::invalid_argument if there is not a row per handle, a number is not finite, or a
     handle that was given twice has two displacements
   \throws std::logic_error if the constructor was stopped
+  \throws No_convergence if an iteration does not reach its tolerance
   \complexity linear in the entries of the factor, for each column
   */
   Eigen::MatrixXd displacements(const Eigen::MatrixXd& displacements) const;

@@ -13,9 +13,12 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <complex>
+#include <atomic>
 #include <concepts>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -44,22 +47,85 @@ private:
   std::function<Vectors(const Vectors&)> solve_;
 };
 
+// Iterates; from the first right side on for which that does not converge, factors. A model of
+// `Factorization`; copies share everything.
+template <Matrix_number Scalar>
+class Iteration_or_factor {
+public:
+  using Vectors = typename Chosen_factorization<Scalar>::Vectors;
+
+  Iteration_or_factor(Multigrid_factorization<Scalar> iteration,
+                      std::function<Chosen_factorization<Scalar>()> factored)
+      : shared_(std::make_shared<Shared>(std::move(iteration), std::move(factored))) {}
+
+  Eigen::Index size() const { return shared_->iteration.size(); }
+  Vectors solve(const Vectors& b) const {
+    if (!shared_->is_factored) {
+      try {
+        return shared_->iteration.solve(b);
+      } catch (const No_convergence&) {
+      } catch (const Indefinite_matrix&) { // of negative weights
+      }
+      std::call_once(shared_->once, [this] {
+        shared_->factor.emplace(shared_->factored());
+        shared_->is_factored = true;
+      });
+    }
+    return shared_->factor->solve(b);
+  }
+
+private:
+  struct Shared {
+    Shared(Multigrid_factorization<Scalar> i, std::function<Chosen_factorization<Scalar>()> f)
+        : iteration(std::move(i)), factored(std::move(f)) {}
+
+    Multigrid_factorization<Scalar> iteration;
+    std::function<Chosen_factorization<Scalar>()> factored;
+    std::once_flag once;
+    std::atomic<bool> is_factored = false;
+    std::optional<Chosen_factorization<Scalar>> factor;
+  };
+
+  std::shared_ptr<Shared> shared_;
+};
+
+// \param prepared returns the `Multigrid_factorization`, factored() the `Chosen_factorization` of a
+// factor; it is kept, and called later, only if the choice is automatic
+template <Matrix_number Scalar, class Prepared, class Factored>
+Chosen_factorization<Scalar> chosen_factorization(Eigen::Index rows, Linear_solver solver,
+                                                  const Prepared& prepared, Factored factored) {
+  if (solver == Linear_solver::iterative) return Chosen_factorization<Scalar>(prepared());
+  if (chosen_solver(solver, rows) == Linear_solver::direct) return factored();
+  try {
+    return Chosen_factorization<Scalar>(Iteration_or_factor<Scalar>(prepared(), factored));
+  } catch (const Indefinite_matrix&) { // of negative weights
+    return factored();
+  }
+}
+
 // Of a matrix that is positive definite up to rounding; see `raised_factorization()`.
 template <Matrix_number Scalar>
 Chosen_factorization<Scalar> chosen_factorization(Eigen::SparseMatrix<Scalar> m,
                                                   Linear_solver solver) {
-  if (chosen_solver(solver, m.cols()) == Linear_solver::iterative)
-    return Chosen_factorization<Scalar>(Multigrid_factorization<Scalar>(m));
-  return Chosen_factorization<Scalar>(raised_factorization(m));
+  const auto shared = std::make_shared<Eigen::SparseMatrix<Scalar>>(std::move(m));
+  return chosen_factorization<Scalar>(
+      shared->cols(), solver, [&] { return Multigrid_factorization<Scalar>(*shared); },
+      [shared] { return Chosen_factorization<Scalar>(raised_factorization(*shared)); });
 }
 
 // Of the Laplacian of a graph and a diagonal, see `Laplacian_factorization`.
-inline Chosen_factorization<double>
-chosen_factorization(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
-                     Linear_solver solver) {
-  if (chosen_solver(solver, laplacian.cols()) == Linear_solver::iterative)
-    return Chosen_factorization<double>(Multigrid_factorization<double>(laplacian, diagonal));
-  return Chosen_factorization<double>(Laplacian_factorization(laplacian, diagonal));
+inline Chosen_factorization<double> chosen_factorization(Eigen::SparseMatrix<double> laplacian,
+                                                         Eigen::VectorXd diagonal,
+                                                         Linear_solver solver) {
+  const auto shared =
+      std::make_shared<const std::pair<Eigen::SparseMatrix<double>, Eigen::VectorXd>>(
+          std::move(laplacian), std::move(diagonal));
+  return chosen_factorization<double>(
+      shared->first.cols(), solver,
+      [&] { return Multigrid_factorization<double>(shared->first, shared->second); },
+      [shared] {
+        return Chosen_factorization<double>(Laplacian_factorization(shared->first, shared->second));
+      });
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -32,7 +32,9 @@ make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::Vector
 struct Iterations {
   Status status = Status::done; ///< `done`, or `cap` where a residual is above the tolerance
   int most = 0;                 ///< the greatest number of steps for a right side
-  double residual = 0;          ///< the greatest one, \f$|b - a x| / |b|\f$, computed at the end
+  /// the greatest one, \f$|b - a x| / |b|\f$, computed at the end; of the right side without the
+  /// constants that are projected out
+  double residual = 0;
 };
 
 /// An iteration ended before its residual was as small as asked.

@@ -45,17 +45,20 @@ the rows, are solved densely, up to rounding of the greatest eigenvalue. If `a` 
 isolated vertices, all eigenvalues are zero and vectors are arbitrary.
 
 An iterative solver does without a factor: a block of vectors improves by cycles of multigrid
-(LOBPCG: Knyazev 2001). Values are right up to rounding, the residual of each vector is at most
-1e-8 \f$|\lambda m x|\f$, and memory is that of three to nine times as many vectors as pairs. If
-you ask for more than a sixteenth of all pairs, a factor takes less memory, and is used.
+(LOBPCG: Knyazev 2001). Values are right up to rounding, and the residual of each vector is at most
+1e-8 \f$|\lambda m x|\f$, or rounding. Memory is that of up to nine blocks of vectors, each with a
+quarter more vectors than pairs, and at least four more. If you ask for more than a sixteenth of all
+pairs, a factor takes less memory, and is used. Pairs take dozens of solutions, so that a factor is
+faster where memory suffices: `automatic` iterates beyond five million rows only, and factors after
+all if that does not converge.
 \param a the matrix \pre symmetric and positive semidefinite
 \param m the mass matrix \pre symmetric and positive definite; isolated vertices have no mass
 \param count how many, at most the size of the matrix
 \param solver how
 \param np optional named parameters:
   - `visitor(v)`: `v.progress(n)` is called before each solution with a factored matrix (also in the
-    search of the shift), or before each cycle, with the number of previous ones, a `std::size_t`;
-    it returns whether to go on. Dense solutions do not call it.
+    search of the shift), or before each cycle, with the number of previous ones of both, a
+    `std::size_t`; it returns whether to go on. Dense solutions do not call it.
 \return the pairs; the residual of each, \f$|a x - \lambda m x|\f$, is due to rounding only if the
   solver is direct
 \throws std::invalid_argument if sizes do not fit
@@ -70,8 +73,7 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                Linear_solver solver, const NP& np = parameters::default_values()) {
   internal::expect_names<internal::tags::visitor>(np);
-  return internal::smallest_eigenpairs(a, m, count, internal::chosen_solver(solver, a.rows(), 1),
-                                       internal::progress_of(np));
+  return internal::smallest_eigenpairs(a, m, count, solver, internal::progress_of(np));
 }
 
 /// computes them with the solver that `solver_for()` chooses; see above.

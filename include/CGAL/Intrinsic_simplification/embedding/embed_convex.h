@@ -65,14 +65,17 @@ enum class Convex_shape : std::uint8_t {
 If `is_proven`, there is a polyhedron whose vertices are within `within` of the points
 (Kantorovich's theorem), and whose surface is the given one: exactly if `stretch` is 0, but for the
 rounding of numbers with 106 bits. Its convex edges are convex for certain. Its flat edges are flat
-up to that distance: they may lie inside a face. It is convex up to that distance. For a doubly
-covered polygon, front and back are within that distance.
+up to that distance: they may lie inside a face. It is convex up to that distance. A doubly covered
+polygon is proven to be nearly isometric, by its stretch: front and back of the surface may differ a
+little, and then the back takes the lengths of the front. A polyhedron with exactly the lengths of
+the surface may have a height of about the square root of that stretch, times the size.
 */
 struct Convexity_certificate {
   bool is_proven = false; ///< whether that polyhedron exists
   double within = 0;      ///< in the unit of the lengths
   /// Lengths of curves are multiplied by at most 1 + stretch, or divided by at most that, from the
-  /// surface to that polyhedron: vertices with some curvature were made flat. 0: none had any.
+  /// surface to that polyhedron: vertices with some curvature were made flat, or front and back of
+  /// a polygon the same. 0: neither changed anything. Infinite: no bound is known.
   double stretch = 0;
   std::size_t convex_edges = 0;     ///< edges that are convex for certain
   std::size_t flat_edges = 0;       ///< edges that are flat up to that distance
@@ -84,8 +87,9 @@ struct Convexity_certificate {
 
 /// What `embed_convex()` has found.
 struct Convex_polyhedron {
-  /// `done`; `inaccurate` if edges or the whole may be concave; `stalled` or `cap` if the solver
-  /// has stopped; `cancelled`. There are points only if it is `done` or `inaccurate`.
+  /// `done`; `inaccurate` if edges or the whole may be concave, or if the stretch is infinite, as
+  /// where `flat_within` lets vertices go that are not nearly flat; `stalled` or `cap` if the
+  /// solver has stopped; `cancelled`. There are points only if it is `done` or `inaccurate`.
   Status status = Status::done;
   Embedding_stage stage = Embedding_stage::certificate; ///< the last one: where it has stopped
   Convex_shape shape = Convex_shape::polyhedron;        ///< whether it has a volume

@@ -92,7 +92,8 @@ private:
 
   void offer(std::uint32_t frame, const Vector& v) {
     const double length = std::sqrt(squared_norm(v));
-    if (!(length > rounding * short_length_ && length <= reach_)) return; // not the point itself
+    if (!(length > rounding * std::min(short_length_, reach_) && length <= reach_))
+      return; // not the point itself
     reach_ = std::max(length, short_length_);
     found_.push_back({frame, v});
   }

@@ -38,8 +38,9 @@ public:
   Vector_prolongation(const Fine& fine, const Coarse& coarse, const Simplification& s)
       : fine_(fine), coarse_(coarse), s_(s), fine_view_(fine), view_(coarse),
         fine_angles_(fine, Border_angles::half_circle), angles_(coarse, Border_angles::half_circle),
-        segments_(view_), fine_copies_(fine), copies_(coarse), points_(s.places.size()),
-        targets_(s.places.size()) {
+        segments_(view_), fine_copies_(fine), first_(fine_copies_.first_of_rows()), copies_(coarse),
+        points_(s.places.size()), targets_(s.places.size()),
+        mean_upper_(std::isfinite(s.stretch.mean_upper) ? s.stretch.mean_upper : 1) {
     Place_finder<Coarse> find(coarse);
     for (std::uint32_t row = 0; row < s.places.size(); ++row) {
       const Place& p = s.places[row];
@@ -53,10 +54,9 @@ public:
   }
 
   Eigen::SparseMatrix<Complex> matrix() {
-    const std::vector<std::uint32_t> first = fine_copies_.first_of_rows();
     for (const auto v : vertices(fine_.mesh())) {
       const std::uint32_t row = fine_.input_vertex(v), copy = fine_copies_(v);
-      if (first[row] != copy || !points_[row]) continue;
+      if (first_[row] != copy || !points_[row]) continue;
       if (const Complex turn = turn_at(v, row); turn != Complex(0)) add(copy, row, turn);
     }
     Eigen::SparseMatrix<Complex> result(static_cast<int>(fine_copies_.size()),
@@ -152,15 +152,15 @@ private:
   void find_images(std::uint32_t h, std::uint32_t row, double weight) {
     const auto to = fine_.numbers().vertex_at(fine_view_.target(h));
     const std::uint32_t other = fine_.input_vertex(to);
+    if (fine_copies_(to) != first_[other]) return; // places are those of first copies
     if (!points_[other] || (other == row && to != fine_.numbers().vertex_at(fine_view_.source(h))))
       return;
     // no segment is longer than the image of the edge; in units of the coarse surface
     const double length = std::ldexp((1 + 0x1p-40) * std::sqrt(fine_view_.squared_length(h / 2)),
                                      view_.scale_exponent() - fine_view_.scale_exponent());
     Edge_images edge{weight, images_.size(), 0};
-    for (const auto& segment :
-         segments_.find(*points_[row], targets_[other], s_.stretch.mean_upper * length,
-                        s_.stretch.upper * length))
+    for (const auto& segment : segments_.find(*points_[row], targets_[other], mean_upper_ * length,
+                                              s_.stretch.upper * length))
       images_.push_back(std::polar(1., direction(row, segment) - fine_angles_[h]));
     edge.end = images_.size();
     if (edge.end > edge.begin) edges_.push_back(edge);
@@ -200,9 +200,11 @@ private:
   Halfedge_angles fine_angles_, angles_;
   Straight_segments<Intrinsic_view<Coarse>> segments_;
   Vertex_copies<Fine> fine_copies_;
+  std::vector<std::uint32_t> first_; // copies, by rows
   Vertex_copies<Coarse> copies_;
   std::vector<std::optional<Surface_point>> points_; // on the coarse triangulation, by rows
   std::vector<Geodesic_target> targets_;
+  double mean_upper_; // 1 if a thin face has no bound
   std::vector<Complex> images_;
   std::vector<Edge_images> edges_;
   std::vector<Eigen::Triplet<Complex>> entries_;

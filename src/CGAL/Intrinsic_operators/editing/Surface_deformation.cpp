@@ -165,6 +165,15 @@ static Eigen::SparseMatrix<double> bilaplacian(const Eigen::SparseMatrix<double>
   return l * inverse.asDiagonal() * l;
 }
 
+[[noreturn]] static void refuse_to_iterate(bool is_laplacian, std::size_t few) {
+  throw std::invalid_argument(
+      "the square of the Laplacian, which biharmonic deformations " +
+      (is_laplacian ? "by more than " + std::to_string(few) + " handles beside free vertices"
+                    : std::string("of vertices without a mass, or by rows with a sum")) +
+      " need, is too near to singular to iterate; take a direct solver, the harmonic energy, or " +
+      (is_laplacian ? "fewer handles" : "make the triangulation Delaunay"));
+}
+
 // whether rows that are not handles, and have neighbours, have masses
 static bool all_free_have_mass(const Eigen::SparseMatrix<double>& laplacian,
                                const Eigen::VectorXd& mass,
@@ -196,7 +205,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
   std::vector<char> has_none(is_handle.size(), 1);
   for (std::size_t r = 0; r < is_handle.size(); ++r)
     if (is_handle[r] != 0) has_none[component[r]] = 0;
-  for (const std::uint32_t r : internal::least_rows(component, has_none)) rows_.push_back(r);
+  for (std::uint32_t r = 0; r < is_handle.size(); ++r)
+    if (has_none[component[r]] != 0) rows_.push_back(r);
   if (energy == Deformation_energy::harmonic)
     solver_.emplace(laplacian, rows_, solver);
   else
@@ -222,12 +232,7 @@ void Surface_deformation::factor_biharmonic(const Eigen::SparseMatrix<double>& l
         laplacian, unit * mass, rows_, std::move(beside), solver);
   };
   if (is_laplacian && beside.size() <= few) return by_handles();
-  if (solver == Linear_solver::iterative)
-    throw std::invalid_argument(
-        "the square of the Laplacian, which biharmonic deformations by more than " +
-        std::to_string(few) +
-        " handles beside free vertices need, is too near to singular to iterate; take a direct "
-        "solver, the harmonic energy, or fewer handles");
+  if (solver == Linear_solver::iterative) internal::refuse_to_iterate(is_laplacian, few);
   try {
     solver_.emplace(internal::bilaplacian(laplacian, mass), rows_, Linear_solver::direct);
   } catch (const Indefinite_matrix& error) {

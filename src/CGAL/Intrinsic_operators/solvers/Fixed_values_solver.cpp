@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
+#include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
 #include <Eigen/Core>
@@ -100,11 +101,15 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   const bool is_free_of_subtraction =
       found.excess.minCoeff() >= 0 &&
       (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part));
-  if (is_free_of_subtraction ||
-      internal::chosen_solver(solver, free_part.cols()) == Linear_solver::iterative)
+  if (is_free_of_subtraction)
     factorization_ = internal::chosen_factorization(free_part, found.excess, solver);
   else
-    factorization_ = internal::factored_with_subtraction(free_part, found.excess);
+    factorization_ = internal::chosen_factorization<double>(
+        free_part.cols(), solver,
+        [&] { return Multigrid_factorization<double>(free_part, found.excess); },
+        [free_part, excess = found.excess] {
+          return internal::factored_with_subtraction(free_part, excess);
+        });
 }
 
 Eigen::MatrixXd Fixed_values_solver::fixed_part(const Eigen::MatrixXd& b,

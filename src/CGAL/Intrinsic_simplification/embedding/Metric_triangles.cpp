@@ -128,6 +128,17 @@ void Metric_triangles::add_stretch(std::uint32_t face, const std::array<Double_d
                                  : std::numeric_limits<double>::infinity();
 }
 
+void Metric_triangles::change_lengths(const std::vector<Double_double>& squared) {
+  for (std::uint32_t f = 0; f < number_of_faces(); ++f) {
+    if (is_removed(f)) continue;
+    const std::uint32_t h = 3 * f;
+    const std::array<Double_double, 3> before{squared_[h], squared_[h + 1], squared_[h + 2]};
+    for (std::uint32_t k = h; k < h + 3; ++k) set_length(k, squared[k]);
+    set_corners(f);
+    add_stretch(f, before);
+  }
+}
+
 // \param before the squared lengths of the outgoing halfedges, in order
 void Metric_triangles::scale_edges(std::uint32_t vertex, const std::vector<Double_double>& before,
                                    const Double_double& factor) {
@@ -145,7 +156,7 @@ void Metric_triangles::scale_edges(std::uint32_t vertex, const std::vector<Doubl
 bool Metric_triangles::flatten(std::uint32_t vertex) {
   double left = curvature(vertex), slope = 0, flat = 0;
   for_outgoing(vertex, [&](std::uint32_t h) { flat += 0x1p-98 / sine_[h]; });
-  if (std::abs(left) <= flat) return true;
+  if (std::isfinite(flat) && std::abs(left) <= flat) return true;
   std::vector<Double_double> spokes;
   std::map<std::uint32_t, std::array<Double_double, 3>> faces;
   for_outgoing(vertex, [&](std::uint32_t h) {
@@ -154,6 +165,10 @@ bool Metric_triangles::flatten(std::uint32_t vertex) {
     faces[f] = {squared_[3 * f], squared_[3 * f + 1], squared_[3 * f + 2]};
     slope += squared_[next(h)].to_double() / (2 * length_[h] * length_[previous(h)] * sine_[h]);
   });
+  if (!std::isfinite(flat + slope)) { // a face without area
+    stretch_[outgoing_[vertex] / 3] = std::numeric_limits<double>::infinity();
+    return false;
+  }
   Double_double x(0);
   for (int k = 0; k < 20 && std::abs(left) > flat; ++k) {
     const double change = -left / slope;
@@ -309,42 +324,6 @@ void Metric_triangles::place_in_rim(std::uint32_t vertex, const std::array<std::
   moved.push_back(static_cast<std::uint32_t>(removed_.size()));
   removed_.push_back({vertex, face, weights});
   removed_in_[face] = std::move(moved);
-}
-
-std::vector<std::uint32_t> Metric_triangles::compress() {
-  std::vector<std::uint32_t> left, vertex(number_of_vertices(), Gluing::none), halfedges,
-      halfedge(number_of_halfedges(), Gluing::none);
-  for (std::uint32_t v = 0; v < number_of_vertices(); ++v)
-    if (outgoing_[v] != Gluing::none) {
-      vertex[v] = static_cast<std::uint32_t>(left.size());
-      left.push_back(v);
-    }
-  for (std::uint32_t h = 0; h < number_of_halfedges(); ++h)
-    if (!is_removed(h / 3)) {
-      halfedge[h] = static_cast<std::uint32_t>(halfedges.size());
-      halfedges.push_back(h);
-    }
-  Gluing small;
-  small.number_of_vertices = static_cast<std::uint32_t>(left.size());
-  std::vector<Double_double> squared;
-  for (const std::uint32_t h : halfedges) {
-    small.origin.push_back(vertex[source(h)]);
-    small.glue.push_back(halfedge[opposite(h)]);
-    squared.push_back(squared_[h]);
-  }
-  std::vector<double> stretch;
-  for (std::size_t k = 0; k < halfedges.size(); k += 3)
-    stretch.push_back(stretch_[halfedges[k] / 3]);
-  std::vector<Removed_vertex> removed = std::move(removed_);
-  *this = Metric_triangles(std::move(small), std::move(squared));
-  stretch_ = std::move(stretch);
-  removed_ = std::move(removed);
-  if (!removed_.empty()) removed_in_.resize(number_of_faces());
-  for (std::uint32_t r = 0; r < removed_.size(); ++r) {
-    removed_[r].face = halfedge[3 * removed_[r].face] / 3;
-    removed_in_[removed_[r].face].push_back(r);
-  }
-  return left;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -70,6 +70,8 @@ public:
   // multiplies squared lengths of edges by a factor for each end at a vertex: it becomes flat
   // \return whether it is flat up to rounding of 106 bits; else nothing is proven
   bool flatten(std::uint32_t vertex);
+  // gives the edges other lengths, \param squared by halfedge
+  void change_lengths(const std::vector<Double_double>& squared);
   // removes a vertex with three faces, none of its edges a loop
   void remove(std::uint32_t vertex);
   // numbers what is left anew. \return the vertices that are left, by their numbers before

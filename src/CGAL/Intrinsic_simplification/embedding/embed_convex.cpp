@@ -139,6 +139,7 @@ public:
     close_pyramids(p, independent_directions(rounded(lay_out_pyramids(p))), run_);
     triangles = p.triangles;
     points = lay_out_pyramids(p);
+    stretch_exponent = triangles.stretch_exponent();
     return fit_lengths(triangles, points, concave * extent_of(points), run_);
   }
 
@@ -150,17 +151,38 @@ public:
     points = nearly_->second.corners;
     result_.shape = Convex_shape::doubly_covered_polygon;
     Convexity_certificate& c = result_.certificate;
-    c.is_proven = true;
-    c.within = nearly_->second.difference + 0x1p-51 * extent_of(points);
+    c.within = 0x1p-51 * extent_of(points);
+    c.is_proven = change_to_polygon(nearly_->second.difference);
     c.convex_edges = points.size(); // the border
     c.flat_edges = 2 * points.size() - 6;
     return true;
   }
 
   Metric_triangles triangles;
-  Precise_points points; // none: nothing is found
+  Precise_points points;       // none: nothing is found
+  double stretch_exponent = 0; // from the surface to the polyhedron
 
 private:
+  // The back takes the lengths of the front. If they differ by d, the surface may be that of a
+  // polyhedron with a height near the square root of d: so this counts as stretch, not as distance.
+  // \return whether the faces still lie side by side
+  bool change_to_polygon(double difference) {
+    stretch_exponent = triangles.stretch_exponent();
+    if (difference <= 0x1p-90 * extent_of(points)) return true; // rounding of 106 bits
+    double least_height = extent_of(points);
+    std::vector<Double_double> squared;
+    for (std::uint32_t h = 0; h < triangles.number_of_halfedges(); ++h) {
+      least_height = std::min(least_height, triangles.length(h) * triangles.sine(h));
+      const auto &p = points[triangles.source(h)], &q = points[triangles.target(h)];
+      const Double_double x = q[0] - p[0], y = q[1] - p[1];
+      squared.push_back(x * x + y * y);
+    }
+    Metric_triangles flat = triangles;
+    flat.change_lengths(squared);
+    stretch_exponent = flat.stretch_exponent();
+    return least_height > 2 * difference;
+  }
+
   std::optional<std::pair<Metric_triangles, Covered_polygon>> nearly_;
 
   Convex_polyhedron& result_;
@@ -286,8 +308,9 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   const Space_points points = rounded(found.points);
   result.largest_error = greatest_error(found.triangles, points) / extent_of(points);
   Convexity_certificate& c = result.certificate;
-  c.stretch = std::expm1(t.stretch_exponent()) * (1 + 1e-7);
+  c.stretch = std::expm1(found.stretch_exponent) * (1 + 1e-7);
   c.is_proven = c.is_proven && std::isfinite(c.stretch);
+  if (!std::isfinite(c.stretch)) result.status = Status::inaccurate;
   c.within = std::ldexp(c.within, -scale);
   for (const Removed_vertex& r : t.removed())
     result.flat_vertices.push_back(surface.names().vertices.user(r.vertex));

@@ -122,26 +122,39 @@ private:
   std::minstd_rand random_;
 };
 
+// Vertices that have to go: after others, also those that have lost curvature to them.
+std::vector<std::uint32_t> flat_ones(const Metric_triangles& t, const std::vector<double>& within) {
+  const std::vector<double> curvature = t.curvatures(); // a full turn if removed
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t v = 0; v < t.number_of_vertices(); ++v)
+    if (curvature[v] <= within[v]) result.push_back(v);
+  return result;
+}
+
+// A vertex has this much, or less, if it was flat and neighbours that were made flat have left it
+// what is rounding of lengths. With more it is a corner, and stays.
+double most_curvature(double within) {
+  constexpr double of_rounding = 1e-6; // see flat_curvatures()
+  return std::max(within, std::clamp(8 * within, 1e-9, of_rounding));
+}
+
 } // namespace
 
 bool remove_flat(Metric_triangles& t, const std::vector<double>& within, Embedding_run& run) {
-  const std::vector<double> curvature = t.curvatures();
   const Vertex_weights equal(t.number_of_vertices());
-  std::vector<std::uint32_t> left;
-  for (std::uint32_t v = 0; v < t.number_of_vertices(); ++v)
-    if (std::abs(curvature[v]) <= within[v]) left.push_back(v);
+  std::vector<std::uint32_t> left = flat_ones(t, within);
   Flat_vertex_remover remover(t, equal);
   // Loops at a vertex may go with its neighbours.
   for (bool was_blocked = false; !left.empty();) {
     std::vector<std::uint32_t> again;
     for (const std::uint32_t v : left) {
       if (!run.goes_on()) return false;
-      if (!remover.remove(v)) again.push_back(v);
+      if (t.curvature(v) <= most_curvature(within[v]) && !remover.remove(v)) again.push_back(v);
     }
     const bool is_blocked = again.size() == left.size();
     if (is_blocked && was_blocked) return false;
     was_blocked = is_blocked;
-    left = std::move(again);
+    left = again.empty() ? flat_ones(t, within) : std::move(again);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
+#include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <algorithm>
@@ -27,9 +28,10 @@ std::vector<std::uint32_t> compacted(std::size_t size, const auto& stays) {
 
 // The factor, proven not to be greater than `form` by `by` anywhere.
 double proven_lower(const Side_values& form, const Side_values& above) {
+  if (!std::ranges::all_of(above, [](double x) { return std::isfinite(x); })) return 0;
   const std::array<Interval, 3> zero_above{above[0], above[1], above[2]};
   const double near = factors(form, above)[0];
-  if (!(near > 0 && std::isfinite(near))) return 0;
+  if (!(near > 0 && std::isfinite(near) && std::isfinite(4 / near))) return 0;
   for (double margin = 0x1p-51; margin < 1; margin *= 2) {
     // form - near / (1 + margin) above >= 0
     const double inverse = 1 / near * (1 + margin);
@@ -41,8 +43,8 @@ double proven_lower(const Side_values& form, const Side_values& above) {
 
 double proven_upper(const Side_values& form, const Side_values& below) {
   const std::array<Interval, 3> lower{form[0], form[1], form[2]};
-  const double near = factors(form, below)[1];
-  if (!std::isfinite(near)) return std::numeric_limits<double>::infinity();
+  const double near = factors(form, below)[1]; // infinite if `below` is 0 somewhere
+  if (!std::isfinite(4 * near)) return std::numeric_limits<double>::infinity();
   for (double margin = 0x1p-51; margin < 1; margin *= 2) {
     const double factor = near * (1 + margin);
     if (is_proven_above(below, Interval(factor), lower)) return sqrt(Interval(factor)).sup();
@@ -104,6 +106,22 @@ std::size_t wanted_vertices(const Simplify_options& options, std::size_t vertice
   return std::max(options.vertices.value_or(0), part > 0 ? part_of(part, vertices) : 0);
 }
 
+// Thin faces keep exact lengths while they are flipped, but not as part of the surface.
+// \param row the user's vertex of each vertex
+void expect_triangle(const Coarse_face& face, const std::vector<std::uint32_t>& row) {
+  if (squares_satisfy_triangle_inequality(face.length[0], face.length[1], face.length[2])) return;
+  const auto name = [&](std::size_t k) { return std::to_string(row[face.origin[k % 3]]); };
+  std::string kept;
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((face.kept_sides >> k & 1U) != 0)
+      kept += (kept.empty() ? "; kept edges of it: " : ", ") + name(k) + " to " + name(k + 1);
+  throw Invalid_input(Element_kind::none, 0,
+                      "the face of the coarse surface between the vertices " + name(0) + ", " +
+                          name(1) + " and " + name(2) +
+                          " is too thin for doubles, and cannot be written" + kept +
+                          "; keep fewer of its vertices and edges, or remove such faces before");
+}
+
 } // namespace
 
 // The triangles that are left, numbered without gaps, in the units of the user.
@@ -114,6 +132,7 @@ void Simplifier::write_surface(Simplification& s, const std::vector<std::uint32_
   std::vector<double> length; // by sides
   for (const Coarse_face& f : mesh_.faces()) {
     if (f.is_removed) continue;
+    expect_triangle(f, fine_.row);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t o = f.glue[k];
       g.origin.push_back(vertex[f.origin[k]]);

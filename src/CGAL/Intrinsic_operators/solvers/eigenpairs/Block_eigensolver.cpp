@@ -6,15 +6,14 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <random>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -24,42 +23,59 @@ namespace CGAL::Intrinsic_triangulations::internal {
 static constexpr double greatest_eigenresidual = 1e-8;
 
 Block_eigensolver::Block_eigensolver(const Eigen::SparseMatrix<double>& a,
-                                     const Eigen::SparseMatrix<double>& m,
-                                     const std::function<bool(std::size_t)>& progress)
-    : mass_(m), multigrid_(a, excess_of(a), greatest_eigenresidual), progress_(progress) {
+                                     const Eigen::SparseMatrix<double>& m, Solution_counter& cycles)
+    : mass_(m), multigrid_(a, excess_of(a), greatest_eigenresidual), cycles_(cycles),
+      masses_(m * Eigen::VectorXd::Ones(m.cols())), diagonal_(a.diagonal()) {
   find_constants();
 }
 
-// Constants in components, of length one by the masses.
 void Block_eigensolver::find_constants() {
   const std::vector<std::uint32_t>& component = multigrid_.component;
   std::vector<char> is_singular(component.size(), 0);
-  for (std::size_t r = 0; r < component.size(); ++r)
+  mass_of_ = Eigen::VectorXd::Zero(masses_.size());
+  for (std::size_t r = 0; r < component.size(); ++r) {
     is_singular[component[r]] = multigrid_.is_in_kernel(static_cast<int>(r)) ? 1 : 0;
-  const std::vector<std::uint32_t> roots = least_rows(component, is_singular);
-  constants_ = Eigen::MatrixXd::NullaryExpr(
-      mass_.rows(), static_cast<Eigen::Index>(roots.size()),
-      [&](Eigen::Index r, Eigen::Index c) -> double {
-        return component[row_number(r)] == roots[row_number(c)] ? 1 : 0;
+    mass_of_[component[r]] += masses_[static_cast<Eigen::Index>(r)];
+  }
+  roots_ = least_rows(component, is_singular);
+}
+
+// Constants in the first components that have them, of length one by the masses.
+Eigen::MatrixXd Block_eigensolver::constants(Eigen::Index columns) const {
+  return Eigen::MatrixXd::NullaryExpr(
+      mass_.rows(), columns, [&](Eigen::Index r, Eigen::Index c) -> double {
+        const std::uint32_t root = roots_[row_number(c)];
+        return multigrid_.component[row_number(r)] == root ? 1 / std::sqrt(mass_of_[root]) : 0;
       });
-  for (Eigen::Index c = 0; c < constants_.cols(); ++c)
-    constants_.col(c) /= std::sqrt(constants_.col(c).dot(mass_ * constants_.col(c)));
 }
 
 void Block_eigensolver::remove_constants(Eigen::MatrixXd& x) const {
-  if (constants_.cols() > 0) x -= constants_ * (constants_.transpose() * (mass_ * x)).eval();
+  if (roots_.empty()) return;
+  const std::vector<std::uint32_t>& component = multigrid_.component;
+  for (Eigen::Index c = 0; c < x.cols(); ++c) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.rows());
+    for (Eigen::Index r = 0; r < x.rows(); ++r)
+      sum[component[row_number(r)]] += masses_[r] * x(r, c);
+    for (Eigen::Index r = 0; r < x.rows(); ++r)
+      if (const std::uint32_t root = component[row_number(r)];
+          multigrid_.is_in_kernel(static_cast<int>(r)))
+        x(r, c) -= sum[root] / mass_of_[root];
+  }
 }
 
-// One cycle makes random vectors smooth.
-Eigen::MatrixXd Block_eigensolver::random_block(Eigen::Index columns) const {
+// One cycle makes random vectors smooth, but may make them nearly dependent.
+Eigen::MatrixXd Block_eigensolver::random_block(Eigen::Index columns) {
   std::mt19937 random(1);
   Eigen::MatrixXd x(mass_.rows(), columns);
   for (Eigen::Index c = 0; c < columns; ++c) {
     for (double& value : x.col(c)) value = static_cast<double>(random()) * 0x1p-31 - 1;
     Eigen::VectorXd right = mass_ * x.col(c);
     multigrid_.project(right);
+    cycles_.count();
     x.col(c) = (*multigrid_.cycle)(right);
   }
+  x = Eigen::HouseholderQR<Eigen::MatrixXd>(x).householderQ() *
+      Eigen::MatrixXd::Identity(x.rows(), columns);
   remove_constants(x);
   return x;
 }
@@ -83,6 +99,9 @@ small_eigenpairs(Eigen::MatrixXd a, Eigen::MatrixXd m, Eigen::Index count) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> lengths(m);
   const Eigen::Index dependent = (lengths.eigenvalues().array() < 1e-13).count();
   const Eigen::Index kept = m.rows() - dependent;
+  if (kept < count)
+    throw No_eigenpairs("rounding leaves too few vectors for so many eigenvalues; ask for "
+                        "fewer, or take a direct solver");
   const Eigen::MatrixXd basis =
       lengths.eigenvectors().rightCols(kept) *
       lengths.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
@@ -117,8 +136,8 @@ Eigen::VectorXd Block_eigensolver::improve(Block& x, Block& step, const Block& o
   return found.first;
 }
 
-// \return whether it was not cancelled
-bool Block_eigensolver::iterate(Block& x, Eigen::VectorXd& values, Eigen::Index count) {
+// Rounding of `a x` is relative to the terms of its sums, of which those of the diagonal are half.
+void Block_eigensolver::iterate(Block& x, Eigen::VectorXd& values, Eigen::Index count) {
   constexpr int most = 200; // 15 to 40 are enough on the data set
   Block step = block_of(Eigen::MatrixXd(x.x.rows(), 0));
   for (int round = 0; round < most; ++round) {
@@ -126,14 +145,15 @@ bool Block_eigensolver::iterate(Block& x, Eigen::VectorXd& values, Eigen::Index 
     bool is_done = true;
     for (Eigen::Index c = 0; c < x.x.cols(); ++c) {
       Eigen::VectorXd rest = x.a.col(c) - values[c] * x.m.col(c);
-      if (rest.norm() <= greatest_eigenresidual * values[c] * x.m.col(c).norm()) continue;
+      const double rounding = 0x1p-50 * diagonal_.cwiseProduct(x.x.col(c)).norm();
+      if (rest.norm() <= std::max(greatest_eigenresidual * values[c] * x.m.col(c).norm(), rounding))
+        continue;
       is_done = is_done && c >= count;
-      if (progress_ && !progress_(cycles_)) return false;
-      ++cycles_;
+      cycles_.count();
       multigrid_.project(rest);
       found.push_back((*multigrid_.cycle)(rest));
     }
-    if (is_done) return true;
+    if (is_done) return;
     Eigen::MatrixXd w(x.x.rows(), static_cast<Eigen::Index>(found.size()));
     for (std::size_t c = 0; c < found.size(); ++c) w.col(static_cast<Eigen::Index>(c)) = found[c];
     found.clear();
@@ -141,23 +161,25 @@ bool Block_eigensolver::iterate(Block& x, Eigen::VectorXd& values, Eigen::Index 
     w -= x.x * (x.m.transpose() * w).eval();
     values = improve(x, step, block_of(std::move(w)));
   }
-  throw std::runtime_error("the eigenvalues have not converged; ask for others, take a direct "
-                           "solver, or make the triangulation Delaunay");
+  throw No_eigenpairs("the eigenvalues have not converged; ask for others, take a direct "
+                      "solver, or make the triangulation Delaunay");
 }
 
 Eigenpairs Block_eigensolver::smallest(Eigen::Index count) {
-  const Eigen::Index zeros = std::min(count, constants_.cols()), others = count - zeros;
+  const Eigen::Index zeros = std::min(count, static_cast<Eigen::Index>(roots_.size()));
+  const Eigen::Index others = count - zeros;
   Eigenpairs pairs{Eigen::VectorXd::Zero(count), Eigen::MatrixXd(mass_.rows(), count),
                    Status::done};
-  pairs.vectors.leftCols(zeros) = constants_.leftCols(zeros);
+  pairs.vectors.leftCols(zeros) = constants(zeros);
   if (others == 0) return pairs;
   // vectors above the last one make it converge as fast as the others
-  const Eigen::Index columns = std::min(others + std::max<Eigen::Index>(4, others / 4),
-                                        (mass_.rows() - constants_.cols()) / 3);
+  const Eigen::Index columns =
+      std::min(others + std::max<Eigen::Index>(4, others / 4),
+               (mass_.rows() - static_cast<Eigen::Index>(roots_.size())) / 3);
   Block x = block_of(random_block(columns)), none = block_of(Eigen::MatrixXd(mass_.rows(), 0));
   Block empty = none;
   Eigen::VectorXd values = improve(x, none, empty);
-  if (!iterate(x, values, others)) return {{}, Eigen::MatrixXd(mass_.rows(), 0), Status::cancelled};
+  iterate(x, values, others);
   pairs.values.tail(others) = values.head(others);
   pairs.vectors.rightCols(others) = x.x.leftCols(others);
   return pairs;

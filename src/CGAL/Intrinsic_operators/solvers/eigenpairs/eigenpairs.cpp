@@ -28,26 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Ends Spectra's loops, which have no other way to stop.
-struct Cancelled_eigenpairs {};
-
-// Calls the visitor before each solution.
-class Solution_counter {
-public:
-  explicit Solution_counter(std::function<bool(std::size_t)> progress)
-      : progress_(std::move(progress)) {}
-  void count() {
-    if (progress_ && !progress_(solutions_++)) throw Cancelled_eigenpairs();
-  }
-
-private:
-  std::function<bool(std::size_t)> progress_;
-  std::size_t solutions_ = 0;
-};
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The operator for Spectra, y = (a + s m)^-1 x, from a factorization. It can take out known
 // eigenvectors, so that Spectra finds others.
@@ -302,6 +283,41 @@ static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
   return {Cholesky_factorization<double>(a + shift * m), solutions};
 }
 
+static Eigenpairs factored_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                                      const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                                      Solution_counter& solutions) {
+  // eigenvalues of about one: Spectra has thresholds without units
+  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
+  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
+    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
+  const Eigen::SparseMatrix<double> scaled = root * root * m;
+  double shift = 0;
+  const Spectra::SparseSymMatProd<double> mass(scaled);
+  Shifted_inverse inverse = shifted_inverse(a, scaled, count, shift, solutions);
+  Eigenpairs pairs = lanczos_eigenpairs(inverse, mass, count, shift);
+  find_missed_pairs(pairs, inverse, mass, shift);
+  expect_eigenpairs(a, scaled, pairs);
+  pairs.values *= root * root;
+  pairs.vectors *= root;
+  return pairs;
+}
+
+static Eigenpairs sparse_eigenpairs(const Eigen::SparseMatrix<double>& a,
+                                    const Eigen::SparseMatrix<double>& m, Eigen::Index count,
+                                    Linear_solver solver, Solution_counter& solutions) {
+  // blocks of more vectors take more memory than a factor
+  if (chosen_solver(solver, a.rows()) == Linear_solver::iterative && count <= a.rows() / 16) {
+    try {
+      return Block_eigensolver(a, m, solutions).smallest(count);
+    } catch (const No_eigenpairs&) {
+      if (solver == Linear_solver::iterative) throw;
+    } catch (const Indefinite_matrix&) { // has negative weights
+      if (solver == Linear_solver::iterative) throw;
+    }
+  }
+  return factored_eigenpairs(a, m, count, solutions);
+}
+
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                Linear_solver solver,
@@ -320,31 +336,13 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
     return smallest_of(is_laplacian(a) ? dense_laplacian_eigenpairs(a, m, count)
                                        : dense_eigenpairs(Eigen::MatrixXd(a), m),
                        count);
-  // blocks of more vectors take more memory than a factor
-  if (solver == Linear_solver::iterative && count <= size / 16)
-    return Block_eigensolver(a, m, progress).smallest(count);
-  // eigenvalues of about one: Spectra has thresholds without units
-  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
-  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
-    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
-  const Eigen::SparseMatrix<double> scaled = root * root * m;
-  double shift = 0;
-  const Spectra::SparseSymMatProd<double> mass(scaled);
+  Solution_counter solutions(progress);
   try {
-    Solution_counter solutions(progress);
-    Shifted_inverse inverse = shifted_inverse(a, scaled, count, shift, solutions);
-    Eigenpairs pairs = lanczos_eigenpairs(inverse, mass, count, shift);
-    find_missed_pairs(pairs, inverse, mass, shift);
-    expect_eigenpairs(a, scaled, pairs);
-    pairs.values *= root * root;
-    pairs.vectors *= root;
-    return pairs;
+    return sparse_eigenpairs(a, m, count, solver, solutions);
   } catch (const Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
   }
 }
 
-} // namespace internal
-
-} // namespace CGAL::Intrinsic_triangulations
+} // namespace CGAL::Intrinsic_triangulations::internal
 #endif

@@ -131,37 +131,37 @@ private:
     const int begin = symbolic->supernode_begin[row_number(s)], columns = symbolic->columns(s);
     if (std::all_of(y + begin, y + begin + columns, [](const Pack& p) { return (p == 0).all(); }))
       return;
-    const int* const rows = symbolic->rows_below(s) - columns; // of the rows of the front
+    const int* const rows = symbolic->rows_below(s);
     const int height = symbolic->height(s);
     if (columns == 1) { // copies take longer than they save
       const Multiplied<parts, Pack> times(y[begin], Multiplied<parts, Pack>::none);
-      for (int i = 1; i < height; ++i) y[rows[i]] += times(column(begin) + parts * (i - 1));
+      for (int i = 1; i < height; ++i) y[rows[i - 1]] += times(column(begin) + parts * (i - 1));
       return;
     }
     std::copy_n(y + begin, columns, front);
-    for (int i = columns; i < height; ++i) front[i] = y[rows[i]];
+    for (int i = columns; i < height; ++i) front[i] = y[rows[i - columns]];
     int j = 0;
     for (; j + panel <= columns; j += panel) add_below<panel>(begin, j, height, front);
     for (; j < columns; ++j) add_below<1>(begin, j, height, front);
     std::copy_n(front, columns, y + begin);
-    for (int i = columns; i < height; ++i) y[rows[i]] = front[i];
+    for (int i = columns; i < height; ++i) y[rows[i - columns]] = front[i];
   }
 
   template <class Pack>
   void solve_backward(int s, Pack* y, Pack* front) const {
     const int begin = symbolic->supernode_begin[row_number(s)], columns = symbolic->columns(s);
-    const int* const rows = symbolic->rows_below(s) - columns;
+    const int* const rows = symbolic->rows_below(s);
     const int height = symbolic->height(s);
     if (columns == 1) {
       Pack sum = y[begin] / pivot[row_number(begin)];
       for (int i = 1; i < height; ++i)
-        sum += Multiplied<parts, Pack>(y[rows[i]], Multiplied<parts, Pack>::of_entries)(
+        sum += Multiplied<parts, Pack>(y[rows[i - 1]], Multiplied<parts, Pack>::of_entries)(
             column(begin) + parts * (i - 1));
       y[begin] = sum;
       return;
     }
     for (int j = 0; j < columns; ++j) front[j] = y[begin + j] / pivot[row_number(begin + j)];
-    for (int i = columns; i < height; ++i) front[i] = y[rows[i]];
+    for (int i = columns; i < height; ++i) front[i] = y[rows[i - columns]];
     int j = columns;
     for (; j % panel != 0; --j) add_from_below<1>(begin, j - 1, height, front);
     for (; j > 0; j -= panel) add_from_below<panel>(begin, j - panel, height, front);

@@ -45,6 +45,8 @@ struct Multigrid {
       if (!(diagonal[i] > 0) && !is_in_kernel(i)) throw Indefinite_matrix(i);
     cycle.emplace(matrix);
   }
+  Multigrid(const Multigrid&) = delete; // the cycle refers to the matrix
+  Multigrid& operator=(const Multigrid&) = delete;
 
   // Finds the components where rows sum to zero.
   void find_kernel() {
@@ -87,6 +89,7 @@ struct Multigrid {
     constexpr int most = 1000;
     const double enough = tolerance * b.norm();
     Vector x = Vector::Zero(b.size()), r = b;
+    project(r);
     int steps = 0;
     for (double last = r.norm(); last > enough && steps < most;) {
       steps += descend(x, r, enough, most - steps);

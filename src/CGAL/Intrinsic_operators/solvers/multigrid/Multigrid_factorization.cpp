@@ -20,7 +20,9 @@ namespace internal {
 static std::string message_of(const Iterations& iterations) {
   std::ostringstream message;
   message << "the iteration ended after " << iterations.most << " steps with a residual of "
-          << iterations.residual << "; factor the matrix, or make the triangulation Delaunay";
+          << iterations.residual
+          << "; factor the matrix (a direct solver), "
+             "or make the triangulation Delaunay";
   return message.str();
 }
 
