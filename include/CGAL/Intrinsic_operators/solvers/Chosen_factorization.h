@@ -17,7 +17,6 @@
 #include <concepts>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -66,22 +65,40 @@ public:
       } catch (const No_convergence&) {
       } catch (const Indefinite_matrix&) { // of negative weights
       }
-      std::call_once(shared_->once, [this] {
+      const Turn turn(shared_->is_taken); // not std::call_once(): <mutex> is long
+      if (!shared_->is_factored) {
         shared_->factor.emplace(shared_->factored());
         shared_->is_factored = true;
-      });
+      }
     }
     return shared_->factor->solve(b);
   }
 
 private:
+  // of one thread; others wait
+  class Turn {
+  public:
+    explicit Turn(std::atomic_flag& is_taken) : is_taken_(is_taken) {
+      while (is_taken_.test_and_set()) is_taken_.wait(true);
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    ~Turn() {
+      is_taken_.clear();
+      is_taken_.notify_one();
+    }
+
+  private:
+    std::atomic_flag& is_taken_;
+  };
+
   struct Shared {
     Shared(Multigrid_factorization<Scalar> i, std::function<Chosen_factorization<Scalar>()> f)
         : iteration(std::move(i)), factored(std::move(f)) {}
 
     Multigrid_factorization<Scalar> iteration;
     std::function<Chosen_factorization<Scalar>()> factored;
-    std::once_flag once;
+    std::atomic_flag is_taken = ATOMIC_FLAG_INIT;
     std::atomic<bool> is_factored = false;
     std::optional<Chosen_factorization<Scalar>> factor;
   };
