@@ -292,7 +292,7 @@ class _Fields:
         "iterative", in less memory, up to a residual of 1e-10; "auto" takes that beyond five
         million vertices.
         """
-        _options.expect_solver(solver)
+        _options.expect(solver=solver)
         core = self._flipped(flip)
         points, vectors = _pair(fixed) if fixed is not None else ([], np.zeros((0, 2)))
         vectors = _arrays.numbers(vectors, "fixed[1]")

@@ -144,7 +144,7 @@ class _Maps:
         takes that for harmonic maps from a million vertices on.
         """
         _arrays.expect_word(method, "method", ("harmonic", "lscm", "spectral", "conformal"))
-        _options.expect_solver(solver)
+        _options.expect(solver=solver)
         if method == "conformal":
             if solver == "iterative":
                 raise ValueError('solver="iterative" is not for conformal maps, whose matrices '
@@ -221,7 +221,7 @@ class _Maps:
         are as many as vertices. If `count` is larger, up to 1000 vertices have all of them; on
         larger surfaces it is an error. `solver` is "direct"; or "iterative", in less memory but
         more time, up to a residual of 1e-8; "auto" takes that beyond five million vertices."""
-        _options.expect_solver(solver)
+        _options.expect(solver=solver)
         count = _options.number(count, "count")
         return _core.eigen(self._flipped(flip), count, solver, progress)
 
@@ -240,7 +240,7 @@ class _Maps:
         without a handle do not move. `solver` is "direct"; or "iterative", in less memory, up to a
         residual of 1e-10; "auto" takes that beyond five million vertices.
         """
-        _options.expect_solver(solver)
+        _options.expect(solver=solver)
         _arrays.expect_word(energy, "energy", ("biharmonic", "harmonic"))
         if displacements is None:
             if not isinstance(handles, dict):

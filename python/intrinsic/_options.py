@@ -11,19 +11,15 @@ _WORDS = {
     "arithmetic": ("exact", "double"),
     "mollification": ("automatic", "none", "lengths", "squared"),
     "polygons": ("fan", "planar"),
+    "solver": ("auto", "direct", "iterative"),
 }
 FILE_DOMAINS = *_WORDS["domain"], "points"
 
 
 def expect(**options):
-    """Checks the words that options of a surface have."""
+    """Checks the words that options have."""
     for name, x in options.items():
         _arrays.expect_word(x, name, _WORDS[name])
-
-
-def expect_solver(x):
-    """Checks how linear problems are to be solved."""
-    _arrays.expect_word(x, "solver", ("auto", "direct", "iterative"))
 
 
 def expect_correspondence(x):

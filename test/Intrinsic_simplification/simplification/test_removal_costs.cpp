@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "expect_coarse.h"
 #include "operator_test_meshes.h"
 #include "removal_archetypes.h"
 
@@ -33,8 +34,6 @@ static_assert(IT::RemovalCost<IT::Stretch_cost>);
 static_assert(IT::RemovalCost<IT::Transported_mass>);
 static_assert(IT::RemovalCost<IT::Balanced_cost>);
 static_assert(!IT::RemovalCost<double>);
-
-T delaunay(const Shape& s) { return IT::delaunay_triangulation(s.input()); }
 
 IT::Simplify_options keeping_border(const T& t, std::size_t vertices) {
   IT::Simplify_options options;

@@ -3,7 +3,6 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_simplification/simplification/hierarchy.h>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
@@ -12,10 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
-#include <CGAL/Intrinsic_triangulations/metric/Euclidean_traits.h>
-#include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
 #include "coarse_meshes.h"
+#include "expect_coarse.h"
 #include "gallery.h"
 #include "operator_test_meshes.h"
 
@@ -29,63 +27,12 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace {
 
 using namespace operator_test;
 using T = IT::Corresponding_triangulation;
-
-T delaunay(IT::Intrinsic_input input) { return IT::delaunay_triangulation(std::move(input)); }
-
-T delaunay(const Shape& s) { return delaunay(s.input()); }
-
-double total_curvature(const T& t) {
-  double sum = 0;
-  for (const auto v : vertices(t.mesh())) sum += IT::gaussian_curvature(t, v);
-  return sum;
-}
-
-// The coarse surface is a surface: proper triangles, Delaunay, with the topology of the fine one,
-// and each vertex has a place on it.
-void expect_surface(const T& fine, const IT::Simplification& s) {
-  const T coarse(s.surface);
-  EXPECT_EQ(coarse.input().report().degenerate_faces, 0U);
-  EXPECT_EQ(IT::euler_characteristic(coarse.mesh()), IT::euler_characteristic(fine.mesh()));
-  EXPECT_EQ(IT::boundary_loops(coarse.mesh()).size(), IT::boundary_loops(fine.mesh()).size());
-  EXPECT_NEAR(total_curvature(coarse), total_curvature(fine), 1e-9);
-  EXPECT_EQ(s.kept.size() + s.removed, num_vertices(fine.mesh()));
-  EXPECT_EQ(num_vertices(coarse.mesh()), s.kept.size());
-  EXPECT_EQ(s.places.size(), fine.number_of_vertices());
-  EXPECT_EQ(s.face_stretch.size(), num_faces(coarse.mesh()));
-  for (std::uint32_t c = 0; c < s.kept.size(); ++c) EXPECT_EQ(s.places[s.kept[c]].vertex, c);
-  for (const IT::Place& p : s.places)
-    if (!p.is_vertex()) {
-      EXPECT_LT(p.face, num_faces(coarse.mesh()));
-      for (const double w : p.weights) EXPECT_GE(w, 0);
-      EXPECT_NEAR(p.weights[0] + p.weights[1] + p.weights[2], 1, 1e-15);
-    }
-  for (const auto e : edges(coarse.mesh()))
-    if (!CGAL::is_border(e, coarse.mesh())) {
-      EXPECT_GT(IT::cotangent_weight(coarse, e), -1e-8);
-    }
-}
-
-// Exact distances from some vertices to all others that stay are within the proven bounds.
-void expect_distances_within(const T& fine, const IT::Simplification& s) {
-  const T coarse(s.surface);
-  IT::Polyhedral_distance<T> on_fine(fine), on_coarse(coarse);
-  for (std::uint32_t c = 0; c < s.kept.size(); c += 3) {
-    on_fine.search(IT::vertex_of_row(fine, s.kept[c]));
-    on_coarse.search(IT::vertex_of_row(coarse, c));
-    const std::vector<double> a = on_fine.distances(), b = on_coarse.distances();
-    for (std::uint32_t d = 0; d < s.kept.size(); ++d) {
-      EXPECT_LE(b[d], a[s.kept[d]] * s.stretch.upper * (1 + 1e-12));
-      EXPECT_GE(b[d], a[s.kept[d]] * s.stretch.lower * (1 - 1e-12));
-    }
-  }
-}
 
 TEST(Simplify, keeps_distances_within_the_proven_bounds) {
   for (const Shape& shape : {rough_torus(10, .3, 1), rough_grid(9, .3, .6, 4)}) {
@@ -476,208 +423,6 @@ TEST(Simplify, takes_costs_of_the_user_and_stops_when_asked) {
   EXPECT_EQ(s.kept.size(), 321U);
   EXPECT_EQ(calls, 1U);
   expect_surface(fine, s);
-}
-
-TEST(Remove_flat_vertices, leaves_the_corners_of_a_cube) {
-  const T fine = delaunay(cube_of_grids(4));
-  const IT::Simplification s = IT::remove_flat_vertices(fine);
-  EXPECT_EQ(s.kept.size(), 8U);
-  EXPECT_EQ(s.status, IT::Status::done);
-  EXPECT_NEAR(s.stretch.lower, 1, 1e-12);
-  EXPECT_NEAR(s.stretch.upper, 1, 1e-12);
-  expect_surface(fine, s);
-  expect_distances_within(fine, s);
-}
-
-TEST(Remove_flat_vertices, goes_along_a_straight_border_and_asks_for_exact_angles) {
-  Shape shape = grid(6);
-  EXPECT_EQ(IT::remove_flat_vertices(delaunay(shape)).kept.size(), 4U);
-  // A hill of 1e-7: its curvature is below 1e-12, and not zero.
-  shape.points[24][2] = 1e-7;
-  const T hill = delaunay(shape);
-  const IT::Simplification exact = IT::remove_flat_vertices(hill);
-  EXPECT_GT(exact.kept.size(), 4U);
-  EXPECT_EQ(std::ranges::count(exact.kept, 24U), 1);
-  EXPECT_EQ(IT::remove_flat_vertices(hill, 1e-6).kept.size(), 4U);
-  EXPECT_THROW(IT::remove_flat_vertices(hill, -1), IT::Invalid_input);
-}
-
-// A vertex with spokes of given squared lengths, and between them given squared lengths of the rim.
-IT::Intrinsic_input star_of(const std::vector<double>& spokes, const std::vector<double>& rim) {
-  const auto n = static_cast<std::uint32_t>(spokes.size());
-  Shape s;
-  s.points.resize(n + 1);
-  for (std::uint32_t k = 0; k < n; ++k) s.triangles.push_back({n, k, (k + 1) % n});
-  const IT::Gluing_map map = s.gluing_map();
-  std::vector<double> lengths;
-  for (const auto e : edges(map)) {
-    std::uint32_t a = source(halfedge(e, map), map).index, b = target(halfedge(e, map), map).index;
-    if (a > b) std::swap(a, b);
-    lengths.push_back(b == n ? spokes[a] : rim[b == a + 1 ? a : b]);
-  }
-  return {map, lengths};
-}
-
-// Whether the last vertex goes if only flat ones may.
-bool is_flat(const IT::Intrinsic_input& input) {
-  const T t = delaunay(input);
-  IT::Simplify_options options;
-  for (std::uint32_t v = 0; v + 1 < t.number_of_vertices(); ++v) options.kept_vertices.push_back(v);
-  const IT::Simplification s = IT::remove_flat_vertices(t, 0, options);
-  EXPECT_EQ(s.not_flattened + s.blocked_by_border, 0U);
-  return s.removed == 1;
-}
-
-// Angles of many planes and fields: a quarter turn and an eighth are all that a rational angle in a
-// field of one root can be, and all else needs its class to close.
-TEST(Remove_flat_vertices, decides_stars_whose_angles_are_of_several_fields) {
-  // right angles of the classes 2, 6, 15 and 5
-  std::vector<double> spokes{1, 2, 3, 5}, rim{3, 5, 8, 6};
-  EXPECT_TRUE(is_flat(star_of(spokes, rim)));
-  for (double& side : rim) { // a near miss
-    const double before = std::exchange(side, std::nextafter(side, 9));
-    EXPECT_FALSE(is_flat(star_of(spokes, rim)));
-    side = before;
-  }
-  // eight angles of pi / 4; and two of them with three right angles
-  EXPECT_TRUE(is_flat(star_of({1, 2, 1, 2, 1, 2, 1, 2}, {1, 1, 1, 1, 1, 1, 1, 1})));
-  EXPECT_TRUE(is_flat(star_of({1, 2, 1, 3, 7}, {1, 1, 4, 10, 8})));
-  // six angles of pi / 3: one class, no multiple of pi / 2 each
-  EXPECT_TRUE(is_flat(star_of({1, 1, 1, 1, 1, 1}, {1, 1, 1, 1, 1, 1})));
-  // 2 pi / 3 and pi / 3 in the class 3, and two right angles in class 1
-  EXPECT_TRUE(is_flat(star_of({1, 1, 1, 4}, {3, 1, 5, 5})));
-  // right angles, and two of one class that differ from them by the same; and not by the same
-  EXPECT_TRUE(is_flat(star_of({1, 1, 1, 1}, {2, 2, 2 + 0x1p-50, 2 - 0x1p-50})));
-  EXPECT_FALSE(is_flat(star_of({1, 1, 1, 1}, {2, 2, 2 + 0x1p-50, 2 - 0x1p-51})));
-}
-
-// A fan with its centre at the origin, around in the plane of two vectors.
-Shape fan(int n, const std::array<double, 3>& u, const std::array<double, 3>& v) {
-  Shape s;
-  for (int k = 0; k < n; ++k) {
-    const double angle = 2 * 3.14159265358979 * k / n;
-    const double x = std::round(1e6 * std::cos(angle)), y = std::round(9e5 * std::sin(angle));
-    s.points.push_back({x * u[0] + y * v[0], x * u[1] + y * v[1], x * u[2] + y * v[2]});
-  }
-  s.points.push_back({0, 0, 0});
-  for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(n); ++k)
-    s.triangles.push_back(
-        {k, (k + 1) % static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n)});
-  return s;
-}
-
-TEST(Remove_flat_vertices, decides_large_fans) {
-  for (const int n : {130, 1000}) {
-    Shape shape = fan(n, {1, 2, 3}, {-2, 1, 5}); // the plane has irrational areas
-    EXPECT_TRUE(is_flat(shape.input()));
-    shape.points[17][0] += 0x1p-20; // out of the plane: the angle grows by 1e-25
-    EXPECT_FALSE(is_flat(shape.input()));
-  }
-}
-
-TEST(Remove_flat_vertices, reads_the_input_whatever_was_done_to_the_triangulation) {
-  const Shape shape = cube_of_grids(3);
-  const IT::Intrinsic_triangulation<> plain(shape.input());
-  EXPECT_EQ(IT::remove_flat_vertices(plain).kept.size(), 8U);
-  const IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>> rounded(
-      shape.input());
-  EXPECT_EQ(IT::remove_flat_vertices(rounded).kept.size(), 8U);
-  T refined = delaunay(shape);
-  const auto f = *faces(refined.mesh()).begin();
-  ASSERT_EQ(refined.insert_vertex(halfedge(f, refined.mesh()), {.3, .3, .4}).status,
-            IT::Move_status::done);
-  EXPECT_EQ(IT::remove_flat_vertices(refined).kept.size(), 8U);
-  // lengths alone, without correspondence: nobody knows the faces of the input any more
-  const IT::Intrinsic_triangulation<> lengths(star_of({1, 1, 1}, {3, 3, 3}));
-  EXPECT_THROW(IT::remove_flat_vertices(lengths), IT::Invalid_input);
-}
-
-TEST(Hierarchy, has_the_surfaces_that_simplify_makes) {
-  const T fine = delaunay(rough_torus(16, .2, 3));
-  IT::Simplify_options options;
-  options.kept_vertices = {7, 200};
-  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3, .25, options);
-  ASSERT_EQ(levels.size(), 3U);
-  std::size_t wanted = 256;
-  for (const IT::Simplification& level : levels) {
-    wanted /= 4;
-    options.vertices = wanted;
-    const IT::Simplification alone = IT::simplify(fine, options);
-    EXPECT_EQ(level.kept.size(), wanted);
-    EXPECT_EQ(level.kept, alone.kept);
-    EXPECT_EQ(level.surface.squared_lengths, alone.surface.squared_lengths);
-    EXPECT_EQ(level.stretch.upper, alone.stretch.upper);
-    EXPECT_EQ(level.removed, alone.removed);
-    for (const std::uint32_t v : {7U, 200U}) EXPECT_EQ(std::ranges::count(level.kept, v), 1);
-    expect_surface(fine, level);
-    expect_distances_within(fine, level);
-  }
-}
-
-TEST(Hierarchy, has_prolongations_that_compose) {
-  const T fine = delaunay(rough_torus(16, .2, 3));
-  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3);
-  ASSERT_EQ(levels.size(), 3U);
-  Eigen::SparseMatrix<double> product = IT::prolongation(levels[0]);
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    const Eigen::SparseMatrix<double> step = IT::prolongation(levels[i - 1], levels[i]);
-    ASSERT_EQ(step.rows(), static_cast<Eigen::Index>(levels[i - 1].kept.size()));
-    product = product * step;
-    const Eigen::MatrixXd direct = IT::prolongation(levels[i]), found = product;
-    // a vertex that all levels but the last have has the place there that the last level knows
-    for (const std::uint32_t v : levels[i - 1].kept)
-      EXPECT_EQ((found - direct).row(static_cast<Eigen::Index>(v)).cwiseAbs().maxCoeff(), 0);
-    EXPECT_GE(found.minCoeff(), 0);
-    EXPECT_LT((found.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14);
-  }
-}
-
-// Where the maps are isometries, linear functions stay linear at all levels: the product of the
-// steps takes them to the same as the direct matrix.
-TEST(Hierarchy, takes_linear_functions_through_all_levels) {
-  const Shape shape = rough_grid(20, .3, 0, 2);
-  const T fine = delaunay(shape);
-  IT::Simplify_options options; // the corners of the square stay; other border vertices are flat
-  options.kept_vertices = {0, 20, 420, 440};
-  for (const auto h : halfedges(fine.mesh()))
-    if (CGAL::is_border(h, fine.mesh()))
-      options.kept_vertices.push_back(fine.input_vertex(target(h, fine.mesh())));
-  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 3, .6, options);
-  ASSERT_EQ(levels.size(), 3U);
-  const auto function = [&](std::uint32_t v) {
-    return 3 * shape.points[v][0] - 2 * shape.points[v][1] + 1;
-  };
-  const std::vector<std::uint32_t>& last = levels.back().kept;
-  Eigen::VectorXd values(static_cast<Eigen::Index>(last.size()));
-  for (std::size_t c = 0; c < last.size(); ++c)
-    values[static_cast<Eigen::Index>(c)] = function(last[c]);
-  const Eigen::VectorXd direct = IT::prolongation(levels[2]) * values;
-  const Eigen::VectorXd in_steps =
-      IT::prolongation(levels[0]) *
-      (IT::prolongation(levels[0], levels[1]) * (IT::prolongation(levels[1], levels[2]) * values));
-  for (std::uint32_t v = 0; v < shape.points.size(); ++v) {
-    EXPECT_NEAR(direct[static_cast<Eigen::Index>(v)], function(v), 1e-10);
-    EXPECT_NEAR(in_steps[static_cast<Eigen::Index>(v)], function(v), 1e-10);
-  }
-}
-
-TEST(Hierarchy, refuses_ratios_out_of_range_and_stops_when_asked) {
-  const T fine = delaunay(rough_torus(20, .2, 3));
-  for (const double ratio : {0., 1., -1., 2., std::numeric_limits<double>::quiet_NaN()})
-    EXPECT_THROW(IT::hierarchy(fine, 2, ratio), IT::Invalid_input);
-  EXPECT_TRUE(IT::hierarchy(fine, 0).empty());
-  IT::Simplify_options options;
-  std::size_t calls = 0;
-  options.progress = [&](const IT::Simplify_progress& p) {
-    ++calls;
-    EXPECT_EQ(p.removed + p.left, 400U);
-    return false;
-  };
-  const std::vector<IT::Simplification> levels = IT::hierarchy(fine, 9, .5, options);
-  ASSERT_EQ(levels.size(), 2U); // tries are counted through all levels
-  EXPECT_EQ(calls, 1U);
-  EXPECT_EQ(levels[0].status, IT::Status::done);
-  EXPECT_EQ(levels[1].status, IT::Status::cancelled);
 }
 
 // Rounded lengths of a thin face may be those of no triangle.

@@ -13,11 +13,9 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <atomic>
 #include <concepts>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -54,54 +52,13 @@ public:
   using Vectors = typename Chosen_factorization<Scalar>::Vectors;
 
   Iteration_or_factor(Multigrid_factorization<Scalar> iteration,
-                      std::function<Chosen_factorization<Scalar>()> factored)
-      : shared_(std::make_shared<Shared>(std::move(iteration), std::move(factored))) {}
+                      std::function<Chosen_factorization<Scalar>()> factored);
 
-  Eigen::Index size() const { return shared_->iteration.size(); }
-  Vectors solve(const Vectors& b) const {
-    if (!shared_->is_factored) {
-      try {
-        return shared_->iteration.solve(b);
-      } catch (const No_convergence&) {
-      } catch (const Indefinite_matrix&) { // of negative weights
-      }
-      const Turn turn(shared_->is_taken); // not std::call_once(): <mutex> is long
-      if (!shared_->is_factored) {
-        shared_->factor.emplace(shared_->factored());
-        shared_->is_factored = true;
-      }
-    }
-    return shared_->factor->solve(b);
-  }
+  Eigen::Index size() const;
+  Vectors solve(const Vectors& b) const;
 
 private:
-  // of one thread; others wait
-  class Turn {
-  public:
-    explicit Turn(std::atomic_flag& is_taken) : is_taken_(is_taken) {
-      while (is_taken_.test_and_set()) is_taken_.wait(true);
-    }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
-    ~Turn() {
-      is_taken_.clear();
-      is_taken_.notify_one();
-    }
-
-  private:
-    std::atomic_flag& is_taken_;
-  };
-
-  struct Shared {
-    Shared(Multigrid_factorization<Scalar> i, std::function<Chosen_factorization<Scalar>()> f)
-        : iteration(std::move(i)), factored(std::move(f)) {}
-
-    Multigrid_factorization<Scalar> iteration;
-    std::function<Chosen_factorization<Scalar>()> factored;
-    std::atomic_flag is_taken = ATOMIC_FLAG_INIT;
-    std::atomic<bool> is_factored = false;
-    std::optional<Chosen_factorization<Scalar>> factor;
-  };
+  struct Shared;
 
   std::shared_ptr<Shared> shared_;
 };

@@ -20,12 +20,6 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 template <class Scalar>
 struct Multigrid;
-
-// As a constructor of `Multigrid_factorization`.
-template <class Scalar>
-std::shared_ptr<const Multigrid<Scalar>>
-make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
-               double tolerance);
 } // namespace internal
 
 /// How an iteration for some right sides ended.
@@ -98,8 +92,7 @@ public:
   \complexity linear in the number of entries
   */
   Multigrid_factorization(const Matrix& laplacian, const Eigen::VectorXd& diagonal,
-                          double tolerance = 1e-10) requires std::same_as<Scalar, double>
-      : multigrid_(internal::make_multigrid(laplacian, diagonal, tolerance)) {}
+                          double tolerance = 1e-10) requires std::same_as<Scalar, double>;
 
   /// returns the number of rows.
   Eigen::Index size() const;

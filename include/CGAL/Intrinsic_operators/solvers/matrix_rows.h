@@ -65,6 +65,16 @@ struct Row_sums {
   Eigen::VectorXd sum, bound;
 };
 
+// Marks, at their least rows, the components of whose rows all fulfil a condition.
+template <class Condition>
+std::vector<char> components_where_all(const std::vector<std::uint32_t>& component,
+                                       const Condition& condition) {
+  std::vector<char> result(component.size(), 1);
+  for (std::size_t r = 0; r < component.size(); ++r)
+    if (!condition(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
+  return result;
+}
+
 // Marks, at their least rows, the components whose rows all may sum to zero.
 std::vector<char> laplacian_components(const Row_sums& sums,
                                        const std::vector<std::uint32_t>& component);

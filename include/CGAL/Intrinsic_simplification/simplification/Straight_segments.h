@@ -58,7 +58,7 @@ public:
     for (std::size_t n = 0; n < windows_.size() && n < most_windows; ++n)
       if (squared_distance(windows_[n]) < reach_ * reach_) enter(windows_[n], to);
     std::erase_if(found_,
-                  [&](const Segment& s) { return std::sqrt(dot(s.vector, s.vector)) > reach_; });
+                  [&](const Segment& s) { return std::sqrt(squared_norm(s.vector)) > reach_; });
     return found_;
   }
 

@@ -202,9 +202,8 @@ Surface_deformation::Surface_deformation(const Eigen::SparseMatrix<double>& lapl
   if (!progress(Deformation_step::matrices)) return;
   const std::vector<std::uint32_t> component = components_of_matrix(laplacian);
   const std::vector<char> is_handle = internal::marked_rows(size_, handles);
-  std::vector<char> has_none(is_handle.size(), 1);
-  for (std::size_t r = 0; r < is_handle.size(); ++r)
-    if (is_handle[r] != 0) has_none[component[r]] = 0;
+  const std::vector<char> has_none = internal::components_where_all(
+      component, [&](Eigen::Index r) { return is_handle[internal::row_number(r)] == 0; });
   for (std::uint32_t r = 0; r < is_handle.size(); ++r)
     if (has_none[component[r]] != 0) rows_.push_back(r);
   if (energy == Deformation_energy::harmonic)

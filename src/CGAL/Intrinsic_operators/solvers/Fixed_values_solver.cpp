@@ -18,6 +18,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -60,9 +61,8 @@ struct Free_excess {
 // Refuses components without any excess: solutions there are not unique, up to constants.
 static void expect_excess(const Eigen::VectorXd& excess,
                           const std::vector<std::uint32_t>& component) {
-  std::vector<char> has_none(component.size(), 1);
-  for (std::size_t r = 0; r < component.size(); ++r)
-    if (excess[static_cast<Eigen::Index>(r)] != 0) has_none[component[r]] = 0;
+  const std::vector<char> has_none =
+      components_where_all(component, [&](Eigen::Index r) { return excess[r] == 0; });
   for (const std::uint32_t row : least_rows(component, has_none))
     throw std::invalid_argument("no value is fixed in the component of row " + std::to_string(row) +
                                 ", where constants may be added to any solution; fix one there");
@@ -94,15 +94,16 @@ Fixed_values_solver::Fixed_values_solver(const Eigen::SparseMatrix<double>& a,
   if (first == a.rows()) return;
   if (matrix_.coeff(first, first) < 0) sign_ = -1;
   matrix_ *= sign_;
-  const Eigen::SparseMatrix<double> free_part = internal::with_fixed_rows(matrix_, is_fixed);
+  Eigen::SparseMatrix<double> free_part = internal::with_fixed_rows(matrix_, is_fixed);
   const std::vector<std::uint32_t> component = components_of_matrix(free_part);
-  const internal::Free_excess found(matrix_, is_fixed, component);
+  internal::Free_excess found(matrix_, is_fixed, component);
   internal::expect_excess(found.excess, component);
   const bool is_free_of_subtraction =
       found.excess.minCoeff() >= 0 &&
       (found.is_laplacian || internal::has_no_positive_entry_off_diagonal(free_part));
   if (is_free_of_subtraction)
-    factorization_ = internal::chosen_factorization(free_part, found.excess, solver);
+    factorization_ =
+        internal::chosen_factorization(std::move(free_part), std::move(found.excess), solver);
   else
     factorization_ = internal::chosen_factorization<double>(
         free_part.cols(), solver,

@@ -30,10 +30,7 @@ Row_sums::Row_sums(const Eigen::SparseMatrix<double>& a)
 
 std::vector<char> laplacian_components(const Row_sums& sums,
                                        const std::vector<std::uint32_t>& component) {
-  std::vector<char> result(component.size(), 1);
-  for (std::size_t r = 0; r < component.size(); ++r)
-    if (!sums.may_be_zero(static_cast<Eigen::Index>(r))) result[component[r]] = 0;
-  return result;
+  return components_where_all(component, [&](Eigen::Index r) { return sums.may_be_zero(r); });
 }
 
 std::vector<char> marked_rows(Eigen::Index size, std::span<const std::uint32_t> rows) {

@@ -26,13 +26,8 @@ Length_equations::Length_equations(const Metric_triangles& t, const Precise_poin
   entries.reserve(6 * halfedges.size());
   for (Eigen::Index e = 0; e < n; ++e) {
     const std::uint32_t h = halfedges[static_cast<std::size_t>(e)];
-    const std::uint32_t a = t.source(h), b = t.target(h);
-    const Precise_point d = vector_between(points[a], points[b]);
-    for (int k = 0; k < 3; ++k) {
-      const double slope = d[static_cast<std::size_t>(k)].to_double() / t.length(h);
-      entries.emplace_back(3 * static_cast<int>(a) + k, static_cast<int>(e), -slope);
-      entries.emplace_back(3 * static_cast<int>(b) + k, static_cast<int>(e), slope);
-    }
+    const Precise_point d = vector_between(points[t.source(h)], points[t.target(h)]);
+    add_gradient(t, h, d, static_cast<int>(e), entries);
     residual[e] = (scalar_product(d, d) - t.squared_length(h)).to_double() / (2 * t.length(h));
   }
   gradients.resize(3 * static_cast<Eigen::Index>(points.size()), n);

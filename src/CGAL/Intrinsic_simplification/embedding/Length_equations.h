@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,17 @@ struct Length_equations {
 
   Length_equations(const Metric_triangles& t, const Precise_points& points);
 };
+
+// Adds the gradient of the length of the edge h, whose vector is d, as a column.
+template <class Real>
+void add_gradient(const Metric_triangles& t, std::uint32_t h, const Precise_point& d, int column,
+                  std::vector<Eigen::Triplet<Real>>& entries) {
+  for (int k = 0; k < 3; ++k) {
+    const Real slope = rounded_to<Real>(d[static_cast<std::size_t>(k)]) / Real(t.length(h));
+    entries.emplace_back(3 * static_cast<int>(t.source(h)) + k, column, -slope);
+    entries.emplace_back(3 * static_cast<int>(t.target(h)) + k, column, slope);
+  }
+}
 
 // Coordinates at each vertex, by blocks of a matrix, in which the gradients at it are orthonormal.
 // Where edges lie nearly in a plane, lengths hardly depend on moves across it.

@@ -37,6 +37,13 @@ inline Precise_point cross_product(const Precise_point& a, const Precise_point& 
   return c;
 }
 
+// \tparam Real a floating-point type, with 53 bits or more
+template <class Real>
+Real rounded_to(const Double_double& x) {
+  const double high = x.to_double();
+  return Real(high) + Real((x - Double_double(high)).to_double());
+}
+
 inline Eigen::Vector3d rounded(const Precise_point& p) {
   return {p[0].to_double(), p[1].to_double(), p[2].to_double()};
 }

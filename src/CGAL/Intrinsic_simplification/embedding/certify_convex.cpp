@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
-#include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 
 #include <CGAL/number_utils.h>
 
@@ -50,12 +49,6 @@ std::array<std::size_t, 6> pinned_coordinates(const Space_points& points) {
   return {0, 1, 2, 3 * b + axis(along + 1), 3 * b + axis(along + 2), 3 * c + axis(across)};
 }
 
-template <class Real>
-Real rounded_to(const Double_double& x) {
-  const double high = x.to_double();
-  return Real(high) + Real((x - Double_double(high)).to_double());
-}
-
 // Gradients of the lengths, see `Length_equations`, and of the coordinates that stay: as many as
 // there are coordinates.
 template <class Real>
@@ -67,12 +60,7 @@ Eigen::SparseMatrix<Real> pinned_gradients(const Metric_triangles& t,
   for (std::uint32_t h = 0; h < t.number_of_halfedges(); ++h) {
     if (h > t.opposite(h)) continue;
     const Precise_point d = vector_between(points[t.source(h)], points[t.target(h)]);
-    for (int k = 0; k < 3; ++k) {
-      const Real slope = rounded_to<Real>(d[static_cast<std::size_t>(k)]) / Real(t.length(h));
-      entries.emplace_back(3 * static_cast<int>(t.source(h)) + k, column, -slope);
-      entries.emplace_back(3 * static_cast<int>(t.target(h)) + k, column, slope);
-    }
-    ++column;
+    add_gradient(t, h, d, column++, entries);
   }
   for (const std::size_t k : pinned_coordinates(rounded(points)))
     entries.emplace_back(static_cast<int>(k), column++, Real(1));

@@ -143,7 +143,8 @@ public:
     return fit_lengths(triangles, points, concave * extent_of(points), run_);
   }
 
-  // A polyhedron as flat as its lengths are rounded may not be found, but the polygon near it.
+  // Takes the polygon that the surface nearly is: a polyhedron whose height is in the rounding of
+  // its lengths may not be found.
   // \return whether there is one
   bool take_polygon() {
     if (!nearly_) return false;

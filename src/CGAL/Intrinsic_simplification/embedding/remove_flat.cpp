@@ -122,7 +122,7 @@ private:
   std::minstd_rand random_;
 };
 
-// Vertices that have to go: after others, also those that have lost curvature to them.
+// Vertices that have to go. After removals, some more of them have lost their curvature to others.
 std::vector<std::uint32_t> flat_ones(const Metric_triangles& t, const std::vector<double>& within) {
   const std::vector<double> curvature = t.curvatures(); // a full turn if removed
   std::vector<std::uint32_t> result;
@@ -131,8 +131,8 @@ std::vector<std::uint32_t> flat_ones(const Metric_triangles& t, const std::vecto
   return result;
 }
 
-// A vertex has this much, or less, if it was flat and neighbours that were made flat have left it
-// what is rounding of lengths. With more it is a corner, and stays.
+// The greatest curvature of a vertex that still counts as flat. Neighbours that were made flat may
+// have left it some, by the rounding of lengths. A vertex with more is a corner, and stays.
 double most_curvature(double within) {
   constexpr double of_rounding = 1e-6; // see flat_curvatures()
   return std::max(within, std::clamp(8 * within, 1e-9, of_rounding));

@@ -28,7 +28,7 @@ public:
   bool are_stretches() const { return cost_.is_stretch(); }
   // Whether directions at vertices are needed.
   bool need_vectors() const { return cost_.needs_vectors(); }
-  // Whether the cost is told of each vertex that is removed.
+  // Whether the cost follows removals: `describe_all()` has to be called before each of them.
   bool remember() const { return cost_.remembers(); }
   // Describes copies of a vertex, and their neighbours, before they become flat.
   // \param star_of returns the star of a copy

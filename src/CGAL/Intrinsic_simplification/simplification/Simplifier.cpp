@@ -13,9 +13,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Proofs add less than this to the spread of flat faces. Without any stretch allowed, this much is,
-// so that flat vertices go. If the spread is greater than expected by no more than this, no other
-// vertex is tried first.
+// Proofs add less than this to the spread of flat faces. Where users allow no stretch, this much is
+// allowed, so that flat vertices go. If the spread is greater than expected by no more than this,
+// no other vertex is tried first.
 constexpr double negligible_spread = 1e-9;
 
 } // namespace

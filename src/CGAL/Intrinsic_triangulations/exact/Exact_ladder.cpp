@@ -96,7 +96,7 @@ namespace internal {
 
 namespace {
 
-// Each of many faces of the input is used once: there is no memory.
+// Computes the values of faces of the input. It stores none, since each of many faces is used once.
 template <class Number>
 auto faces_without_memory(const Input_metric& input) {
   return [&input](std::uint32_t f) { return Input_face_intervals<Number>::face(input, f); };

@@ -4,7 +4,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_RETRIANGULATION_DELAUNAY_MEASURE_H
 
-#include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Summed_weights.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
@@ -118,25 +117,6 @@ Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
 
 } // namespace internal
 
-/// tests all edges and measures faces, without integrals but the area: see `measure()`.
-template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
-Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
-  Measurements result;
-  // values become accurate before anything is found from them
-  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
-  long double area = 0;
-  internal::measure_faces(t, result.quality,
-                          [&](const Indexed_face& face, const Face_values<double>& values,
-                              double inverse, const auto& cotangents) {
-                            area += values.quadruple_area;
-                            sums.add(face, values, inverse, cotangents);
-                          });
-  result.edges = internal::test_edges(t, constrained, sums, result.quality);
-  result.area = std::ldexp(static_cast<double>(area), -2 * t.metric().scale_exponent() - 2) /
-                t.input().names().sheets;
-  return result;
-}
-
 /// returns the area of a triangulation as its metric stores it, in the units of the input; of a
 /// cover, that of the faces below it. \complexity linear
 template <IntrinsicTriangulation Triangulation>
@@ -146,6 +126,18 @@ double stored_area(const Triangulation& t) {
     sum += t.metric().approximate_quadruple_area(t.index(f));
   return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
          t.input().names().sheets;
+}
+
+/// tests all edges and measures faces, without integrals but the area: see `measure()`.
+template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
+Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
+  Measurements result;
+  // values become accurate before anything is found from them
+  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
+  internal::measure_faces(t, result.quality, [&](const auto&... values) { sums.add(values...); });
+  result.area = stored_area(t);
+  result.edges = internal::test_edges(t, constrained, sums, result.quality);
+  return result;
 }
 
 /// returns the area of a triangle in space, which also rounding on a needle does not spoil.

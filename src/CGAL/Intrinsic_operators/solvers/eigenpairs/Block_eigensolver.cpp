@@ -31,13 +31,12 @@ Block_eigensolver::Block_eigensolver(const Eigen::SparseMatrix<double>& a,
 
 void Block_eigensolver::find_constants() {
   const std::vector<std::uint32_t>& component = multigrid_.component;
-  std::vector<char> is_singular(component.size(), 0);
   mass_of_ = Eigen::VectorXd::Zero(masses_.size());
-  for (std::size_t r = 0; r < component.size(); ++r) {
-    is_singular[component[r]] = multigrid_.is_in_kernel(static_cast<int>(r)) ? 1 : 0;
-    mass_of_[component[r]] += masses_[static_cast<Eigen::Index>(r)];
-  }
-  roots_ = least_rows(component, is_singular);
+  for (Eigen::Index r = 0; r < masses_.size(); ++r)
+    mass_of_[component[row_number(r)]] += masses_[r];
+  roots_ = least_rows(component, components_where_all(component, [&](Eigen::Index r) {
+                        return multigrid_.is_in_kernel(r);
+                      }));
 }
 
 // Constants in the first components that have them, of length one by the masses.
@@ -50,17 +49,8 @@ Eigen::MatrixXd Block_eigensolver::constants(Eigen::Index columns) const {
 }
 
 void Block_eigensolver::remove_constants(Eigen::MatrixXd& x) const {
-  if (roots_.empty()) return;
-  const std::vector<std::uint32_t>& component = multigrid_.component;
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.rows());
-    for (Eigen::Index r = 0; r < x.rows(); ++r)
-      sum[component[row_number(r)]] += masses_[r] * x(r, c);
-    for (Eigen::Index r = 0; r < x.rows(); ++r)
-      if (const std::uint32_t root = component[row_number(r)];
-          multigrid_.is_in_kernel(static_cast<int>(r)))
-        x(r, c) -= sum[root] / mass_of_[root];
-  }
+  for (Eigen::Index c = 0; c < x.cols(); ++c)
+    multigrid_.subtract_means(x.col(c), masses_, mass_of_);
 }
 
 // One cycle makes random vectors smooth, but may make them nearly dependent.

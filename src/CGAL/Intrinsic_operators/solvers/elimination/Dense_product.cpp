@@ -39,42 +39,44 @@ void Dense_product::multiply(const double* left, const double* right, int depth,
   }
 }
 
+// Reads four rows of each column. It is inlined, so that it takes the instructions of its caller.
+[[gnu::always_inline]] static inline void
+load_rows(const Dense_panel::Columns& column, std::ptrdiff_t i, Quad (&x)[Dense_panel::columns]) {
+  std::memcpy(&x[0], column[0] + i, sizeof x[0]);
+  std::memcpy(&x[1], column[1] + i, sizeof x[1]);
+  std::memcpy(&x[2], column[2] + i, sizeof x[2]);
+  std::memcpy(&x[3], column[3] + i, sizeof x[3]);
+}
+
 CGAL_INTRINSIC_CLONES_FOR_AVX2
 void Dense_panel::add(const Columns& column, const double* factor, std::ptrdiff_t rows,
                       double* to) {
   const double f0 = factor[0], f1 = factor[1], f2 = factor[2], f3 = factor[3];
-  const double *c0 = column[0], *c1 = column[1], *c2 = column[2], *c3 = column[3];
+  const Columns c = column; // which no store to the vector may change
   std::ptrdiff_t i = 0;
   for (; i + 4 <= rows; i += 4) {
-    Quad x0, x1, x2, x3, y;
-    std::memcpy(&x0, c0 + i, sizeof x0);
-    std::memcpy(&x1, c1 + i, sizeof x1);
-    std::memcpy(&x2, c2 + i, sizeof x2);
-    std::memcpy(&x3, c3 + i, sizeof x3);
+    Quad x[columns], y;
+    load_rows(c, i, x);
     std::memcpy(&y, to + i, sizeof y);
-    y += (x0 * f0 + x1 * f1) + (x2 * f2 + x3 * f3);
+    y += (x[0] * f0 + x[1] * f1) + (x[2] * f2 + x[3] * f3);
     std::memcpy(to + i, &y, sizeof y);
   }
-  for (; i < rows; ++i) to[i] += (c0[i] * f0 + c1[i] * f1) + (c2[i] * f2 + c3[i] * f3);
+  for (; i < rows; ++i) to[i] += (c[0][i] * f0 + c[1][i] * f1) + (c[2][i] * f2 + c[3][i] * f3);
 }
 
 CGAL_INTRINSIC_CLONES_FOR_AVX2
 std::ptrdiff_t Dense_panel::sum(const Columns& column, const double* vector, std::ptrdiff_t rows,
                                 double* sums) {
-  const double *c0 = column[0], *c1 = column[1], *c2 = column[2], *c3 = column[3];
   Quad s0{}, s1{}, s2{}, s3{};
   std::ptrdiff_t i = 0;
   for (; i + 4 <= rows; i += 4) {
-    Quad x0, x1, x2, x3, y;
-    std::memcpy(&x0, c0 + i, sizeof x0);
-    std::memcpy(&x1, c1 + i, sizeof x1);
-    std::memcpy(&x2, c2 + i, sizeof x2);
-    std::memcpy(&x3, c3 + i, sizeof x3);
+    Quad x[columns], y;
+    load_rows(column, i, x);
     std::memcpy(&y, vector + i, sizeof y);
-    s0 += x0 * y;
-    s1 += x1 * y;
-    s2 += x2 * y;
-    s3 += x3 * y;
+    s0 += x[0] * y;
+    s1 += x[1] * y;
+    s2 += x[2] * y;
+    s3 += x[3] * y;
   }
   std::memcpy(sums, &s0, sizeof s0);
   std::memcpy(sums + 4, &s1, sizeof s1);

@@ -124,7 +124,7 @@ private:
 
   // The rows of a front have places that are scattered: their values are copied to consecutive
   // ones, where panels of columns of the supernode apply to them.
-  static constexpr int panel = 4;
+  static constexpr int panel = Dense_panel::columns;
 
   template <class Pack>
   void solve_forward(int s, Pack* y, Pack* front) const {

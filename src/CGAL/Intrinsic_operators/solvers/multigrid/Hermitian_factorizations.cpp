@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_cholesky.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Iteration_or_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
 #include <Eigen/SparseCore>
@@ -31,12 +33,9 @@ make_cholesky_factor(const Eigen::SparseMatrix<std::complex<double>>& a,
   return factor_fronts(a, analysis);
 }
 
-// which a compiler instantiates with the class below
-template std::shared_ptr<const Multigrid<std::complex<double>>>
-make_multigrid(const Eigen::SparseMatrix<std::complex<double>>&, const Eigen::VectorXd&, double);
-
 } // namespace internal
 
 template class Multigrid_factorization<std::complex<double>>;
+template class internal::Iteration_or_factor<std::complex<double>>;
 
 } // namespace CGAL::Intrinsic_triangulations

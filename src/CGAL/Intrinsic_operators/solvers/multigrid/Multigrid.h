@@ -51,26 +51,28 @@ struct Multigrid {
   // Finds the components where rows sum to zero.
   void find_kernel() {
     component = components_of_matrix(matrix.matrix);
-    std::vector<char> has_constants(component.size(), 1);
-    for (std::size_t r = 0; r < component.size(); ++r)
-      if (matrix.excess[static_cast<Eigen::Index>(r)] != 0) has_constants[component[r]] = 0;
+    const std::vector<char> has_constants =
+        components_where_all(component, [&](Eigen::Index r) { return matrix.excess[r] == 0; });
     if (least_rows(component, has_constants).empty()) return;
     kernel_size.assign(component.size(), 0);
     for (const std::uint32_t root : component)
       if (has_constants[root] != 0) ++kernel_size[root];
   }
-  bool is_in_kernel(int i) const {
+  bool is_in_kernel(Eigen::Index i) const {
     return !kernel_size.empty() && kernel_size[component[row_number(i)]] > 0;
   }
 
   // Subtracts the means of components with constants in the kernel.
-  void project(Vector& x) const {
+  void project(Vector& x) const { subtract_means(x, Eigen::VectorXd::Ones(x.size()), kernel_size); }
+  // The same with weights. \param total of the weights of components, at their least rows
+  template <class Values, class Weights, class Totals>
+  void subtract_means(Values&& x, const Weights& weight, const Totals& total) const {
     if (kernel_size.empty()) return;
-    Vector mean = Vector::Zero(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) mean[component[row_number(i)]] += x[i];
+    Vector sum = Vector::Zero(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) sum[component[row_number(i)]] += weight[i] * x[i];
     for (Eigen::Index i = 0; i < x.size(); ++i)
       if (const std::uint32_t root = component[row_number(i)]; kernel_size[root] > 0)
-        x[i] -= mean[root] / kernel_size[root];
+        x[i] -= sum[root] / total[root];
   }
 
   // The greatest entry of a direction along which the matrix is not positive is in a row at fault.
@@ -167,22 +169,6 @@ static void expect_right_side(const Multigrid<Scalar>& m,
                                 "must sum to zero there; subtract its mean, or fix a value");
 }
 
-template <class Scalar>
-std::shared_ptr<const Multigrid<Scalar>>
-make_multigrid(const Eigen::SparseMatrix<Scalar>& laplacian, const Eigen::VectorXd& diagonal,
-               double tolerance) {
-  expect_factorable(laplacian);
-  expect_tolerance(tolerance);
-  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
-    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
-  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-  Eigen::SparseMatrix<Scalar> full = laplacian.template selfadjointView<Eigen::Lower>();
-  const Vector sums = full * Vector::Ones(full.cols());
-  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
-  full.makeCompressed();
-  return std::make_shared<const Multigrid<Scalar>>(std::move(full), diagonal, tolerance);
-}
-
 } // namespace internal
 
 template <internal::Matrix_number Scalar>
@@ -194,6 +180,24 @@ Multigrid_factorization<Scalar>::Multigrid_factorization(const Matrix& a, double
   Eigen::VectorXd excess = internal::excess_of(full);
   multigrid_ = std::make_shared<const internal::Multigrid<Scalar>>(std::move(full),
                                                                    std::move(excess), tolerance);
+}
+
+template <internal::Matrix_number Scalar>
+Multigrid_factorization<Scalar>::Multigrid_factorization(
+    const Matrix& laplacian, const Eigen::VectorXd& diagonal,
+    double tolerance) requires std::same_as<Scalar, double> {
+  internal::expect_factorable(laplacian);
+  internal::expect_tolerance(tolerance);
+  if (diagonal.size() != laplacian.rows() || !diagonal.allFinite())
+    throw std::invalid_argument("the diagonal must have a finite number per row of the matrix");
+  Matrix full = laplacian.template selfadjointView<Eigen::Lower>();
+  // not of double: clang 14 compiles this for complex numbers, too
+  using Vector = typename internal::Multigrid<Scalar>::Vector;
+  const Vector sums = full * Vector::Ones(full.cols());
+  for (int i = 0; i < full.cols(); ++i) full.coeffRef(i, i) += diagonal[i] - sums[i];
+  full.makeCompressed();
+  multigrid_ =
+      std::make_shared<const internal::Multigrid<Scalar>>(std::move(full), diagonal, tolerance);
 }
 
 template <internal::Matrix_number Scalar>

@@ -1,17 +1,14 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/multigrid/Iteration_or_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/multigrid/Multigrid.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -26,14 +23,12 @@ static std::string message_of(const Iterations& iterations) {
   return message.str();
 }
 
-template std::shared_ptr<const Multigrid<double>> make_multigrid(const Eigen::SparseMatrix<double>&,
-                                                                 const Eigen::VectorXd&, double);
-
 } // namespace internal
 
 No_convergence::No_convergence(const Iterations& iterations)
     : std::runtime_error(internal::message_of(iterations)), iterations_(iterations) {}
 
 template class Multigrid_factorization<double>;
+template class internal::Iteration_or_factor<double>;
 
 } // namespace CGAL::Intrinsic_triangulations

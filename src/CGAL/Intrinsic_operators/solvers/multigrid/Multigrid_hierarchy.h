@@ -113,9 +113,8 @@ private:
     if constexpr (std::same_as<Number, double>) {
       Eigen::VectorXd excess = a.excess;
       const std::vector<std::uint32_t> component = components_of_matrix(m);
-      std::vector<char> is_singular(component.size(), 1);
-      for (std::size_t r = 0; r < component.size(); ++r)
-        if (a.excess[static_cast<Eigen::Index>(r)] != 0) is_singular[component[r]] = 0;
+      const std::vector<char> is_singular =
+          components_where_all(component, [&](Eigen::Index r) { return a.excess[r] == 0; });
       for (const std::uint32_t r : least_rows(component, is_singular)) {
         const int row = static_cast<int>(r);
         const double diagonal = m.coeff(row, row);

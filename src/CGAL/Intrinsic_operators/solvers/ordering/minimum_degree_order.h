@@ -24,9 +24,8 @@ template <class Scalar>
 bool is_ordered_by_int(const Eigen::SparseMatrix<Scalar>& a) {
   int most = 0;
   for (int c = 0; c < a.cols(); ++c) {
-    const int *const begin = a.innerIndexPtr() + a.outerIndexPtr()[c], *const end =
-                                                                           a.innerIndexPtr() +
-                                                                           a.outerIndexPtr()[c + 1];
+    const int* const begin = a.innerIndexPtr() + a.outerIndexPtr()[c];
+    const int* const end = a.innerIndexPtr() + a.outerIndexPtr()[c + 1];
     if (!std::binary_search(begin, end, c)) return false;
     most = std::max(most, static_cast<int>(end - begin));
   }

@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REPARTITION_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REPARTITION_H
+
+#include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A face, laid out in the plane.
+struct Moved_face {
+  std::uint32_t face;
+  std::array<std::uint32_t, 3> sides;          // its halfedges
+  std::array<Plane_vector<double>, 3> corners; // where each of them starts
+
+  // barycentric coordinates of a point of the plane, those outside are negative
+  std::array<double, 3> weights(const Plane_vector<double>& p) const {
+    const auto area = [&](std::size_t k) {
+      return cross(corners[(k + 1) % 3] - p, corners[(k + 2) % 3] - p);
+    };
+    const double all = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (!(all > 0)) return {-1, -1, -1};
+    return {area(0) / all, area(1) / all, area(2) / all};
+  }
+  Plane_vector<double> place(const Surface_point& p) const {
+    const std::size_t first = p.halfedge == sides[0] ? 0 : p.halfedge == sides[1] ? 1 : 2;
+    Plane_vector<double> sum{0, 0};
+    for (std::size_t k = 0; k < 3; ++k) sum = sum + p.weights[k] * corners[(first + k) % 3];
+    return sum;
+  }
+};
+
+// The point of the faces at a place in the plane; of the face that contains it
+// best.
+inline Surface_point point_at(std::span<const Moved_face> faces, const Plane_vector<double>& z,
+                              std::uint32_t* its_face = nullptr) {
+  double best = -1;
+  Surface_point result;
+  bool is_first = true;
+  for (const Moved_face& f : faces) {
+    std::array<double, 3> w = f.weights(z);
+    const double least = *std::min_element(w.begin(), w.end());
+    if (!is_first && !(least > best)) continue;
+    is_first = false;
+    best = least;
+    for (double& x : w) x = std::max(x, 0.0);
+    const double sum = w[0] + w[1] + w[2];
+    result = sum > 0 ? Surface_point{f.sides[0], {w[0] / sum, w[1] / sum, w[2] / sum}}
+                     : Surface_point{f.sides[0], {1, 0, 0}};
+    if (its_face != nullptr) *its_face = f.face;
+  }
+  return result;
+}
+
+// A move: some faces of the plane become others, on the same region.
+struct Repartition {
+  std::vector<Moved_face> before, after;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REPARTITION_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
+#include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Joined_numbers.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Repartition.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Singular_surface.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/remove_vertices.h>
+#include <CGAL/Intrinsic_simplification/simplification/flat_vertices.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/metric/Exact_euclidean_traits.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/support/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+void flip_while_asked(Corresponding_triangulation& t, Isometry_run& run) {
+  struct Visitor {
+    Isometry_run* run;
+    bool progress(const Flip_to_delaunay_result&) { return run->ask(); }
+  };
+  flip_to_delaunay(t, parameters::visitor(Visitor{&run}));
+}
+
+// Whether the surface is the same without the vertex. Moves do not change angles at vertices, and
+// inserted ones are in faces or on edges of the input.
+std::vector<char> flat_or_isolated_vertices(const Corresponding_triangulation& t) {
+  const std::vector<char> is_flat = flat_vertices(t.input());
+  std::vector<char> result(t.mesh().number_of_vertices(), 1);
+  for (std::uint32_t v = 0; v < is_flat.size(); ++v)
+    if (t.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none) result[v] = is_flat[v];
+  return result;
+}
+
+// Numbers sets of vertices that are joined by edges.
+std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
+  return joined_sets(mesh.number_of_vertices(), [&](const auto& join) {
+    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
+      join(mesh.source(Gluing_map::Halfedge{h}).index, mesh.target(Gluing_map::Halfedge{h}).index);
+  });
+}
+
+// Takes points through moves.
+template <class Moves, class Before, class After>
+void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size_t faces,
+           const Moves& moves, const Before& before, const After& after) {
+  if (moves.empty()) return;
+  std::vector<std::vector<std::size_t>> in_face(faces);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    in_face[mesh.face(Gluing_map::Halfedge{points[i].halfedge}).index].push_back(i);
+  for (const Repartition& move : moves) {
+    std::vector<std::pair<std::uint32_t, std::size_t>> moved;
+    for (const Moved_face& f : before(move)) {
+      for (const std::size_t i : in_face[f.face]) {
+        std::uint32_t face = 0;
+        points[i] = point_at(after(move), f.place(points[i]), &face);
+        moved.emplace_back(face, i);
+      }
+      in_face[f.face].clear();
+    }
+    for (const auto& [face, i] : moved) in_face[face].push_back(i);
+  }
+}
+
+} // namespace
+
+Corresponding_triangulation triangulation_of(std::shared_ptr<const Input> surface) {
+  Exact_euclidean_metric metric(surface->mesh(), surface->metric());
+  Gluing_map mesh = surface->mesh();
+  return {std::move(mesh), std::move(metric), std::move(surface)};
+}
+
+Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices,
+                                   Isometry_run& run)
+    : start_(std::move(t)) {
+  try {
+    run.begin(Isometry_stage::flips);
+    std::vector<char> are_removed(start_.mesh().number_of_vertices(), 0);
+    if (vertices == Tessellation_vertices::not_flat) {
+      are_removed = flat_or_isolated_vertices(start_);
+      expect_to_go_on();
+      choose_vertices(are_removed);
+    }
+    make(are_removed, run);
+  } catch (const Undecidable& e) {
+    is_proven_ = false;
+    is_ended_ = run.is_ended();
+    choice_ = e.what();
+    if (!moved_) moved_.emplace(start_);
+    ties_.assign(moved_->mesh().number_of_edges(), 0);
+  }
+  darts_.emplace(moved_->mesh(), ties_);
+  if (is_ended_ || start_.metric().statistics().probable_zero == 0) return;
+  is_proven_ = false;
+  choice_ = "exact arithmetic took some values for zero without a proof";
+}
+
+void Singular_surface::make(const std::vector<char>& are_removed, Isometry_run& run) {
+  constexpr std::uint32_t factor = 8; // how much longer flips may take than removals
+  if (number_of_flat_vertices_ == 0) return make_from(Start::delaunay, are_removed, run);
+  const bool has_many = number_of_flat_vertices_ >= start_.mesh().number_of_vertices() / factor;
+  try {
+    make_from(has_many ? Start::input : Start::delaunay, are_removed, run);
+  } catch (const Undecidable&) {
+    if (run.is_ended()) throw;
+    make_from(has_many ? Start::delaunay : Start::input, are_removed, run);
+  }
+}
+
+void Singular_surface::make_from(Start start, const std::vector<char>& are_removed,
+                                 Isometry_run& run) {
+  run.begin(Isometry_stage::flips);
+  moved_.reset(); // it refers to the start
+  if (start == Start::input)
+    start_ = triangulation_of(start_.shared_input());
+  else
+    flip_while_asked(start_, run);
+  moved_.emplace(start_);
+  run.begin(Isometry_stage::flat_vertices);
+  if (number_of_flat_vertices_ > 0) remove_vertices(*moved_, are_removed, start == Start::delaunay);
+  if (start == Start::input) make_delaunay(*moved_);
+  run.begin(Isometry_stage::ties);
+  find_ties();
+}
+
+// A component needs a vertex, and so does a loop of its border.
+void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
+  const Gluing_map& mesh = start_.mesh();
+  std::vector<char> is_done(mesh.number_of_halfedges(), 0);
+  for (std::uint32_t first = 0; first < is_done.size(); ++first) {
+    if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
+      continue;
+    bool has_corner = false;
+    Gluing_map::Halfedge h{first};
+    do {
+      is_done[h.index] = 1;
+      has_corner = has_corner || are_removed[mesh.target(h).index] == 0;
+      h = mesh.next(h);
+    } while (h.index != first);
+    if (has_corner) continue;
+    are_removed[mesh.target(h).index] = 0;
+    choice_ = "a loop of the border has no corner";
+  }
+  const std::vector<std::uint32_t> component = components_of_vertices(mesh);
+  std::vector<char> has_vertex(are_removed.size(), 0);
+  for (std::uint32_t v = 0; v < are_removed.size(); ++v)
+    if (are_removed[v] == 0) has_vertex[component[v]] = 1;
+  for (std::uint32_t v = 0; v < are_removed.size(); ++v) {
+    if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none) continue;
+    if (std::exchange(has_vertex[component[v]], 1) == 0) {
+      are_removed[v] = 0;
+      continuous_part_ = "translations of a flat torus";
+    }
+    number_of_flat_vertices_ += are_removed[v] != 0 ? 1 : 0;
+  }
+}
+
+void Singular_surface::find_ties() {
+  const Gluing_map& mesh = moved_->mesh();
+  ties_.assign(mesh.number_of_edges(), 0);
+  std::vector<std::uint32_t> moved;
+  {
+    const Corresponding_triangulation::Const_session session(start_);
+    for (std::uint32_t e = 0; e < ties_.size(); ++e) {
+      const Gluing_map::Halfedge h{2 * e};
+      if (mesh.is_removed(h) || !moved_->has_diamond(h)) continue;
+      expect_to_go_on();
+      if (moved_->is_original(mesh.face(h).index) &&
+          moved_->is_original(mesh.face(Gluing_map::opposite(h)).index))
+        ties_[e] = session.delaunay_sign(h) == ZERO ? 1 : 0;
+      else
+        moved.push_back(e);
+    }
+  }
+  for (const std::uint32_t e : moved) {
+    expect_to_go_on();
+    const Sign s =
+        moved_->sign(moved_->diamond(Gluing_map::Halfedge{2 * e}), Delaunay_expression());
+    ties_[e] = s == ZERO ? 1 : 0;
+  }
+}
+
+std::vector<char> Singular_surface::ties_within(double error) const {
+  const Gluing_map& mesh = moved_->mesh();
+  std::vector<char> result = ties_;
+  // polygons stay disks: an edge is left out only between two of them
+  Joined_numbers polygon(mesh.number_of_faces());
+  const auto join = [&](Gluing_map::Halfedge h) {
+    return polygon.join(mesh.face(h).index, mesh.face(Gluing_map::opposite(h)).index);
+  };
+  for (std::uint32_t e = 0; e < result.size(); ++e)
+    if (result[e] != 0) join(Gluing_map::Halfedge{2 * e});
+  for (std::uint32_t e = 0; e < result.size(); ++e) {
+    const Gluing_map::Halfedge h{2 * e};
+    if (result[e] != 0 || mesh.is_removed(h) || !moved_->has_diamond(h)) continue;
+    const Diamond_values<double> d = moved_->approximate(h);
+    const double size = std::abs(left_cotangent_numerator(d)) * d.area_g +
+                        std::abs(right_cotangent_numerator(d)) * d.area_f + d.area_f * d.area_g;
+    if (std::abs(Delaunay_expression()(d)) <= error * size && join(h)) result[e] = 1;
+  }
+  return result;
+}
+
+std::vector<Surface_point>
+Singular_surface::from_input(std::span<const Surface_point> points) const {
+  std::vector<Surface_point> result;
+  for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(start_, p).value());
+  carry(
+      result, start_.mesh(), start_.mesh().number_of_faces(), moved_->moves(),
+      [](const Repartition& m) -> const auto& { return m.before; },
+      [](const Repartition& m) -> const auto& { return m.after; });
+  return result;
+}
+
+std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_point> points) const {
+  std::vector<Surface_point> result(points.begin(), points.end());
+  struct Backwards { // clang 14 cannot reverse a span
+    std::span<const Repartition> moves;
+    bool empty() const { return moves.empty(); }
+    auto begin() const { return moves.rbegin(); }
+    auto end() const { return moves.rend(); }
+  };
+  const Backwards back{moved_->moves()};
+  carry(
+      result, moved_->mesh(), start_.mesh().number_of_faces(), back,
+      [](const Repartition& m) -> const auto& { return m.after; },
+      [](const Repartition& m) -> const auto& { return m.before; });
+  for (Surface_point& p : result) p = locate_on_input(start_, p).value();
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Intrinsic Triangulations authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_SINGULAR_SURFACE_H
+#define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_SINGULAR_SURFACE_H
+
+#include <CGAL/Corresponding_triangulation.h>
+#include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Dart_complex.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Moved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The triangulation of the surface that the input has.
+Corresponding_triangulation triangulation_of(std::shared_ptr<const Input> surface);
+
+// Which vertices a tessellation has.
+enum class Tessellation_vertices { all, not_flat };
+
+/*
+The Delaunay triangulation of a surface, and its tessellation: the edges between
+cocircular faces are left out, and flat vertices if wanted.
+
+Many flat vertices are removed from the input, whose faces lie in planes: faces of a Delaunay
+triangulation run across creases, where lengths have roots of both sides. Flips after that take
+about as long as removals. Few flat vertices are removed from the Delaunay triangulation, which is
+fast to find. What one way cannot decide, the other one may.
+*/
+class Singular_surface {
+public:
+  Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices,
+                   Isometry_run& run);
+  Singular_surface(const Singular_surface&) = delete;
+  Singular_surface& operator=(const Singular_surface&) = delete;
+
+  // the triangulation from which vertices were removed, or a Delaunay one
+  const Corresponding_triangulation& start() const { return start_; }
+  const Moved_triangulation& triangulation() const { return *moved_; }
+  const Dart_complex& darts() const { return *darts_; }
+  const std::vector<char>& ties() const { return ties_; }
+  std::uint32_t number_of_flat_vertices() const { return number_of_flat_vertices_; }
+  // what is arbitrary in the tessellation, or undecided; empty if there is
+  // nothing
+  const std::string& choice() const { return choice_; }
+  // the continuous part of the group of isometries; empty if there is none
+  const std::string& continuous_part() const { return continuous_part_; }
+  // whether everything was proven, though a choice may be arbitrary
+  bool is_proven() const { return is_proven_; }
+  // whether the caller has ended the computation
+  bool is_ended() const { return is_ended_; }
+
+  std::uint32_t source(std::uint32_t dart) const {
+    return moved_->mesh().source(Gluing_map::Halfedge{darts_->halfedge[dart]}).index;
+  }
+  Value_recipes::Id length(std::uint32_t dart) const {
+    return moved_->length(darts_->halfedge[dart] / 2);
+  }
+  // edges whose faces are cocircular up to a relative error: the weight is at
+  // most so far from zero
+  std::vector<char> ties_within(double error) const;
+
+  // takes points of the input to the triangulation, and back
+  std::vector<Surface_point> from_input(std::span<const Surface_point> points) const;
+  std::vector<Surface_point> to_input(std::span<const Surface_point> points) const;
+
+private:
+  enum class Start { input, delaunay };
+
+  void choose_vertices(std::vector<char>& are_removed);
+  void make(const std::vector<char>& are_removed, Isometry_run& run);
+  void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run);
+  void find_ties();
+
+  Corresponding_triangulation start_;
+  std::optional<Moved_triangulation> moved_;
+  std::vector<char> ties_; // by edge
+  std::optional<Dart_complex> darts_;
+  std::uint32_t number_of_flat_vertices_ = 0;
+  std::string choice_, continuous_part_;
+  bool is_proven_ = true, is_ended_ = false;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_SINGULAR_SURFACE_H
