@@ -40,15 +40,13 @@ concept Marks_edges_of = requires(const Map& map,
 
 } // namespace internal
 
-/// What a test of every edge for the Delaunay property finds, and the weights that it needs.
+/// What a test of every edge for the Delaunay property finds.
 struct Tested_edges {
   std::size_t non_delaunay = 0;             ///< without constrained edges
   std::size_t cocircular = 0;               ///< ties, without constrained edges
   std::size_t constrained = 0;              ///< edges that are kept
   std::size_t constrained_non_delaunay = 0; ///< of these, the ones that are not Delaunay
   std::uint64_t probable_zero = 0;          ///< ties taken for such without proof
-  /// Cotangent weight of each edge, by its number, see `statistics_tolerance`; that of a tie is 0.
-  std::vector<double> weights;
 };
 
 /// What is known of a triangulation as it is, in the units of the input; of a cover, integrals are
@@ -82,30 +80,32 @@ std::pair<Sign, double> tested_weight(const Triangulation& t,
   return {s, s == ZERO ? 0 : session.cotangent_weight(e, statistics_tolerance)};
 }
 
-// Tests every edge, and finds its weight. With exact traits the test is exact. It relies on
-// enclosures of the values that are stored, and on signs that were decided before; to test
-// independently of these, see `certify_delaunay()`.
+// Tests every edge, and finds its cotangent weight, see `statistics_tolerance`; that of a tie is 0.
+// With exact traits the test is exact. It relies on enclosures of the values that are stored, and
+// on signs that were decided before; to test independently of these, see `certify_delaunay()`.
 // \param sums of all faces
 // \param quality gets the weights
-template <class Triangulation, class Constrained>
+// \param visit called with a halfedge of each edge, and the weight
+template <class Triangulation, class Constrained, class Visit>
 Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
-                        const Summed_weights<Triangulation>& sums, Quality& quality) {
+                        const Summed_weights<Triangulation>& sums, Quality& quality,
+                        const Visit& visit) {
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
   const auto& mesh = t.mesh();
   const std::uint64_t before = t.metric().statistics().probable_zero;
   Tested_edges result;
-  result.weights.assign(t.numbers().edge_capacity(mesh), 0);
   const typename Triangulation::Const_session session(t);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     const auto f = face(h, mesh), g = face(opposite(h, mesh), mesh);
     Sign s = POSITIVE; // of an edge that cannot be flipped
-    double& weight = result.weights[t.index(e)];
+    double weight = 0;
     if (f != null && g != null && f != g)
       std::tie(s, weight) = tested_weight(t, session, sums, e);
     else
       weight = session.cotangent_weight(e, statistics_tolerance);
     if (f != null && g != null) add_weight(weight, quality);
+    visit(h, weight);
     const bool is_kept = get(constrained, e);
     result.constrained += std::size_t{is_kept};
     if (s == NEGATIVE) ++(is_kept ? result.constrained_non_delaunay : result.non_delaunay);
@@ -113,6 +113,14 @@ Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
   }
   result.probable_zero = t.metric().statistics().probable_zero - before;
   return result;
+}
+
+// The area of a surface by four times the scaled areas of its faces; of a cover, that of the faces
+// below it.
+template <class Triangulation>
+double area_in_units(const Triangulation& t, long double quadruple_area) {
+  return std::ldexp(static_cast<double>(quadruple_area), -2 * t.metric().scale_exponent() - 2) /
+         t.input().names().sheets;
 }
 
 } // namespace internal
@@ -124,20 +132,7 @@ double stored_area(const Triangulation& t) {
   long double sum = 0;
   for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
     sum += t.metric().approximate_quadruple_area(t.index(f));
-  return std::ldexp(static_cast<double>(sum), -2 * t.metric().scale_exponent() - 2) /
-         t.input().names().sheets;
-}
-
-/// tests all edges and measures faces, without integrals but the area: see `measure()`.
-template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
-Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
-  Measurements result;
-  // values become accurate before anything is found from them
-  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
-  internal::measure_faces(t, result.quality, [&](const auto&... values) { sums.add(values...); });
-  result.area = stored_area(t);
-  result.edges = internal::test_edges(t, constrained, sums, result.quality);
-  return result;
+  return internal::area_in_units(t, sum);
 }
 
 /// returns the area of a triangle in space, which also rounding on a needle does not spoil.
@@ -157,35 +152,65 @@ private:
   double first_, second_; // the product may be beyond the range of doubles
 };
 
-// Integrates over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
-// cancellation. Weights of edges from a vertex to itself do not count.
-// \param result has the weights
-// \param points see `measure()`
+// Integrals over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without cancellation.
+// Weights of edges from a vertex to itself do not count.
 template <class Triangulation>
-void integrate(const Triangulation& t, const std::vector<std::array<double, 3>>& points,
-               Measurements& result) {
-  const auto& mesh = t.mesh();
-  const int s = t.metric().scale_exponent();
-  const Binary_scale scaled(s);
-  long double trace = 0;
-  std::array<long double, 3> dirichlet = {};
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const std::uint32_t i = t.input_vertex(source(halfedge(e, mesh), mesh)),
-                        j = t.input_vertex(target(halfedge(e, mesh), mesh));
-    if (i == j) continue;
-    const double weight = result.edges.weights[t.index(e)] / t.input().names().sheets;
-    trace += 2 * weight;
-    if (points.empty()) continue;
+class Edge_integrals {
+public:
+  // \param points see `measure()`
+  Edge_integrals(const Triangulation& t, const std::vector<std::array<double, 3>>& points)
+      : t_(t), points_(points), sheets_(t.input().names().sheets),
+        scaled_(t.metric().scale_exponent()) {}
+
+  // adds an edge. \param h one of its halfedges
+  void add(typename Triangulation::halfedge_descriptor h, double weight_on_sheets) {
+    const std::uint32_t i = t_.input_vertex(source(h, t_.mesh())),
+                        j = t_.input_vertex(target(h, t_.mesh()));
+    if (i == j) return;
+    const double weight = weight_on_sheets / sheets_;
+    trace_ += 2 * weight;
+    if (points_.empty()) return;
     for (unsigned k = 0; k < 3; ++k) {
-      const double d = scaled(points[i][k] - points[j][k]); // its square does not underflow
-      dirichlet[k] += weight * d * d;
+      const double d = scaled_(points_[i][k] - points_[j][k]); // its square does not underflow
+      dirichlet_[k] += weight * d * d;
     }
   }
-  result.laplacian_trace = static_cast<double>(trace);
-  if (points.empty()) return;
-  result.dirichlet.emplace();
-  for (unsigned k = 0; k < 3; ++k)
-    (*result.dirichlet)[k] = std::ldexp(static_cast<double>(dirichlet[k]), -2 * s);
+
+  void write(Measurements& result) const {
+    result.laplacian_trace = static_cast<double>(trace_);
+    if (points_.empty()) return;
+    result.dirichlet.emplace();
+    for (unsigned k = 0; k < 3; ++k)
+      (*result.dirichlet)[k] =
+          std::ldexp(static_cast<double>(dirichlet_[k]), -2 * t_.metric().scale_exponent());
+  }
+
+private:
+  const Triangulation& t_;
+  const std::vector<std::array<double, 3>>& points_;
+  double sheets_;
+  Binary_scale scaled_;
+  long double trace_ = 0;
+  std::array<long double, 3> dirichlet_ = {};
+};
+
+// Tests all edges and measures faces, without integrals but the area.
+// \param visit see `test_edges()`
+template <class Triangulation, class Constrained, class Visit>
+Measurements measure_shapes(Triangulation& t, const Constrained& constrained, const Visit& visit) {
+  Measurements result;
+  // values become accurate before anything is found from them
+  Summed_weights<Triangulation> sums(t, sharpen_for_statistics(t));
+  long double area = 0;
+  measure_faces(
+      t, result.quality,
+      [&](const Indexed_face& face, const Face_values<double>& values, const auto&... more) {
+        area += values.quadruple_area;
+        sums.add(face, values, more...);
+      });
+  result.area = area_in_units(t, area);
+  result.edges = test_edges(t, constrained, sums, result.quality, visit);
+  return result;
 }
 
 // Calls a function with the three vertices of each face of the input, by their numbers there. Where
@@ -239,6 +264,12 @@ double area_of_points(const Triangulation& t,
   return std::ldexp(static_cast<double>(sum), -2 * s) / t.input().names().sheets;
 }
 
+/// tests all edges and measures faces, without integrals but the area: see `measure()`.
+template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
+Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
+  return internal::measure_shapes(t, constrained, [](const auto&, double) {});
+}
+
 /*!
 \brief tests all edges, and measures faces and integrals.
 
@@ -252,8 +283,10 @@ coordinates is not known. See `points_of_rows()`
 template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
 Measurements measure(Triangulation& t, const Constrained& constrained,
                      const std::vector<std::array<double, 3>>& points = {}) {
-  Measurements result = measure_shapes(t, constrained);
-  internal::integrate(t, points, result);
+  internal::Edge_integrals<Triangulation> integrals(t, points);
+  Measurements result = internal::measure_shapes(
+      t, constrained, [&](const auto& h, double weight) { integrals.add(h, weight); });
+  integrals.write(result);
   return result;
 }
 
