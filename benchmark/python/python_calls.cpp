@@ -19,6 +19,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,16 +69,17 @@ void measure_distances(const Exact& d, Times& times) {
   times("again: distance", [&] { return shortest.from(at(n / 3), exact); });
 }
 
-// Paths change the triangulation, so that the first one needs a copy, as in Python.
-void measure_curves(const Exact& t, Times& times) {
-  const auto n = static_cast<std::uint32_t>(t.number_of_vertices());
+// Paths change the triangulation: the first one needs a copy, as in Python.
+void measure_curves(const Exact& d, Times& times) {
+  const auto n = static_cast<std::uint32_t>(d.number_of_vertices());
   for (const bool is_shortest : {true, false}) {
     const std::string name = is_shortest ? "path" : "path by flips";
-    Exact copy = t;
-    IT::Geodesic_finder<Exact> find(copy);
+    std::optional<Exact> copy;
+    std::optional<IT::Geodesic_finder<Exact>> find;
     const auto path = [&](std::uint32_t from) {
-      return find(copy.numbers().vertex_at(from), copy.numbers().vertex_at(n / 2),
-                  IT::parameters::shortest(is_shortest));
+      if (!find) find.emplace(copy.emplace(d));
+      return (*find)(copy->numbers().vertex_at(from), copy->numbers().vertex_at(n / 2),
+                     IT::parameters::shortest(is_shortest));
     };
     times(name, [&] { return path(0); });
     times("again: " + name, [&] { return path(n / 3); });
@@ -130,7 +132,7 @@ void measure(const Mesh& mesh, Times& times) {
     return IT::measure(measured, IT::Marked_edges<Exact, std::uint32_t>(measured), mesh.points);
   });
   measure_distances(d, times);
-  measure_curves(t, times);
+  measure_curves(d, times);
   measure_vectors(d, mesh, times);
 }
 

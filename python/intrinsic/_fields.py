@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,11 +31,13 @@ class VectorField(_Shown):
     tangent planes, they are in the first one in which the vector is known.
     """
 
-    coordinates: Numbers
-
     def __init__(self, core, field, neighbors):
         self._core, self._field, self._neighbors = core, field, neighbors
-        self.coordinates = field.coordinates
+
+    @cached_property
+    def coordinates(self) -> Numbers:
+        """The vectors in the polar coordinates of each vertex, of shape (n, 2)."""
+        return self._field.coordinates
 
     @property
     def _surface(self):

@@ -94,6 +94,7 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
 py::array_t<double> vectors_in_space(Surface& s, const Field& field, double angle,
                                      std::size_t neighbors) {
   return array_of(with_triangulation(s, [&](auto& t) {
+    if (angle == 0) return in_space(s, t, field.vectors, field.of_row, neighbors);
     IT::Tangent_field turned = field.vectors;
     for (Complex& z : turned) z *= std::polar(1., angle);
     return in_space(s, t, turned, field.of_row, neighbors);

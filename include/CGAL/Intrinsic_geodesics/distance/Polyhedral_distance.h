@@ -27,9 +27,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -41,8 +43,14 @@ namespace CGAL::Intrinsic_triangulations {
 Distances are those on the surface, along shortest paths through faces and across edges, without
 discretization: errors are those of rounding. The triangulation is read once, in doubles: only
 lengths and areas count, so that it need not lie in space. Any Delta-complex will do, with or
-without border; a shortest path may run along the border. The effort depends on the triangulation of
-the surface, the distances do not.
+without border; a shortest path may run along the border.
+
+The effort depends on the triangulation of the surface, the distances do not: among thin faces a
+search takes many times as long as on the Delaunay triangulation. So it is made on a copy whose
+edges are flipped first, unless all edges are Delaunay. That needs exact traits, since rounded flips
+change the surface, and a correspondence, which takes points to the copy; `as_given()` keeps the
+triangulation. Paths, vectors and cells are on the triangulation as it is: the first query for one
+after flips repeats the search there. If you need them, flip the triangulation before.
 
 At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
 copies of a vertex are one point: paths start, end and pass from one side to the other there.
@@ -91,13 +99,20 @@ public:
     search(sources, np);
   }
 
-  /// reads the triangulation, and has no sources yet: all distances are infinite.
-  /// \complexity linear
+  /// reads the triangulation, after flips of a copy, and has no sources yet: all distances are
+  /// infinite. \complexity linear, and that of `flip_to_delaunay()`
   explicit Polyhedral_distance(const Triangulation& t)
-      : Polyhedral_distance(internal::Searched_surface<Triangulation>(t)) {}
+      : Polyhedral_distance(internal::Searched_surface<Triangulation>::flipped(t)) {}
   /// A triangulation that would end before this object is refused: give it a name.
   template <class... Others>
   explicit Polyhedral_distance(const Triangulation&&, const Others&...) = delete;
+
+  /// reads the triangulation as it is, without flips: paths and cells need no second search, and
+  /// there is no copy. \param t the triangulation; it must outlive the result unchanged
+  /// \complexity linear
+  static Polyhedral_distance as_given(const Triangulation& t) {
+    return Polyhedral_distance(internal::Searched_surface<Triangulation>(t));
+  }
 
   /*!
   \brief reads the user's faces under a cover, any number of which may meet at an edge; another
@@ -135,7 +150,10 @@ public:
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
     field_.clear();
     sources_ = {};
+    asked_ = {};
+    given_.reset();
     for_each_place(sources, [&](const auto& p) { sources_.add(p); });
+    remember(sources);
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
     limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
@@ -164,6 +182,8 @@ public:
       added.add(p, sources_.size());
       sources_.add(p);
     });
+    given_.reset();
+    remember(source);
     field_.windows = {};
     return spread(added, limits, np);
   }
@@ -224,6 +244,7 @@ public:
   /// linear in the number of its points; for a point, also of the windows of its face
   template <internal::Place_on<Triangulation> Place>
   Shortest_path shortest_path(const Place& p) const {
+    if (surface_.is_flipped()) return on_given().shortest_path(p);
     Shortest_path result;
     for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
     return result;
@@ -235,12 +256,17 @@ public:
   /// the path astray. \complexity that of `shortest_path()`
   template <internal::Place_on<Triangulation> Place>
   Tangent_vector logarithm(const Place& p) const {
+    if (surface_.is_flipped()) return on_given().logarithm(p);
     Tangent_vector result;
     for_each_place(p, [&](const auto& place) { result = departure_to(place, distance_of(place)); });
     return result;
   }
 
   /// \cond
+  // Reads the faces under a cover, or the triangulation as it is.
+  static Polyhedral_distance faces_or_given(const Triangulation& t) {
+    return Polyhedral_distance(internal::Searched_surface<Triangulation>::faces_or_given(t));
+  }
   // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
@@ -252,11 +278,32 @@ public:
     spread_windows(field_, sources_, limits, memory_, go_on);
     return field_;
   }
+  // The same search of what has places on the triangulation or the input, as far as this one went.
+  const Polyhedral_distance& on_given() const {
+    if (!surface_.is_flipped()) return *this;
+    if (given_) return *given_;
+    given_ = std::make_unique<Polyhedral_distance>(as_given(triangulation()));
+    for (const auto& place : asked_)
+      std::visit(
+          [&](const auto& p) {
+            given_->for_each_place(p, [&](const auto& q) { given_->sources_.add(q); });
+          },
+          place);
+    internal::Propagation_limits limits;
+    // a little farther: rounding may put a target beyond the radius at which this search ended
+    limits.radius = reached_distance() * (1 + 0x1p-32) / given_->field_.table.unit;
+    given_->spread(given_->sources_, limits, parameters::default_values());
+    return *given_;
+  }
   // What is searched.
   const internal::Searched_surface<Triangulation>& surface() const { return surface_; }
   /// \endcond
 
 private:
+  // A place that the user gave.
+  using Asked =
+      std::variant<vertex_descriptor, Surface_point, Face_location<typename Triangulation::Mesh>>;
+
   explicit Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface)
       : Polyhedral_distance(surface, surface.table()) {}
   Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface,
@@ -274,6 +321,23 @@ private:
           return observed.progress(windows, d * field_.table.unit);
         });
     return status_;
+  }
+
+  // Sources are needed again where paths are asked for after flips.
+  template <class Sources>
+  void remember(const Sources& sources) {
+    if (!surface_.is_flipped()) return;
+    if constexpr (internal::Place_on<Sources, Triangulation>)
+      asked_.push_back(as_asked(sources));
+    else
+      for (const auto& p : sources) remember(p);
+  }
+  template <class Place>
+  static Asked as_asked(const Place& p) {
+    if constexpr (std::convertible_to<Place, vertex_descriptor>)
+      return vertex_descriptor(p);
+    else
+      return p;
   }
 
   double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
@@ -326,6 +390,8 @@ private:
 
   internal::Searched_surface<Triangulation> surface_;
   internal::Places sources_;
+  std::vector<Asked> asked_; // the sources, if edges were flipped
+  mutable std::unique_ptr<Polyhedral_distance> given_;
   mutable internal::Distance_field field_;
   mutable internal::Propagation_memory memory_;
   Status status_ = Status::done;
