@@ -244,8 +244,12 @@ public:
   /// linear in the number of its points; for a point, also of the windows of its face
   template <internal::Place_on<Triangulation> Place>
   Shortest_path shortest_path(const Place& p) const {
-    if (surface_.is_flipped()) return on_given().shortest_path(p);
     Shortest_path result;
+    if (surface_.is_flipped()) {
+      result = on_given().shortest_path(p);
+      result.length = distance(p); // the same up to rounding
+      return result;
+    }
     for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
     return result;
   }
