@@ -59,6 +59,7 @@ HOSTILE = "input that callers do not make, whose handling they rely on"
 ALLOWED_INTERNALS = {
     "Intrinsic_conformal/layout/test_turn_back.cpp": IN_FEW,
     "Intrinsic_operators/solvers/test_factorizations.cpp": "that an analysis is shared shows only in time",
+    "Intrinsic_operators/solvers/test_multigrid_factorization.cpp": "the automatic choice iterates only from a million rows on",
     "Intrinsic_operators/solvers/test_nested_dissection.cpp": "orders of rows show only in time",
     "Intrinsic_triangulations/support/test_parameters.cpp": "how functions read the named parameters of users",
     "Intrinsic_triangulations/domains/test_Delaunay_star.cpp": ORACLE,

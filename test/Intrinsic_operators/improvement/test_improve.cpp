@@ -118,7 +118,7 @@ TEST(measure, tests_and_weighs_edges_as_single_questions_do) {
       for (const auto e : edges(t.mesh()))
         if (t.index(e) % 5 == 0) put(kept, e, 1);
       std::vector<double> weights(t.numbers().edge_capacity(t.mesh()));
-      const IT::Measurements m = IT::internal::measure_shapes(
+      const IT::Measurements m = IT::measure_shapes(
           t, kept, [&](const auto& h, double w) { weights[t.index(edge(h, t.mesh()))] = w; });
       const IT::Tested_edges& tested = m.edges;
       std::size_t constrained = 0, tied = 0, constrained_bad = 0, other_bad = 0;

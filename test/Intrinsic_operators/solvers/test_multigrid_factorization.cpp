@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
@@ -212,6 +213,42 @@ TEST(Multigrid_factorization, never_returns_a_wrong_solution_silently) {
   } catch (const IT::No_convergence& error) {
     EXPECT_EQ(error.iterations().residual, iterations.residual);
   }
+}
+
+// An automatic choice where rounding keeps the iteration from 1e-14: the factor takes over, and the
+// iteration is not tried again.
+template <class Scalar>
+void expect_factor_after_iteration(const Eigen::SparseMatrix<Scalar>& a) {
+  using Chosen = IT::internal::Chosen_factorization<Scalar>;
+  using Vectors = typename Chosen::Vectors;
+  int factors = 0;
+  const auto factored = [&] {
+    ++factors;
+    return Chosen(IT::Cholesky_factorization<Scalar>(a));
+  };
+  Vectors b(a.rows(), 2);
+  for (Eigen::Index i = 0; i < b.size(); ++i) b(i) = 1 + std::cos(double(i));
+  const IT::internal::Iteration_or_factor<Scalar> coarse(
+      IT::Multigrid_factorization<Scalar>(a, 1e-6), factored);
+  const Vectors rough = coarse.solve(b);
+  EXPECT_EQ(factors, 0);
+  EXPECT_LE((a * rough - b).norm(), 2e-6 * b.norm());
+  const IT::internal::Iteration_or_factor<Scalar> fine(
+      IT::Multigrid_factorization<Scalar>(a, 1e-14), factored);
+  EXPECT_EQ(fine.size(), a.rows());
+  const auto copy = fine; // shares the factor
+  const Vectors x = fine.solve(b);
+  EXPECT_EQ(factors, 1);
+  EXPECT_EQ(copy.solve(b), x);
+  EXPECT_EQ(factors, 1);
+  EXPECT_LE((rough - x).norm(), 1e-3 * x.norm());
+  EXPECT_EQ(x, Vectors(IT::Cholesky_factorization<Scalar>(a).solve(b)));
+}
+
+TEST(Chosen_factorization, factors_once_where_the_iteration_does_not_converge) {
+  std::mt19937 random(5);
+  expect_factor_after_iteration<double>(grid_matrix(60, 1e-9));
+  expect_factor_after_iteration<std::complex<double>>(turned(grid_matrix(60, 1e-9), random));
 }
 
 // Linear functions are harmonic on a grid of squares.

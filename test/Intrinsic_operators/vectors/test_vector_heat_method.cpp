@@ -119,9 +119,13 @@ TYPED_TEST(Vector_heat_on, can_be_followed_and_cancelled) {
   EXPECT_EQ(heat.factor(), IT::Status::done);
   EXPECT_EQ(heat.transport(v, {1, 2}), other.transport(v, {1, 2}));
   const IT::Vector_heat_method<TypeParam> one_by_one(t);
+  EXPECT_FALSE(one_by_one.is_factored(Step::vectors_factored));
   one_by_one.factor(Step::vectors_factored);
+  EXPECT_TRUE(one_by_one.is_factored(Step::vectors_factored));
   EXPECT_EQ(heat.transport(v, {1, 2}), one_by_one.transport(v, {1, 2}));
+  EXPECT_FALSE(one_by_one.is_factored(Step::functions_factored)); // one vector does not need it
   one_by_one.factor(Step::functions_factored);
+  EXPECT_TRUE(one_by_one.is_factored(Step::functions_factored));
   const std::vector<std::pair<typename TypeParam::vertex_descriptor, double>> sources{{v, 1.},
                                                                                       {w, 2.}};
   EXPECT_EQ(heat.extend_scalars(sources), one_by_one.extend_scalars(sources));

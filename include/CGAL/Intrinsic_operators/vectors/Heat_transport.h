@@ -72,6 +72,10 @@ public:
 
   // Factors the matrix whose factor a step names, unless it is.
   void factor(Transport_step step) const;
+  // Whether it is factored.
+  bool is_factored(Transport_step step) const {
+    return step == Transport_step::functions_factored ? functions_ != nullptr : vectors_ != nullptr;
+  }
 
   // for each vertex, the representative of its part, which heat connects
   const std::vector<std::uint32_t>& parts() const { return part_; }

@@ -110,6 +110,7 @@ public:
     return Status::done;
   }
   void factor(Transport_step step) const { heat_.factor(step); } ///< factors one matrix, once
+  bool is_factored(Transport_step s) const { return heat_.is_factored(s); } ///< tells whether it is
 
   /// returns the triangulation.
   const Triangulation& triangulation() const { return frames_.triangulation(); }
@@ -137,8 +138,7 @@ public:
     return part(p) == part(q);
   }
 
-  /// returns a third of the area of the faces at each vertex, by the numbers of a `Tangent_field`,
-  /// up to a factor.
+  /// returns areas about vertices, up to a factor, by the numbers of a `Tangent_field`.
   const std::vector<double>& relative_areas() const { return heat_.graph().areas; }
 
   /*!

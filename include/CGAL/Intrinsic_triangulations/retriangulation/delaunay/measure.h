@@ -152,8 +152,8 @@ private:
   double first_, second_; // the product may be beyond the range of doubles
 };
 
-// Integrals over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without cancellation.
-// Weights of edges from a vertex to itself do not count.
+// Integrals over the surface; x^T L x is summed over edges as w (x_i - x_j)^2, without
+// cancellation. Weights of edges from a vertex to itself do not count.
 template <class Triangulation>
 class Edge_integrals {
 public:
@@ -193,25 +193,6 @@ private:
   long double trace_ = 0;
   std::array<long double, 3> dirichlet_ = {};
 };
-
-// Tests all edges and measures faces, without integrals but the area.
-// \param visit see `test_edges()`
-template <class Triangulation, class Constrained, class Visit>
-Measurements measure_shapes(Triangulation& t, const Constrained& constrained, const Visit& visit) {
-  Measurements result;
-  // values become accurate before anything is found from them
-  Summed_weights<Triangulation> sums(t, sharpen_for_statistics(t));
-  long double area = 0;
-  measure_faces(
-      t, result.quality,
-      [&](const Indexed_face& face, const Face_values<double>& values, const auto&... more) {
-        area += values.quadruple_area;
-        sums.add(face, values, more...);
-      });
-  result.area = area_in_units(t, area);
-  result.edges = test_edges(t, constrained, sums, result.quality, visit);
-  return result;
-}
 
 // Calls a function with the three vertices of each face of the input, by their numbers there. Where
 // only changed lengths are kept, and no connectivity, faces are those of the triangulation.
@@ -264,10 +245,37 @@ double area_of_points(const Triangulation& t,
   return std::ldexp(static_cast<double>(sum), -2 * s) / t.input().names().sheets;
 }
 
-/// tests all edges and measures faces, without integrals but the area: see `measure()`.
+/*!
+\brief tests all edges and measures faces, without integrals but the area: see `measure()`.
+\param t the triangulation
+\param constrained a readable property map from edges to whether they are kept
+\param visit called with a halfedge of each edge, and the cotangent weight, see
+  `statistics_tolerance`; that of a tie is 0
+\return what was found
+\complexity linear, and that of `check_delaunay()`
+*/
+template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained,
+          std::invocable<typename Triangulation::halfedge_descriptor, double> Visit>
+Measurements measure_shapes(Triangulation& t, const Constrained& constrained, const Visit& visit) {
+  Measurements result;
+  // values become accurate before anything is found from them
+  internal::Summed_weights<Triangulation> sums(t, internal::sharpen_for_statistics(t));
+  long double area = 0;
+  internal::measure_faces(
+      t, result.quality,
+      [&](const Indexed_face& face, const Face_values<double>& values, const auto&... more) {
+        area += values.quadruple_area;
+        sums.add(face, values, more...);
+      });
+  result.area = internal::area_in_units(t, area);
+  result.edges = internal::test_edges(t, constrained, sums, result.quality, visit);
+  return result;
+}
+
+/// tests all edges and measures faces; see above.
 template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
 Measurements measure_shapes(Triangulation& t, const Constrained& constrained) {
-  return internal::measure_shapes(t, constrained, [](const auto&, double) {});
+  return measure_shapes(t, constrained, [](const auto&, double) {});
 }
 
 /*!
@@ -284,7 +292,7 @@ template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangu
 Measurements measure(Triangulation& t, const Constrained& constrained,
                      const std::vector<std::array<double, 3>>& points = {}) {
   internal::Edge_integrals<Triangulation> integrals(t, points);
-  Measurements result = internal::measure_shapes(
+  Measurements result = measure_shapes(
       t, constrained, [&](const auto& h, double weight) { integrals.add(h, weight); });
   integrals.write(result);
   return result;
