@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance_visitor.h>
 #include <CGAL/Intrinsic_geodesics/distance/Searched_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Shortest_path.h>
+#include <CGAL/Intrinsic_geodesics/distance/paths_of_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
-#include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -31,7 +31,6 @@
 #include <span>
 #include <tuple>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -45,12 +44,10 @@ discretization: errors are those of rounding. The triangulation is read once, in
 lengths and areas count, so that it need not lie in space. Any Delta-complex will do, with or
 without border; a shortest path may run along the border.
 
-The effort depends on the triangulation of the surface, the distances do not: among thin faces a
-search takes many times as long as on the Delaunay triangulation. So it is made on a copy whose
-edges are flipped first, unless all edges are Delaunay. That needs exact traits, since rounded flips
-change the surface, and a correspondence, which takes points to the copy; `as_given()` keeps the
-triangulation. Paths, vectors and cells are on the triangulation as it is: the first query for one
-after flips repeats the search there. If you need them, flip the triangulation before.
+Only the effort depends on the triangulation. Unless its edges are Delaunay, the search is made on a
+copy that is flipped first, which needs exact traits and a correspondence; `as_given()` makes none.
+Paths, vectors and cells are on the triangulation as it is: after flips, the first query for one
+repeats the search there. If you need them, flip the triangulation before.
 
 At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
 copies of a vertex are one point: paths start, end and pass from one side to the other there.
@@ -107,9 +104,8 @@ public:
   template <class... Others>
   explicit Polyhedral_distance(const Triangulation&&, const Others&...) = delete;
 
-  /// reads the triangulation as it is, without flips: paths and cells need no second search, and
-  /// there is no copy. \param t the triangulation; it must outlive the result unchanged
-  /// \complexity linear
+  /// reads the triangulation as it is, without flips. \param t the triangulation;
+  /// it must outlive the result unchanged \complexity linear
   static Polyhedral_distance as_given(const Triangulation& t) {
     return Polyhedral_distance(internal::Searched_surface<Triangulation>(t));
   }
@@ -150,13 +146,13 @@ public:
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
     field_.clear();
     sources_ = {};
-    asked_ = {};
+    asked_.clear();
     given_.reset();
     for_each_place(sources, [&](const auto& p) { sources_.add(p); });
-    remember(sources);
+    if (surface_.is_flipped()) asked_.add(sources);
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
-    limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
+    limits.windows = internal::value_or<maximum_number>(np, default_cap());
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
                    [&](const auto& p) { limits.targets.add(p); });
     if (!limits.targets.points.empty()) field_.windows.keep(field_.table.corners.size());
@@ -183,7 +179,7 @@ public:
       sources_.add(p);
     });
     given_.reset();
-    remember(source);
+    if (surface_.is_flipped()) asked_.add(source);
     field_.windows = {};
     return spread(added, limits, np);
   }
@@ -236,21 +232,20 @@ public:
   template <internal::Place_on<Triangulation> Place>
   std::uint32_t nearest_source(const Place& p) const {
     std::uint32_t result = Gluing::none;
-    for_each_place(p, [&](const auto& place) { result = source_at(place); });
+    for_each_place(p, [&](const auto& place) { result = in_reach(found(place)); });
     return result;
   }
 
-  /// returns a shortest path to a vertex or a point from the nearest source. \complexity
-  /// linear in the number of its points; for a point, also of the windows of its face
+  /// returns a shortest path to a vertex or a point from the nearest source.
+  /// \complexity linear in the number of its points; for a point, also of the windows of its face
   template <internal::Place_on<Triangulation> Place>
   Shortest_path shortest_path(const Place& p) const {
+    const Polyhedral_distance& given = on_given();
     Shortest_path result;
-    if (surface_.is_flipped()) {
-      result = on_given().shortest_path(p);
-      result.length = distance(p); // the same up to rounding
-      return result;
-    }
-    for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
+    given.for_each_place(p, [&](const auto& q) {
+      result = internal::path_to(given.surface_, given.field_, q, given.distance_of(q));
+    });
+    result.length = distance(p); // the same up to rounding
     return result;
   }
 
@@ -260,9 +255,11 @@ public:
   /// the path astray. \complexity that of `shortest_path()`
   template <internal::Place_on<Triangulation> Place>
   Tangent_vector logarithm(const Place& p) const {
-    if (surface_.is_flipped()) return on_given().logarithm(p);
+    const Polyhedral_distance& given = on_given();
     Tangent_vector result;
-    for_each_place(p, [&](const auto& place) { result = departure_to(place, distance_of(place)); });
+    given.for_each_place(p, [&](const auto& q) {
+      result = internal::departure_to(given.surface_, given.field_, q, given.distance_of(q));
+    });
     return result;
   }
 
@@ -271,7 +268,7 @@ public:
   static Polyhedral_distance faces_or_given(const Triangulation& t) {
     return Polyhedral_distance(internal::Searched_surface<Triangulation>::faces_or_given(t));
   }
-  // What a search with windows finds, as far as the first search went.
+  // What a search with windows finds.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
     internal::Propagation_limits limits;
@@ -287,14 +284,10 @@ public:
     if (!surface_.is_flipped()) return *this;
     if (given_) return *given_;
     given_ = std::make_unique<Polyhedral_distance>(as_given(triangulation()));
-    for (const auto& place : asked_)
-      std::visit(
-          [&](const auto& p) {
-            given_->for_each_place(p, [&](const auto& q) { given_->sources_.add(q); });
-          },
-          place);
-    internal::Propagation_limits limits;
-    // a little farther: rounding may put a target beyond the radius at which this search ended
+    asked_.for_each([&](const auto& p) {
+      given_->for_each_place(p, [&](const auto& q) { given_->sources_.add(q); });
+    });
+    internal::Propagation_limits limits; // a little farther: rounding may put a target there
     limits.radius = reached_distance() * (1 + 0x1p-32) / given_->field_.table.unit;
     given_->spread(given_->sources_, limits, parameters::default_values());
     return *given_;
@@ -304,10 +297,6 @@ public:
   /// \endcond
 
 private:
-  // A place that the user gave.
-  using Asked =
-      std::variant<vertex_descriptor, Surface_point, Face_location<typename Triangulation::Mesh>>;
-
   explicit Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface)
       : Polyhedral_distance(surface, surface.table()) {}
   Polyhedral_distance(const internal::Searched_surface<Triangulation>& surface,
@@ -327,36 +316,14 @@ private:
     return status_;
   }
 
-  // Sources are needed again where paths are asked for after flips.
-  template <class Sources>
-  void remember(const Sources& sources) {
-    if (!surface_.is_flipped()) return;
-    if constexpr (internal::Place_on<Sources, Triangulation>)
-      asked_.push_back(as_asked(sources));
-    else
-      for (const auto& p : sources) remember(p);
+  const internal::Distance_and_arrival& found(std::uint32_t v) const { return field_.vertices[v]; }
+  internal::Distance_and_arrival found(const internal::Point_in_face& p) const {
+    return field_with_windows().at(p);
   }
-  template <class Place>
-  static Asked as_asked(const Place& p) {
-    if constexpr (std::convertible_to<Place, vertex_descriptor>)
-      return vertex_descriptor(p);
-    else
-      return p;
+  double distance_of(const auto& place) const { return in_units(found(place).distance); }
+  std::uint32_t in_reach(const internal::Distance_and_arrival& at) const {
+    return at.distance <= field_.radius ? at.arrival.origin : Gluing::none;
   }
-
-  double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
-  double distance_of(const internal::Point_in_face& p) const {
-    return in_units(field_with_windows().at(p).distance);
-  }
-
-  std::uint32_t source_at(std::uint32_t v) const { return in_reach(field_.vertices[v]); }
-  std::uint32_t source_at(const internal::Point_in_face& p) const {
-    return in_reach(field_with_windows().at(p));
-  }
-  std::uint32_t in_reach(const internal::Distance_and_arrival& found) const {
-    return found.distance <= field_.radius ? found.arrival.origin : Gluing::none;
-  }
-
   double in_units(double scaled_distance) const {
     return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
                                             : std::numeric_limits<double>::infinity();
@@ -367,34 +334,9 @@ private:
     surface_.for_each_place(field_, places, f);
   }
 
-  // To a vertex by number, or to a point in a face.
-  template <class Place>
-  Shortest_path path_to(const Place& place, double length) const {
-    if (!std::isfinite(length)) return {Status::stalled, {}, false, length};
-    const internal::Traced_back path = trace_back(field_, place);
-    Shortest_path result{path.status, {}, false, length};
-    result.is_on_input = surface_.has_faces();
-    for (const internal::Path_place& p : path.places) result.points.push_back(surface_.point(p));
-    std::reverse(result.points.begin(), result.points.end());
-    return result;
-  }
-  template <class Place>
-  Tangent_vector departure_to(const Place& to, double length) const {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    const Tangent_vector none{{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
-    if (!std::isfinite(length)) return none;
-    const internal::Traced_back path = trace_back(field_, to);
-    if (path.status != Status::done || path.places.empty()) return none;
-    const internal::Path_place& place = path.places.back();
-    const Plane_vector<double>& d = path.departure;
-    const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
-    if (norm == 0 && length > 0) return none; // from another copy of the source
-    return {surface_.point(place), {scale * d.x, scale * d.y}};
-  }
-
   internal::Searched_surface<Triangulation> surface_;
   internal::Places sources_;
-  std::vector<Asked> asked_; // the sources, if edges were flipped
+  internal::Asked_places<Triangulation> asked_; // the sources, if edges were flipped
   mutable std::unique_ptr<Polyhedral_distance> given_;
   mutable internal::Distance_field field_;
   mutable internal::Propagation_memory memory_;

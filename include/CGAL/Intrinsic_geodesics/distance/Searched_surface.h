@@ -28,6 +28,8 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -36,6 +38,34 @@ template <class Place, class Triangulation>
 concept Place_on = std::convertible_to<Place, typename Triangulation::vertex_descriptor> ||
     std::same_as<Place, Surface_point> ||
     std::same_as<Place, Face_location<typename Triangulation::Mesh>>;
+
+// Places as users give them, with which a second search begins again.
+template <NumberedTriangulation Triangulation>
+class Asked_places {
+public:
+  void clear() { places_.clear(); }
+  // \param places a place, or a range of such
+  template <class Places>
+  void add(const Places& places) {
+    if constexpr (std::convertible_to<Places, Vertex>)
+      places_.push_back(Vertex(places));
+    else if constexpr (Place_on<Places, Triangulation>)
+      places_.push_back(places);
+    else
+      for (const auto& p : places) add(p);
+  }
+  // calls a function with each place
+  template <class Function>
+  void for_each(const Function& f) const {
+    for (const auto& place : places_) std::visit(f, place);
+  }
+
+private:
+  using Vertex = typename Triangulation::vertex_descriptor;
+
+  std::vector<std::variant<Vertex, Surface_point, Face_location<typename Triangulation::Mesh>>>
+      places_;
+};
 
 /*!
 \brief is what a search reads: a triangulation, a copy of it that is Delaunay, or the faces under it
