@@ -56,16 +56,17 @@ def joined(*parts):
 
 def _mixed_places(points, vertices, faces):
     """Returns the arrays of points and their names."""
-    face = np.full(len(points), -1)
-    vertex = np.full(len(points), -1)
-    weights = np.zeros((len(points), 3))
-    for i, (here, p) in enumerate(points):
+    face, weights, vertex = [], [], []  # arrays of a few numbers take longer than a short trace
+    for here, p in points:
         if isinstance(p, Point):
-            face[i] = _index(p.face, here + ".face", faces)
-            weights[i] = _weights(p.barycentric, here + ".barycentric")
+            face.append(_index(p.face, here + ".face", faces))
+            weights.append(_weights(p.barycentric, here + ".barycentric"))
+            vertex.append(-1)
         else:
-            vertex[i] = _index(p, here, vertices)
-    return face, weights, vertex
+            face.append(-1)
+            weights.append((0., 0., 0.))
+            vertex.append(_index(p, here, vertices))
+    return np.array(face), np.array(weights), np.array(vertex)
 
 
 def _index(x, name, count):

@@ -94,7 +94,7 @@ Surface_point any_place(const Exact& t, std::mt19937& random) {
 
 // A torus whose edges wind around it: its faces are long and thin.
 meshes::Mesh turned_torus() {
-  constexpr std::uint32_t n = 20, m = 10, turn = 4;
+  constexpr std::uint32_t n = 30, m = 40, turn = 12;
   meshes::Mesh result;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < m; ++j) {
@@ -145,7 +145,7 @@ TEST(FlippedSearch, has_the_distances_of_the_given_triangulation) {
     expect_same_distances(Exact(meshes::rough_grid(6, seed).input()), random);
   expect_same_distances(Exact(meshes::sheared_grid(6, 6, 9).input()), random);
   const auto [flipped, given] = expect_same_distances(Exact(turned_torus().input()), random);
-  EXPECT_LT(3 * flipped, given); // which is what flips are for
+  EXPECT_LT(2 * flipped, given); // which is what flips are for
 }
 
 TEST(FlippedSearch, is_on_covers_too) {
