@@ -294,7 +294,7 @@ TEST(VectorProlongation, takes_smooth_fields_on_spheres_with_errors_that_fall) {
 }
 
 TEST(VectorProlongation, goes_over_every_oriented_surface) {
-  std::size_t turned = 0, unknown = 0;
+  std::size_t turned = 0, unknown = 0, filled = 0, empty = 0;
   for (const gallery::Surface& surface : gallery::oriented()) {
     if (surface.expected.isolated_vertices > 0 || surface.expected.nonmanifold_vertices > 0)
       continue;
@@ -303,6 +303,8 @@ TEST(VectorProlongation, goes_over_every_oriented_surface) {
     const Eigen::MatrixXcd p = x.p;
     EXPECT_TRUE(p.allFinite());
     EXPECT_LT(p.cwiseAbs().rowwise().sum().maxCoeff(), 1 + 1e-12);
+    const Eigen::VectorXd lengths = p.cwiseAbs().rowwise().sum();
+    for (Eigen::Index v = 0; v < p.rows(); ++v) ++(lengths[v] == 0 ? empty : filled);
     // vectors of vertices that stay are only turned, unless all edges are loops or cancel
     for (std::size_t i = 0; i < x.s.kept.size(); ++i) {
       const double factor = std::abs(p(x.s.kept[i], static_cast<Eigen::Index>(i)));
@@ -312,7 +314,8 @@ TEST(VectorProlongation, goes_over_every_oriented_surface) {
       }
     }
   }
-  EXPECT_GT(turned, unknown);
+  EXPECT_GT(turned, 4 * unknown);
+  EXPECT_GT(filled, 4 * empty);
 }
 
 } // namespace
