@@ -289,6 +289,7 @@ public:
     });
     internal::Propagation_limits limits; // a little farther: rounding may put a target there
     limits.radius = reached_distance() * (1 + 0x1p-32) / given_->field_.table.unit;
+    limits.windows = default_cap();
     given_->spread(given_->sources_, limits, parameters::default_values());
     return *given_;
   }
