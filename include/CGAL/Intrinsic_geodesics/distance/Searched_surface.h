@@ -39,6 +39,13 @@ concept Place_on = std::convertible_to<Place, typename Triangulation::vertex_des
     std::same_as<Place, Surface_point> ||
     std::same_as<Place, Face_location<typename Triangulation::Mesh>>;
 
+// A triangulation whose copy is flipped for a search: rounded flips would change the surface, and
+// without a correspondence points would not be found on the copy.
+template <class Triangulation>
+concept Flipped_for_search = CorrespondingTriangulation<Triangulation> &&
+    IntrinsicTriangulation<Triangulation> && std::copy_constructible<Triangulation> &&
+    EuclideanMetric<typename Triangulation::Metric> && Triangulation::Metric::is_exact;
+
 // Places as users give them, with which a second search begins again.
 template <NumberedTriangulation Triangulation>
 class Asked_places {
@@ -145,11 +152,7 @@ public:
 
 private:
   static constexpr bool is_queried = CorrespondingTriangulation<Triangulation>;
-  // Rounded flips change the surface.
-  static constexpr bool can_flip = is_queried && IntrinsicTriangulation<Triangulation> &&
-                                   std::copy_constructible<Triangulation> &&
-                                   EuclideanMetric<typename Triangulation::Metric> &&
-                                   Triangulation::Metric::is_exact;
+  static constexpr bool can_flip = Flipped_for_search<Triangulation>;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Graph_traits = boost::graph_traits<typename Triangulation::Mesh>;
 
