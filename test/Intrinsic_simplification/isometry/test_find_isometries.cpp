@@ -273,6 +273,69 @@ TEST(FindIsometries, decidesPolygonsWithABorder) {
   EXPECT_EQ(isometries(square, bent), 8);
 }
 
+// ---- translation surfaces -----------------------------------------------------------------------
+
+using Matrix = std::array<std::array<double, 2>, 2>;
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
+  return c;
+}
+
+// Five rectangles with sides in Q(a), a^3 - a^2 - 2 a + 1 = 0, under a linear map: the surface of
+// issue 325 of sage-flatsurf. Each is cut into two triangles.
+Triangulation five_rectangles(const Matrix& m) {
+  constexpr double a = 1.8019377358048383; // 2 cos(pi / 7)
+  const double sides[5][2] = {
+      {1, 1}, {1, a - 1}, {a - 1, 1}, {a * a - a - 1, a - 1}, {a - 1, a * a - a - 1}};
+  // of the rectangles: bottom, right, top, left
+  const std::uint32_t side[] = {0, 1, 4, 5};
+  const auto number = [&](std::uint32_t rectangle, std::uint32_t s) {
+    return 6 * rectangle + side[s];
+  };
+  std::vector<gallery::Glued> pairs;
+  for (std::uint32_t r = 0; r < 5; ++r) pairs.push_back({6 * r + 2, 6 * r + 3});
+  const std::uint32_t glued[][4] = {{0, 0, 1, 2}, {0, 1, 2, 3}, {0, 2, 1, 0}, {0, 3, 2, 1},
+                                    {1, 1, 3, 3}, {1, 3, 3, 1}, {2, 0, 4, 2}, {2, 2, 4, 0},
+                                    {3, 0, 3, 2}, {4, 1, 4, 3}};
+  for (const auto& [r, s, q, t] : glued) pairs.push_back({number(r, s), number(q, t)});
+  gallery::Surface surface = gallery::abstract("rectangles", gallery::glue(10, pairs), {});
+  surface.squared_length_of_side.clear();
+  for (const auto& [width, height] : sides) {
+    const auto squared = [&m](double x, double y) {
+      const double u = m[0][0] * x + m[0][1] * y, v = m[1][0] * x + m[1][1] * y;
+      return u * u + v * v;
+    };
+    const double right = squared(width, 0), up = squared(0, height),
+                 across = squared(width, height);
+    for (const double l : {right, up, across, across, right, up})
+      surface.squared_length_of_side.push_back(l);
+  }
+  return Triangulation(gallery::input(surface));
+}
+
+// The matrix belongs to the Veech group of the surface: cut and glued again, the image is the
+// surface. Its sides get longer and longer.
+TEST(FindIsometries, findsVeechGroups) {
+  constexpr double a = 1.8019377358048383;
+  const Matrix shears{{{1, a}, {a, a * a + 1}}};
+  const IT::Canonical_form form = IT::canonical_form(five_rectangles({{{1, 0}, {0, 1}}}));
+  Matrix m{{{1, 0}, {0, 1}}};
+  for (int power = 1; power <= 4; ++power) {
+    m = product(shears, m);
+    const IT::Isometries found = IT::find_isometries(form, IT::canonical_form(five_rectangles(m)));
+    EXPECT_EQ(found.answer(), Isometry_answer::isometric_within) << power << found.note();
+    const double size = m[1][1] * m[1][1]; // of rounding errors in squared lengths
+    EXPECT_LT(found.largest_difference(), 0x1p-50 * 8 * size) << power;
+  }
+  // another matrix of the same field, with determinant 1
+  const Matrix other{{{1, 1}, {0, 1}}};
+  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(five_rectangles(other))).answer(),
+            Isometry_answer::not_isometric);
+}
+
 // ---- several components, many candidates --------------------------------------------------------
 
 Triangles together(const std::vector<Triangles>& parts) {
