@@ -238,32 +238,47 @@ TEST(FindIsometries, comparesSizesWhereBordersHaveNoCorner) {
 
 // A rectangle that is rolled to a prism of many sides, whose widths are roots that do not depend on
 // each other; all vertices but four are flat.
+Triangles rolled(double height, std::uint32_t sides, std::uint32_t rows) {
+  Triangles t;
+  for (std::uint32_t i = 0; i <= sides; ++i)
+    for (std::uint32_t j = 0; j <= rows; ++j) {
+      const double a = 3.6 * i / sides;
+      t.points.push_back({std::round(std::cos(a) * 4096) / 4096,
+                          std::round(std::sin(a) * 4096) / 4096, height * j});
+    }
+  for (std::uint32_t i = 0; i < sides; ++i)
+    for (std::uint32_t j = 0; j < rows; ++j) {
+      const std::uint32_t v = i * (rows + 1) + j, w = v + rows + 1;
+      t.faces.push_back({v, w, w + 1});
+      t.faces.push_back({v, w + 1, v + 1});
+    }
+  return t;
+}
+
 TEST(FindIsometries, unrollsPrisms) {
-  const auto rolled = [](double height, std::uint32_t seed) {
-    Triangles t;
-    constexpr std::uint32_t n = 12, rows = 4;
-    for (std::uint32_t i = 0; i <= n; ++i)
-      for (std::uint32_t j = 0; j <= rows; ++j) {
-        const double a = 0.3 * i;
-        t.points.push_back({std::round(std::cos(a) * 4096) / 4096,
-                            std::round(std::sin(a) * 4096) / 4096, height * j});
-      }
-    for (std::uint32_t i = 0; i < n; ++i)
-      for (std::uint32_t j = 0; j < rows; ++j) {
-        const std::uint32_t v = i * (rows + 1) + j, w = v + rows + 1;
-        t.faces.push_back({v, w, w + 1});
-        t.faces.push_back({v, w + 1, v + 1});
-      }
-    return t.renumbered(seed).triangulation();
+  const auto form_of = [](double height, std::uint32_t seed) {
+    return IT::canonical_form(rolled(height, 12, 4).renumbered(seed).triangulation());
   };
-  const IT::Canonical_form form = IT::canonical_form(rolled(0.25, 1));
+  const IT::Canonical_form form = form_of(0.25, 1);
   EXPECT_EQ(form.number_of_flat_vertices(), 61U);
   EXPECT_EQ(form.number_of_darts(), 4U);
-  const IT::Isometries found = IT::find_isometries(form, IT::canonical_form(rolled(0.25, 2)));
+  const IT::Isometries found = IT::find_isometries(form, form_of(0.25, 2));
   EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
   EXPECT_EQ(found.count(), 4);
-  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(rolled(0.5, 3))).answer(),
-            Isometry_answer::not_isometric);
+  EXPECT_EQ(IT::find_isometries(form, form_of(0.5, 3)).answer(), Isometry_answer::not_isometric);
+}
+
+// Lengths are sums of more than 64 roots.
+TEST(FindIsometries, unrollsPrismsOfAHundredSides) {
+  const Triangles t = rolled(0.25, 100, 2);
+  const IT::Canonical_form form = IT::canonical_form(t.renumbered(1).triangulation());
+  EXPECT_EQ(form.number_of_darts(), 4U) << form.note();
+  for (const Triangles& other : {t.renumbered(2), t.divided(3, 7).renumbered(3)}) {
+    const IT::Isometries found =
+        IT::find_isometries(form, IT::canonical_form(other.triangulation()));
+    EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
+    EXPECT_EQ(found.count(), 4);
+  }
 }
 
 TEST(FindIsometries, decidesPolygonsWithABorder) {
