@@ -279,6 +279,10 @@ TEST(FindIsometries, unrollsPrismsOfAHundredSides) {
     EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
     EXPECT_EQ(found.count(), 4);
   }
+  Triangles longer = t; // one of its four corners, along the side, by the last digit
+  longer.points.back()[2] = std::nextafter(longer.points.back()[2], 1);
+  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(longer.triangulation())).answer(),
+            Isometry_answer::isometric_within);
 }
 
 TEST(FindIsometries, decidesPolygonsWithABorder) {

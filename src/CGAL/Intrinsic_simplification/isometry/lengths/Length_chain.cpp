@@ -106,9 +106,9 @@ std::vector<Step> merged(std::vector<Step> a, std::vector<Step> b, std::size_t n
 }
 
 /*
-Linear functions of the rest of both chains that all have to vanish. A function has a coefficient for
-each component, of 1, x, y and x^2 + y^2 in both planes, and each set of open roots: roots that occur
-before and after.
+Linear functions of the rest of both chains that all have to vanish. A function has a coefficient
+for each component, of 1, x, y and x^2 + y^2 in both planes, and each set of open roots: roots
+that occur before and after.
 */
 class Difference {
 public:
