@@ -24,9 +24,11 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Strip_names.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/chains_of_lengths.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Canonical_form.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Dart_matching.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Isometry_search.cpp>

@@ -238,32 +238,51 @@ TEST(FindIsometries, comparesSizesWhereBordersHaveNoCorner) {
 
 // A rectangle that is rolled to a prism of many sides, whose widths are roots that do not depend on
 // each other; all vertices but four are flat.
+Triangles rolled(double height, std::uint32_t sides, std::uint32_t rows) {
+  Triangles t;
+  for (std::uint32_t i = 0; i <= sides; ++i)
+    for (std::uint32_t j = 0; j <= rows; ++j) {
+      const double a = 3.6 * i / sides;
+      t.points.push_back({std::round(std::cos(a) * 4096) / 4096,
+                          std::round(std::sin(a) * 4096) / 4096, height * j});
+    }
+  for (std::uint32_t i = 0; i < sides; ++i)
+    for (std::uint32_t j = 0; j < rows; ++j) {
+      const std::uint32_t v = i * (rows + 1) + j, w = v + rows + 1;
+      t.faces.push_back({v, w, w + 1});
+      t.faces.push_back({v, w + 1, v + 1});
+    }
+  return t;
+}
+
 TEST(FindIsometries, unrollsPrisms) {
-  const auto rolled = [](double height, std::uint32_t seed) {
-    Triangles t;
-    constexpr std::uint32_t n = 12, rows = 4;
-    for (std::uint32_t i = 0; i <= n; ++i)
-      for (std::uint32_t j = 0; j <= rows; ++j) {
-        const double a = 0.3 * i;
-        t.points.push_back({std::round(std::cos(a) * 4096) / 4096,
-                            std::round(std::sin(a) * 4096) / 4096, height * j});
-      }
-    for (std::uint32_t i = 0; i < n; ++i)
-      for (std::uint32_t j = 0; j < rows; ++j) {
-        const std::uint32_t v = i * (rows + 1) + j, w = v + rows + 1;
-        t.faces.push_back({v, w, w + 1});
-        t.faces.push_back({v, w + 1, v + 1});
-      }
-    return t.renumbered(seed).triangulation();
+  const auto form_of = [](double height, std::uint32_t seed) {
+    return IT::canonical_form(rolled(height, 12, 4).renumbered(seed).triangulation());
   };
-  const IT::Canonical_form form = IT::canonical_form(rolled(0.25, 1));
+  const IT::Canonical_form form = form_of(0.25, 1);
   EXPECT_EQ(form.number_of_flat_vertices(), 61U);
   EXPECT_EQ(form.number_of_darts(), 4U);
-  const IT::Isometries found = IT::find_isometries(form, IT::canonical_form(rolled(0.25, 2)));
+  const IT::Isometries found = IT::find_isometries(form, form_of(0.25, 2));
   EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
   EXPECT_EQ(found.count(), 4);
-  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(rolled(0.5, 3))).answer(),
-            Isometry_answer::not_isometric);
+  EXPECT_EQ(IT::find_isometries(form, form_of(0.5, 3)).answer(), Isometry_answer::not_isometric);
+}
+
+// Lengths are sums of more than 64 roots.
+TEST(FindIsometries, unrollsPrismsOfAHundredSides) {
+  const Triangles t = rolled(0.25, 100, 2);
+  const IT::Canonical_form form = IT::canonical_form(t.renumbered(1).triangulation());
+  EXPECT_EQ(form.number_of_darts(), 4U) << form.note();
+  for (const Triangles& other : {t.renumbered(2), t.divided(3, 7).renumbered(3)}) {
+    const IT::Isometries found =
+        IT::find_isometries(form, IT::canonical_form(other.triangulation()));
+    EXPECT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
+    EXPECT_EQ(found.count(), 4);
+  }
+  Triangles longer = t; // one of its four corners, along the side, by the last digit
+  longer.points.back()[2] = std::nextafter(longer.points.back()[2], 1);
+  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(longer.triangulation())).answer(),
+            Isometry_answer::isometric_within);
 }
 
 TEST(FindIsometries, decidesPolygonsWithABorder) {
@@ -271,6 +290,70 @@ TEST(FindIsometries, decidesPolygonsWithABorder) {
   EXPECT_EQ(isometries(square, square.divided(15, 1).renumbered(2)), 8);
   const Triangles bent{{{0, 0, 0}, {2, 0, 0}, {2, 0, 2}, {0, 0, 2}}, {{0, 1, 2}, {0, 2, 3}}};
   EXPECT_EQ(isometries(square, bent), 8);
+}
+
+// ---- translation surfaces -----------------------------------------------------------------------
+
+using Matrix = std::array<std::array<double, 2>, 2>;
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
+  return c;
+}
+
+// Five rectangles with sides in Q(a), a^3 - a^2 - 2 a + 1 = 0, under a linear map: the surface of
+// issue 325 of sage-flatsurf. Each is cut into two triangles.
+Triangulation five_rectangles(const Matrix& m) {
+  constexpr double a = 1.8019377358048383; // 2 cos(pi / 7)
+  const double sides[5][2] = {
+      {1, 1}, {1, a - 1}, {a - 1, 1}, {a * a - a - 1, a - 1}, {a - 1, a * a - a - 1}};
+  // of the rectangles: bottom, right, top, left
+  const std::uint32_t side[] = {0, 1, 4, 5};
+  const auto number = [&](std::uint32_t rectangle, std::uint32_t s) {
+    return 6 * rectangle + side[s];
+  };
+  std::vector<gallery::Glued> pairs;
+  for (std::uint32_t r = 0; r < 5; ++r) pairs.push_back({6 * r + 2, 6 * r + 3});
+  const std::uint32_t glued[][4] = {{0, 0, 1, 2}, {0, 1, 2, 3}, {0, 2, 1, 0}, {0, 3, 2, 1},
+                                    {1, 1, 3, 3}, {1, 3, 3, 1}, {2, 0, 4, 2}, {2, 2, 4, 0},
+                                    {3, 0, 3, 2}, {4, 1, 4, 3}};
+  for (const auto& [r, s, q, t] : glued) pairs.push_back({number(r, s), number(q, t)});
+  gallery::Surface surface = gallery::abstract("rectangles", gallery::glue(10, pairs), {});
+  surface.squared_length_of_side.clear();
+  for (const auto& [width, height] : sides) {
+    const auto squared = [&m](double x, double y) {
+      const double u = m[0][0] * x + m[0][1] * y, v = m[1][0] * x + m[1][1] * y;
+      return u * u + v * v;
+    };
+    const double right = squared(width, 0), up = squared(0, height),
+                 across = squared(width, height);
+    for (const double l : {right, up, across, across, right, up})
+      surface.squared_length_of_side.push_back(l);
+  }
+  return Triangulation(gallery::input(surface));
+}
+
+// The matrix belongs to the Veech group of the surface: cut and glued again, the image is the
+// surface. Its sides get longer and longer.
+TEST(FindIsometries, findsVeechGroups) {
+  constexpr double a = 1.8019377358048383;
+  const Matrix shears{{{1, a}, {a, a * a + 1}}};
+  const IT::Canonical_form form = IT::canonical_form(five_rectangles({{{1, 0}, {0, 1}}}));
+  Matrix m{{{1, 0}, {0, 1}}};
+  for (int power = 1; power <= 4; ++power) {
+    m = product(shears, m);
+    const IT::Isometries found = IT::find_isometries(form, IT::canonical_form(five_rectangles(m)));
+    EXPECT_EQ(found.answer(), Isometry_answer::isometric_within) << power << found.note();
+    // sides have squares of this size, which are rounded, and heights have its inverse
+    const double size = m[1][1] * m[1][1];
+    EXPECT_LT(found.largest_difference(), 0x1p-52 * size * size) << power;
+  }
+  // another matrix of the same field, with determinant 1
+  const Matrix other{{{1, 1}, {0, 1}}};
+  EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(five_rectangles(other))).answer(),
+            Isometry_answer::not_isometric);
 }
 
 // ---- several components, many candidates --------------------------------------------------------

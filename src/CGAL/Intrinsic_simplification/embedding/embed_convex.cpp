@@ -233,7 +233,7 @@ void name_points(const Input& surface, const Whole_faces& whole, int scale,
 
 } // namespace
 
-// Curvatures near 0 are what hinders each of the stages.
+// Curvatures near 0, and edges that are far shorter than others, are what hinders the stages.
 std::string remedy_of(Embedding_stage stage) {
   switch (stage) {
   case Embedding_stage::flat_vertices:
@@ -243,7 +243,8 @@ std::string remedy_of(Embedding_stage stage) {
     return "angles may sum to nearly 360 degrees; raise flat_within above the curvature of such "
            "vertices, or remove them; or edges may be too short for doubles beside others";
   case Embedding_stage::curvatures:
-    return "some vertices may have hardly any curvature; raise flat_within, or remove them";
+    return "some vertices may have hardly any curvature; raise flat_within, or remove them; or the "
+           "surface may be a needle, or have edges too short beside others; join their ends";
   case Embedding_stage::fit:
   case Embedding_stage::certificate:
     break;

@@ -113,7 +113,7 @@ TEST(Square_class_basis, is_full_at_its_largest_dimension_and_still_answers) {
     ASSERT_TRUE(is_root_of(basis, basis.sqrt_of(numbers.back()), numbers.back()));
   }
   EXPECT_FALSE(basis.sqrt_of(Gmpq(random_integer(random, 3))).has_value());
-  const Gmpq x = numbers[3] * numbers[17] * numbers[63] * Gmpq(25, 7) * Gmpq(7);
+  const Gmpq x = numbers[3] * numbers[17] * numbers[63] * numbers[120] * Gmpq(25, 7) * Gmpq(7);
   EXPECT_TRUE(is_root_of(basis, basis.sqrt_of(x), x));
   EXPECT_EQ(basis.dimension(), IT::Square_class_basis::max_dimension);
 }

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -25,8 +26,12 @@ namespace CGAL::Intrinsic_triangulations {
 square root of the product of the representatives whose bits are set in `radical`.
 */
 struct Square_root {
-  Gmpq factor;               ///< rational, not negative
-  std::uint64_t radical = 0; ///< zero iff the number is the square of a rational
+  /// Set of representatives, as bits: two words, since lengths across a rolled sheet are sums of as
+  /// many roots as it has folds.
+  __extension__ using Mask = unsigned __int128;
+
+  Gmpq factor;      ///< rational, not negative
+  Mask radical = 0; ///< zero iff the number is the square of a rational
 };
 
 /*!
@@ -56,9 +61,9 @@ even for `product()`, which stores results.
 class Square_class_basis {
 public:
   /// Set of representatives, as bits.
-  using Mask = std::uint64_t;
+  using Mask = Square_root::Mask;
   /// Largest number of representatives.
-  static constexpr std::size_t max_dimension = 64;
+  static constexpr std::size_t max_dimension = 128;
 
   /// constructs the basis of the trivial class.
   Square_class_basis() = default;
@@ -126,6 +131,13 @@ private:
     Mask symbols;        // bit i is set iff chi_{p_i}(e) = -1; no bit below this generator's
   };
 
+  struct Hash {
+    std::size_t operator()(Mask m) const {
+      return std::hash<std::uint64_t>()(static_cast<std::uint64_t>(m) ^
+                                        static_cast<std::uint64_t>(m >> 64U) * 0x9e3779b97f4a7c15U);
+    }
+  };
+
   // returns the only set S for which n d_S can be a square
   Mask find_candidate(const Gmpz& n) const;
 
@@ -135,7 +147,7 @@ private:
   std::vector<Generator> generators_;
   mutable std::size_t words_left_ = std::numeric_limits<std::size_t>::max();
   Gmpz one_ = Gmpz(1);
-  mutable std::unordered_map<Mask, Gmpz> products_;
+  mutable std::unordered_map<Mask, Gmpz, Hash> products_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_table.h>
@@ -66,6 +67,10 @@ public:
   Value name_length(const Gluing_map& mesh, Halfedge h);
   Value name_area(const Gluing_map& mesh, Halfedge h);
 
+  // The squared length that has a name, by the triangles and charts that its edge crosses; nothing
+  // if one has irrational lengths.
+  std::optional<Length_chain> chain(Value length) const;
+
   // Computes values and points in one number type, each once.
   template <class FT>
   class Evaluation;
@@ -98,6 +103,15 @@ private:
   Point image(Frame_maps::Map map, Point p);
   std::optional<Image> across_first_edge(const Image& i);
   Value add(const Quantity& q);
+  // A frame with rational lengths: `square` is that of the quadruple area of its first face.
+  struct Rational_frame {
+    Gmpq square;
+    std::array<Plane_number, 3> corners; // without a chart, of its face
+  };
+  std::optional<Gmpq> rational_length(std::uint32_t edge) const;
+  std::optional<Rational_frame> rational_frame(std::uint32_t frame) const;
+  Plane_number place(const Rational_frame& frame, std::uint32_t halfedge) const;
+  bool append_letter(Frame_maps::Map letter, std::vector<Length_chain::Link>& links) const;
 
   const Value_recipes& recipes_;
   std::vector<std::uint32_t> face_, next_; // of each halfedge at the start

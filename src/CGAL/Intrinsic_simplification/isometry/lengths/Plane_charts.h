@@ -74,6 +74,8 @@ public:
   // The number of the point where a halfedge starts, in the chart of its face.
   std::uint32_t number_of_point(std::uint32_t halfedge) const { return point_[halfedge]; }
   const Plane_number& point(std::uint32_t number) const { return points_[number]; }
+  // that of the quadruple area of its first face
+  const Gmpq& squared_area(std::uint32_t chart) const { return squared_area_[chart]; }
 
   // The motion that takes the chart of the face across a halfedge to that of its own face, which is
   // the same chart; nothing if it is the identity. \pre the mesh is that of the constructor

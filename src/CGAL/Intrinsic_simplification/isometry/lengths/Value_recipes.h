@@ -6,6 +6,7 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_table.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/points_on_input.h>
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -57,6 +59,9 @@ public:
   // The side of an input face along which an edge of the triangulation runs.
   // \pre it does
   Face_side input_side_of(std::uint32_t edge) const;
+
+  // The chain of input triangles under an edge; nothing if they are not in a row.
+  std::optional<Length_chain> chain(std::uint32_t edge) const;
 
   // Values, each computed once.
   template <class FT>

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Strip_names.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.h>
 #include <CGAL/Intrinsic_simplification/isometry/search/Length_classes.h>
@@ -55,6 +56,8 @@ public:
 
   Equality operator()(const Length& x, const Length& y) {
     if (const auto n = name(x); n && n == name(y)) return Equality::equal;
+    if (const auto a = chain(x), b = chain(y); a && b && are_identical(*a, *b))
+      return Equality::equal;
     for (int attempt = 0; attempt < 2 && words_left_ > 0; ++attempt) {
       try {
         return compare_in_field(x, y);
@@ -86,6 +89,12 @@ private:
     if (const auto known = known_names_.find(number); known != known_names_.end())
       return known->second;
     return known_names_.emplace(number, names_.name(recipes(x), x.id, exponent(x))).first->second;
+  }
+
+  std::optional<Length_chain> chain(const Length& x) const {
+    std::optional<Length_chain> c = surfaces_[x.surface]->triangulation().developed().chain(x.id);
+    if (c) c->unit = scaled_by_power_of_two(c->unit, exponent(x));
+    return c;
   }
 
   Equality compare_in_field(const Length& x, const Length& y) {

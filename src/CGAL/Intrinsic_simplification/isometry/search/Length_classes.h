@@ -24,8 +24,9 @@ struct Length_classes {
 
 /*
 Compares squared lengths exactly. Enclosures prove most to be different. Two are
-equal if the same strips of input triangles lie under both edges, or if they are
-the same number in the field of the square roots of all surfaces.
+equal if the same strips of input triangles lie under both edges, if their chains
+are identical, or if they are the same number in the field of the square roots of
+all surfaces.
 */
 Length_classes exact_length_classes(std::span<const Singular_surface* const> surfaces);
 

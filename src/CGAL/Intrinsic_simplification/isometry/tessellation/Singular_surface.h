@@ -33,7 +33,8 @@ cocircular faces are left out, and flat vertices if wanted.
 Many flat vertices are removed from the input, whose faces lie in planes: faces of a Delaunay
 triangulation run across creases, where lengths have roots of both sides. Flips after that take
 about as long as removals. Few flat vertices are removed from the Delaunay triangulation, which is
-fast to find. What one way cannot decide, the other one may.
+fast to find; if lengths of edges that moves have made depend on irrational ones then, the input is
+tried, too. What one way cannot decide, the other one may.
 */
 class Singular_surface {
 public:
@@ -79,6 +80,8 @@ private:
   void make(const std::vector<char>& are_removed, Isometry_run& run);
   void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run);
   void find_ties();
+  // whether lengths of moved edges can be compared by their triangles
+  bool have_chains() const;
 
   Corresponding_triangulation start_;
   std::optional<Moved_triangulation> moved_;

@@ -8,7 +8,6 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -48,7 +47,8 @@ Multiquadratic_number Multiquadratic_number::inverse() const {
     const auto& [radical, q] = terms_.front();
     return {basis_, {{radical, Gmpq(1) / (radical == 0 ? q : q * basis_->product(radical))}}};
   }
-  const Mask g = std::bit_floor(terms_.back().radical);
+  Mask g = terms_.back().radical; // its highest bit
+  while ((g & (g - 1)) != 0) g &= g - 1;
   Multiquadratic_number conjugate = *this, norm;
   for (Term& t : conjugate.terms_)
     if ((t.radical & g) != 0) t.coefficient = -t.coefficient;

@@ -44,6 +44,18 @@ bool is_negative_symbol(const Gmpz& n, unsigned long p) {
   return mpz_kronecker_ui(rest.mpz(), p) < 0;
 }
 
+// standard functions on bits take one word
+std::size_t lowest_bit(Square_class_basis::Mask m) {
+  const auto low = static_cast<std::uint64_t>(m);
+  return static_cast<std::size_t>(
+      low != 0 ? std::countr_zero(low)
+               : 64 + std::countr_zero(static_cast<std::uint64_t>(m >> 64U)));
+}
+
+bool has_odd_size(Square_class_basis::Mask m) {
+  return std::popcount(static_cast<std::uint64_t>(m ^ m >> 64U)) % 2 != 0;
+}
+
 unsigned long next_prime(unsigned long p) {
   const Gmpz n(p);
   Gmpz next;
@@ -51,10 +63,10 @@ unsigned long next_prime(unsigned long p) {
   return mpz_get_ui(next.mpz());
 }
 
-// odd primes below 2^32; half of them have a given symbol, so that a full basis needs about 128
+// odd primes below 2^32; half of them have a given symbol, so that a full basis needs about 256
 unsigned long prime_after(unsigned long p) {
   static const auto primes = [] {
-    std::array<unsigned long, 160> list{};
+    std::array<unsigned long, 320> list{};
     unsigned long q = 1UL << 30;
     for (unsigned long& x : list) x = q = next_prime(q);
     return list;
@@ -107,12 +119,12 @@ Gmpz Square_class_basis::extract_square(Gmpz& n) {
 
 const Gmpz& Square_class_basis::product(Mask mask) const {
   if (mask == 0) return one_;
-  if (std::has_single_bit(mask)) return generators_[std::size_t(std::countr_zero(mask))].d;
+  if ((mask & (mask - 1)) == 0) return generators_[internal::lowest_bit(mask)].d;
   const auto found = products_.find(mask);
   if (found != products_.end()) return found->second;
   Gmpz p(1);
   for (Mask rest = mask; rest != 0; rest &= rest - 1)
-    p *= generators_[std::size_t(std::countr_zero(rest))].d;
+    p *= generators_[internal::lowest_bit(rest)].d;
   return products_.emplace(mask, p).first->second;
 }
 
@@ -140,7 +152,7 @@ void Square_class_basis::append(const Gmpz& n, Mask candidate, const Gmpz& e) {
   if (internal::is_negative_symbol(n, p)) negative |= bit;
   generators_.push_back({n, p, candidate | bit, bit});
   for (std::size_t i = 0; i < k; ++i)
-    if (std::popcount(generators_[i].e_of & negative) % 2 != 0) generators_[i].symbols |= bit;
+    if (internal::has_odd_size(generators_[i].e_of & negative)) generators_[i].symbols |= bit;
 }
 
 } // namespace CGAL::Intrinsic_triangulations
