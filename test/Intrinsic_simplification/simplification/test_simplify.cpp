@@ -3,6 +3,7 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
+#include <CGAL/Intrinsic_simplification/simplification/Removal_queue.h>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
@@ -27,6 +28,9 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -48,6 +52,32 @@ TEST(Simplify, keeps_distances_within_the_proven_bounds) {
       expect_distances_within(fine, s);
     }
   }
+}
+
+// Beside a set that is always in order.
+TEST(Removal_queue, gives_the_cheapest_vertex_after_any_changes_of_costs) {
+  IT::internal::Removal_queue queue;
+  std::set<std::pair<double, std::uint32_t>> sorted;
+  std::mt19937 random(1);
+  for (std::uint32_t v = 0; v < 200; ++v) {
+    const auto cost = static_cast<double>(random() % 50); // many are equal
+    queue.push({cost, v});
+    sorted.emplace(cost, v);
+  }
+  for (int n = 0; n < 2000 && !queue.empty(); ++n) {
+    const auto [cost, vertex] = *sorted.begin();
+    ASSERT_EQ(queue.top().vertex, vertex);
+    ASSERT_EQ(queue.top().cost, cost);
+    sorted.erase(sorted.begin());
+    if (n % 4 == 0) {
+      queue.pop();
+      continue;
+    }
+    const auto changed = static_cast<double>(random() % 60);
+    sorted.emplace(changed, vertex);
+    EXPECT_EQ(queue.change_top(changed), sorted.begin()->second == vertex);
+  }
+  EXPECT_TRUE(queue.empty() && sorted.empty());
 }
 
 TEST(Simplify, stops_where_the_stretch_would_leave_its_bound) {
