@@ -203,7 +203,11 @@ Transported_mass area_cost(const Triangulation& t) {
 /// \param t the triangulation that is simplified
 template <NumberedTriangulation Triangulation>
 Balanced_cost balanced_cost(const Triangulation& t) {
-  return Balanced_cost(total_area(t));
+  // `total_area()` differs in the last bit, by which nearly equal costs change places: on
+  // spot_subdiv 12 of 1,237 vertices that stay, so that measured figures would be others
+  double area = 0;
+  for (const auto f : faces(t.mesh())) area += t.area(f);
+  return Balanced_cost(area);
 }
 
 /*!
