@@ -3,7 +3,6 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
-#include <CGAL/Intrinsic_simplification/simplification/Removal_queue.h>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
@@ -29,7 +28,6 @@
 #include <map>
 #include <numbers>
 #include <random>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -54,30 +52,25 @@ TEST(Simplify, keeps_distances_within_the_proven_bounds) {
   }
 }
 
-// Beside a set that is always in order.
-TEST(Removal_queue, gives_the_cheapest_vertex_after_any_changes_of_costs) {
-  IT::internal::Removal_queue queue;
-  std::set<std::pair<double, std::uint32_t>> sorted;
+// Vertices are ranked by their costs, and by their numbers where these are equal.
+TEST(Simplify, removes_the_cheapest_vertices_first) {
+  const T fine = delaunay(rough_torus(12, .2, 1));
+  std::vector<std::pair<double, std::uint32_t>> ranked;
   std::mt19937 random(1);
-  for (std::uint32_t v = 0; v < 200; ++v) {
-    const auto cost = static_cast<double>(random() % 50); // many are equal
-    queue.push({cost, v});
-    sorted.emplace(cost, v);
+  for (std::uint32_t v = 0; v < 144; ++v) ranked.emplace_back(random() % 20, v);
+  const auto sorted = [&ranked] {
+    auto result = ranked;
+    std::ranges::sort(result);
+    return result;
+  }();
+  for (const std::size_t vertices : {100, 40, 20}) {
+    const IT::Simplification s = IT::simplify(
+        fine, to(vertices), [&](const IT::Removal_candidate& c) { return ranked[c.vertex].first; });
+    std::vector<std::uint32_t> expected;
+    for (std::size_t n = 144 - vertices; n < 144; ++n) expected.push_back(sorted[n].second);
+    std::ranges::sort(expected);
+    EXPECT_EQ(s.kept, expected);
   }
-  for (int n = 0; n < 2000 && !queue.empty(); ++n) {
-    const auto [cost, vertex] = *sorted.begin();
-    ASSERT_EQ(queue.top().vertex, vertex);
-    ASSERT_EQ(queue.top().cost, cost);
-    sorted.erase(sorted.begin());
-    if (n % 4 == 0) {
-      queue.pop();
-      continue;
-    }
-    const auto changed = static_cast<double>(random() % 60);
-    sorted.emplace(changed, vertex);
-    EXPECT_EQ(queue.change_top(changed), sorted.begin()->second == vertex);
-  }
-  EXPECT_TRUE(queue.empty() && sorted.empty());
 }
 
 TEST(Simplify, stops_where_the_stretch_would_leave_its_bound) {

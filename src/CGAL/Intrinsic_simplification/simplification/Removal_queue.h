@@ -22,8 +22,8 @@ struct Removal_entry {
   }
 };
 
-// The vertices that may be removed, the cheapest first: a heap. Unlike in `std::priority_queue`, the
-// first entry can get another cost. Costs that are found again grow a little, so that the entry
+// The vertices that may be removed, the cheapest first: a heap. Unlike in `std::priority_queue`,
+// the first entry can get another cost. Costs that are found again grow a little, so that the entry
 // sinks a few levels only.
 class Removal_queue {
 public:
