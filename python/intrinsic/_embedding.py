@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from . import _arrays, _core
+from . import _core, _options
 from ._files import save_surface
 from ._pages import _Shown
 
@@ -82,7 +82,5 @@ class _Embedding:
         >>> tetrahedron.embed()
         <intrinsic.ConvexPolyhedron: 4 vertices, done>
         """
-        within = _arrays.not_negative(flat_within, "flat_within")
-        if not 0 <= within <= .1:
-            raise ValueError(f"flat_within is {within}; give radians from 0 to 0.1")
+        within = _options.number(flat_within, "flat_within")
         return ConvexPolyhedron(_core.embed(self._core, within, progress), type(self))

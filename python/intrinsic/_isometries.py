@@ -82,7 +82,8 @@ class Isometries:
         maps: the isometries, a sequence of `Isometry`, each computed when it is asked for.
         largest_difference: the largest relative difference of lengths for the first map; 0 if
             surfaces are isometric, infinity if they are not.
-        note: what is arbitrary, or undecided, and why, or that covers are compared; mostly empty.
+        note: what is arbitrary, or undecided, and why, that covers are compared, or that
+            mollification has changed lengths; mostly empty.
     """
 
     answer: Literal["isometric", "isometric_within", "not_isometric", "undecided"]

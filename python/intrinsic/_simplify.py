@@ -58,8 +58,8 @@ class _Simplification:
                 functions on the surface need least, "balanced", most accurate for operators; or
                 values at vertices, of shape (n,) or (n, k) for several functions, that move in its
                 place; or a function that gets a candidate, with the attributes `vertex`,
-                `curvature`, `area`, `mean_length` and `stretch`, and returns its cost. A vertex
-                whose cost is not finite stays.
+                `curvature`, `area`, `mean_length`, `squared_length` and `stretch`, and returns its
+                cost. A vertex whose cost is not finite stays.
             progress: see `delaunay()`.
         """
         [found] = _simplified(self, _wanted(vertices), None, stretch, None, keep, cost, progress)

@@ -195,6 +195,7 @@ void bind_simplify(py::module_& m) {
       .def_readonly("curvature", &IT::Removal_candidate::curvature)
       .def_readonly("area", &IT::Removal_candidate::area)
       .def_readonly("mean_length", &IT::Removal_candidate::mean_length)
+      .def_readonly("squared_length", &IT::Removal_candidate::squared_length)
       .def_readonly("stretch", &IT::Removal_candidate::stretch);
   m.def("simplify", &simplify);
   m.def("vector_prolongation", &vector_prolongation);

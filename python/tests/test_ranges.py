@@ -49,6 +49,7 @@ RANGES = {
     "count": ("eigen --count", lambda s, x: s.eigen(x)),
     "stretch": ("simplify --stretch", lambda s, x: s.simplify(stretch=x)),
     "within": ("simplify --flat", lambda s, x: s.remove_flat_vertices(x)),
+    "flat_within": ("embed --flat-within", lambda s, x: s.embed(flat_within=x)),
 }
 # What is no number of a range, but something else: a file, or a list of levels.
 OTHERS = {"max_edge_length": ("few",), "levels": (-1, 1.5, "few")}

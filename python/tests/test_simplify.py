@@ -53,6 +53,13 @@ class Coarse(unittest.TestCase):
                 self.assertLessEqual(t.stretch.lower, ratio.min())
                 self.assertLessEqual(ratio.max(), t.stretch.upper)
 
+    def test_a_candidate_knows_its_edges(self):
+        F = [(0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2)]  # all edges of a tetrahedron are alike
+        seen = []
+        it.Surface(4, F, lengths=[[3, 3, 3]] * 4).simplify(
+            3, cost=lambda c: seen.append((c.mean_length, c.squared_length)) or c.area)
+        np.testing.assert_allclose(seen[:4], [(3, 9)] * 4, rtol=1e-12)
+
     def test_a_bound_of_the_stretch_holds(self):
         t = it.Surface(*torus()).simplify(stretch=1.1)
         self.assertLessEqual(t.stretch.upper, 1.1)

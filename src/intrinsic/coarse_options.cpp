@@ -67,7 +67,7 @@ void add_simplify_options(CLI::App& command, Options& options) {
 
 void add_embed_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
-  add("--flat-within", options.flat_within, {in_range(ranges::within), Type{"RADIANS"}},
+  add("--flat-within", options.flat_within, {in_range(ranges::flat_within), Type{"RADIANS"}},
       "vertices whose angles sum to a full turn up to this are put on faces; by default 1e-10");
 }
 

@@ -65,6 +65,27 @@ Triangulation dodecahedron_with_pyramids() {
   return Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths)));
 }
 
+// Two triangles, front and back, with squared lengths 1, 1 and 4 have no area.
+TEST(Isometries, say_that_mollification_has_changed_lengths) {
+  const auto doubled = [](double squared) {
+    const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 1}};
+    IT::Gluing_map mesh(IT::gluing_from_triangles(3, faces));
+    std::vector<double> lengths(mesh.number_of_edges(), 1);
+    for (std::uint32_t e = 0; e < 3; ++e) {
+      const IT::Gluing_map::Halfedge h{2 * e};
+      if (mesh.source(h).index + mesh.target(h).index == 3) lengths[e] = squared;
+    }
+    return Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths)));
+  };
+  const Triangulation thin = doubled(4), thick = doubled(3);
+  ASSERT_NE(thin.input().report().mollification.kind, IT::Mollification::none);
+  const IT::Isometries found = IT::find_isometries(thin, thick);
+  EXPECT_EQ(found.answer(), Isometry_answer::not_isometric);
+  EXPECT_NE(found.note().find("mollification"), std::string::npos) << found.note();
+  EXPECT_NE(IT::find_isometries(thin, thin).note().find("mollification"), std::string::npos);
+  EXPECT_EQ(IT::find_isometries(thick, doubled(2)).note(), "");
+}
+
 TEST(FindIsometries, countsTheSymmetriesOfPlatonicSolids) {
   EXPECT_EQ(symmetries(triangle_lists::tetrahedron().triangulation()), 24);
   EXPECT_EQ(symmetries(triangle_lists::box(1, 1, 1).triangulation()), 48);

@@ -143,6 +143,23 @@ TEST(CurvatureCost, removes_flat_vertices_first) {
   EXPECT_EQ(IT::simplify(t, options, cost).kept.size(), 4U);
 }
 
+// Areas times lengths are beyond doubles on the larger ones, and zero on the smaller ones.
+TEST(AreaCost, is_the_same_on_surfaces_of_any_size) {
+  const Shape shape = rough_torus(8, .3, 2);
+  const auto kept = [&](int exponent) {
+    Shape scaled = shape;
+    for (auto& p : scaled.points)
+      for (double& x : p) x = std::ldexp(x, exponent);
+    const T t = delaunay(scaled);
+    IT::Simplify_options options;
+    options.vertices = 20;
+    return IT::simplify(t, options, IT::area_cost(t)).kept;
+  };
+  const std::vector<std::uint32_t> expected = kept(0);
+  EXPECT_EQ(expected.size(), 20U);
+  for (const int exponent : {-400, 400}) EXPECT_EQ(kept(exponent), expected) << exponent;
+}
+
 TEST(AreaCost, leaves_small_faces_before_large_ones) {
   // A grid that is dense on the left: columns at x = 0, .01, ... .05, 1, 2 ... 6.
   Shape shape = grid(12);

@@ -44,7 +44,8 @@ TEST(Remove_flat_vertices, goes_along_a_straight_border_and_asks_for_exact_angle
   EXPECT_GT(exact.kept.size(), 4U);
   EXPECT_EQ(std::ranges::count(exact.kept, 24U), 1);
   EXPECT_EQ(IT::remove_flat_vertices(hill, 1e-6).kept.size(), 4U);
-  EXPECT_THROW(IT::remove_flat_vertices(hill, -1), IT::Invalid_input);
+  for (const double within : {-1., HUGE_VAL, std::nan("")})
+    EXPECT_THROW(IT::remove_flat_vertices(hill, within), IT::Invalid_input) << within;
 }
 
 // A vertex with spokes of given squared lengths, and between them given squared lengths of the rim.

@@ -27,6 +27,8 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -47,6 +49,27 @@ TEST(Simplify, keeps_distances_within_the_proven_bounds) {
       expect_surface(fine, s);
       expect_distances_within(fine, s);
     }
+  }
+}
+
+// Vertices are ranked by their costs, and by their numbers where these are equal.
+TEST(Simplify, removes_the_cheapest_vertices_first) {
+  const T fine = delaunay(rough_torus(12, .2, 1));
+  std::vector<std::pair<double, std::uint32_t>> ranked;
+  std::mt19937 random(1);
+  for (std::uint32_t v = 0; v < 144; ++v) ranked.emplace_back(random() % 20, v);
+  const auto sorted = [&ranked] {
+    auto result = ranked;
+    std::ranges::sort(result);
+    return result;
+  }();
+  for (const std::size_t vertices : {100, 40, 20}) {
+    const IT::Simplification s = IT::simplify(
+        fine, to(vertices), [&](const IT::Removal_candidate& c) { return ranked[c.vertex].first; });
+    std::vector<std::uint32_t> expected;
+    for (std::size_t n = 144 - vertices; n < 144; ++n) expected.push_back(sorted[n].second);
+    std::ranges::sort(expected);
+    EXPECT_EQ(s.kept, expected);
   }
 }
 

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.h>
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 #include <CGAL/Intrinsic_simplification/simplification/vector_prolongation.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
 
 #include <gtest/gtest.h>
 
@@ -107,12 +109,13 @@ TEST(VectorProlongation, keeps_a_constant_field_of_the_plane) {
   EXPECT_GT(compare_constant_fields(Prolonged(shape.input(), options), at), 20U);
 }
 
-// A parallel field of a flat torus.
+// A parallel field of a flat torus, by copies of vertices.
 Field parallel_field(const T& t) {
   const std::vector<Complex> r = IT::transport_along_halfedges(t);
-  Field z = Field::Zero(t.number_of_vertices());
+  const IT::Vertex_copies<T> copy(t);
+  Field z = Field::Zero(static_cast<Eigen::Index>(copy.size()));
   const auto first = *vertices(t.mesh()).begin();
-  z[t.input_vertex(first)] = 1;
+  z[copy(first)] = 1;
   std::queue<T::vertex_descriptor> queue;
   queue.push(first);
   while (!queue.empty()) {
@@ -121,8 +124,8 @@ Field parallel_field(const T& t) {
     for (const auto in : CGAL::halfedges_around_target(v, t.mesh())) {
       const auto h = opposite(in, t.mesh());
       const auto w = target(h, t.mesh());
-      if (z[t.input_vertex(w)] != Complex(0)) continue;
-      z[t.input_vertex(w)] = r[t.numbers().halfedge(h)] * z[t.input_vertex(v)];
+      if (z[copy(w)] != Complex(0)) continue;
+      z[copy(w)] = r[t.numbers().halfedge(h)] * z[copy(v)];
       queue.push(w);
     }
   }
@@ -148,6 +151,31 @@ TEST(VectorProlongation, keeps_parallel_fields_of_a_flat_torus) {
   const Prolonged x(torus(9, .4), to(12));
   ASSERT_EQ(x.p.cols(), 12);
   EXPECT_EQ(compare_parallel_fields(x), 81U);
+}
+
+// A flat Klein bottle of n times k squares, the last row joined to the first one mirrored: its
+// orientation cover is a flat torus. Places are those of the first copy of each vertex.
+TEST(VectorProlongation, keeps_parallel_fields_of_the_cover_of_a_flat_klein_bottle) {
+  constexpr std::uint32_t n = 9, k = 7;
+  const auto at = [](std::uint32_t i, std::uint32_t j) {
+    return i < n ? k * i + j % k : (k - j % k) % k;
+  };
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::array<double, 3>> lengths;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < k; ++j) {
+      faces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      lengths.push_back({1, std::numbers::sqrt2, 1});
+      faces.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      lengths.push_back({1, 1, std::numbers::sqrt2});
+    }
+  const IT::Domain domain = IT::make_domain(n * k, faces, lengths);
+  ASSERT_EQ(domain.report.kind, IT::Domain_kind::orientation_cover);
+  const Prolonged x(domain.input, to(24));
+  EXPECT_EQ(num_vertices(x.fine.mesh()), 2 * n * k);
+  ASSERT_EQ(x.p.cols(), static_cast<Eigen::Index>(x.s.kept.size()));
+  EXPECT_LE(x.p.cols(), 24);
+  EXPECT_EQ(compare_parallel_fields(x), n * k);
 }
 
 // Narrow tori, of one column, two or three: edges are loops, and several segments join two

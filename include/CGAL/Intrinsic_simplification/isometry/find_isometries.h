@@ -81,8 +81,8 @@ public:
   /// surfaces are isometric, a bound for isometry number 0 if they are `isometric_within`, infinity
   /// otherwise.
   double largest_difference() const;
-  /// names the continuous part of the group, says that covers are compared, or why nothing was
-  /// decided; mostly empty.
+  /// names the continuous part of the group, says that covers are compared, that mollification has
+  /// changed lengths, or why nothing was decided; mostly empty.
   std::string note() const;
   /// returns the number of candidates that were compared with the surface, for tests and
   /// benchmarks.

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -80,13 +81,13 @@ std::vector<char> flat_input_vertices(const Triangulation& t) {
 }
 
 // For each vertex, in the order of the mesh, whether it is flat to within an angle.
-// \throws Invalid_input if the angle is negative, or see above
+// \throws Invalid_input if the angle is out of range, or see above
 template <class Triangulation>
 std::vector<char> flat_vertices(const Triangulation& t, double within) {
-  if (!(within >= 0))
+  if (!ranges::within.contains(within))
     throw Invalid_input(Element_kind::none, 0,
-                        "an angle within which vertices are flat is not negative, as " +
-                            std::to_string(within) + " is");
+                        "the angle within which vertices are flat is " + std::to_string(within) +
+                            "; give " + ranges::within.description() + ", in radians");
   const std::vector<char> is_flat = flat_input_vertices(t);
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();
   std::vector<char> result;

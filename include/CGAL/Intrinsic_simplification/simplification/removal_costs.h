@@ -11,6 +11,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
@@ -187,16 +188,23 @@ Transported_mass curvature_cost(const Triangulation& t) {
   return Transported_mass().add(internal::vertex_values(t).curvature);
 }
 
-/// returns the cost that moves area least. \param t the triangulation that is simplified
+/// returns the cost that moves area least. Areas are in units of the greatest power of two that is
+/// not above the area of the surface, so that costs are about as large as lengths.
+/// \param t the triangulation that is simplified
 template <NumberedTriangulation Triangulation>
 Transported_mass area_cost(const Triangulation& t) {
-  return Transported_mass().add(internal::vertex_values(t).area);
+  Transported_mass result;
+  if (const double area = total_area(t); area > 0) // areas times lengths could overflow
+    result.add(internal::vertex_values(t).area, std::ldexp(1, -std::ilogb(area)));
+  return result;
 }
 
 /// returns the cost with which operators on the coarse surface are most accurate.
 /// \param t the triangulation that is simplified
 template <NumberedTriangulation Triangulation>
 Balanced_cost balanced_cost(const Triangulation& t) {
+  // `total_area()` differs in the last bit, by which nearly equal costs change places: on
+  // spot_subdiv 12 of 1,237 vertices that stay, so that measured figures would be others
   double area = 0;
   for (const auto f : faces(t.mesh())) area += t.area(f);
   return Balanced_cost(area);

@@ -30,7 +30,8 @@ the same, and the proven stretch differs from 1 only by the rounding of new leng
 rounded CAD parts are flat; `within` 1e-6 or so removes the others as `simplify()` does.
 \tparam Triangulation a model of `NumberedTriangulation` with Euclid's metric
 \param t the triangulation, Delaunay
-\param within by how much the angles may differ from the straight ones, in radians; not negative
+\param within by how much the angles may differ from the straight ones, in radians; finite and not
+  negative
 \param options bounds, and what is kept; without a number of vertices, all flat ones go
 \return the coarse surface; its status is `done` if all such vertices are gone
 \throws Invalid_input as `simplify()`, if `within` is out of range, or if `t` has neither

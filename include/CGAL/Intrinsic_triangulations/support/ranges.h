@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// The numbers that an option may have.
 struct Number_range {
-  double least = 0; ///< the least of them
-  double most = 0;  ///< the greatest of them
+  double least = 0;         ///< the least of them
+  double most = 0;          ///< the greatest of them
   bool is_whole = false;    ///< whether only whole numbers are
   bool is_positive = false; ///< whether `least`, which is 0, is none of them
 
@@ -65,7 +65,8 @@ inline constexpr double most_whole = 0x1p53;
   is(align,            (Number_range{0, finite})) \
   is(count,            (Number_range{1, most_whole, true})) \
   is(stretch,          (Number_range{1, finite})) \
-  is(within,           (Number_range{0, finite}))
+  is(within,           (Number_range{0, finite})) \
+  is(flat_within,      (Number_range{0, 0.1}))
 // clang-format on
 #define CGAL_INTRINSIC_TRIANGULATIONS_RANGE(name, value) inline constexpr Number_range name = value;
 CGAL_INTRINSIC_TRIANGULATIONS_RANGES(CGAL_INTRINSIC_TRIANGULATIONS_RANGE)
@@ -77,8 +78,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_RANGES(CGAL_INTRINSIC_TRIANGULATIONS_RANGE)
 inline std::string Number_range::description() const {
   const std::string number = is_whole ? "whole number" : "number";
   const auto text = [](double x) {
-    const std::string digits = std::to_string(x); // of whole numbers, as all of the table are
-    return digits.substr(0, digits.find('.'));
+    std::string digits = std::to_string(x); // all of the table have few
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return digits;
   };
   if (is_positive) return "a positive " + number;
   if (!is_whole && least > 0 && most > 1e9) return "a number from " + text(least);

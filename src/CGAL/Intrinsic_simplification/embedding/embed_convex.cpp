@@ -22,6 +22,7 @@
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
@@ -283,10 +284,10 @@ std::string reason_without_points(const Convex_polyhedron& found) {
 
 Convex_polyhedron embed_convex(const Input& surface, const Embed_options& options) {
   using namespace internal;
-  if (!(options.flat_within >= 0 && options.flat_within <= 0.1))
+  if (!ranges::flat_within.contains(options.flat_within))
     throw Invalid_input(Element_kind::none, 0,
-                        "flat_within is " + std::to_string(options.flat_within) +
-                            "; give radians from 0 to 0.1");
+                        "flat_within is " + std::to_string(options.flat_within) + "; give " +
+                            ranges::flat_within.description() + ", in radians");
   expect_sphere(surface);
   int scale = 0;
   Metric_triangles t = triangles_of(surface, scale);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -99,14 +100,6 @@ std::optional<std::array<Face_forms, 2>> flipped_forms(const Plane_diamond& d,
 
 } // namespace
 
-double quadruple_area_of(double a, double b, double c) {
-  if (a < b) std::swap(a, b);
-  if (a < c) std::swap(a, c);
-  const double p = b + c - a; // `a` is the longest
-  const double s = 4 * b * c - p * p;
-  return s > 0 ? std::sqrt(s) : 0;
-}
-
 bool is_proven_triangle(const Side_values& l) {
   const auto [x, y, z] = l;
   if (!(x > 0 && y > 0 && z > 0)) return false;
@@ -184,6 +177,7 @@ double Coarse_mesh::corner_angle(std::uint32_t h) const {
 }
 
 void Coarse_mesh::begin() {
+  ++step_;
   turned_sides_.clear();
   changed_.clear();
   changed_faces_.clear();
@@ -201,6 +195,13 @@ void Coarse_mesh::take_back() {
   put_back(changed_outgoing_, outgoing_);
   put_back(changed_points_, points_);
   begin();
+}
+
+void Coarse_mesh::list_changed(std::vector<std::uint32_t>& faces) {
+  faces.clear();
+  for (const std::uint32_t f : changed_)
+    if (!std::exchange(faces_[f].is_listed, true)) faces.push_back(f);
+  for (const std::uint32_t f : faces) faces_[f].is_listed = false;
 }
 
 void Coarse_mesh::take_points(std::uint32_t f, std::vector<std::uint32_t>& points) {

@@ -8,7 +8,9 @@
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -23,8 +25,10 @@ struct alignas(64) Coarse_face {
   Side_values length;                  // squared
   float spread = 0;                    // the logarithm of the ratio of the bounds of its stretch
   std::uint32_t first_point = Gluing::none; // of the points in it, a list
+  std::uint32_t recorded_in = 0;            // the last step that has recorded it
   std::uint8_t kept_sides = 0;              // a bit for each side that must stay an edge
   bool is_removed = false;
+  bool is_listed = false; // while changed faces are listed
 };
 
 // Forms of a face that are proven to bound that of the fine surface.
@@ -81,6 +85,8 @@ public:
   void take_back();
   // The faces of which the step has changed corners or lengths, some of them several times.
   const std::vector<std::uint32_t>& changed() const { return changed_; }
+  // The same, each of them once.
+  void list_changed(std::vector<std::uint32_t>& faces);
 
   // Records from now on by what angles outgoing sides turn, for directions that are given by them.
   void track_turns() { tracks_turns_ = true; }
@@ -96,8 +102,12 @@ public:
   }
   // The same for a face that is only glued to others.
   Coarse_face& change_neighbour(std::uint32_t f) {
-    changed_faces_.emplace_back(f, faces_[f]);
-    return faces_[f];
+    Coarse_face& face = faces_[f];
+    if (face.recorded_in != step_) {
+      changed_faces_.emplace_back(f, face);
+      face.recorded_in = step_;
+    }
+    return face;
   }
   Face_forms& change_forms(std::uint32_t f) {
     changed_forms_.emplace_back(f, forms_[f]);
@@ -143,11 +153,18 @@ private:
   std::vector<std::pair<std::uint32_t, Point_on_coarse>> changed_points_;
   std::vector<std::uint32_t> moving_;
   std::vector<Turned_side> turned_sides_;
+  std::uint32_t step_ = 0;
   bool tracks_turns_ = false;
 };
 
-// Four times the area of a triangle, by squared lengths; zero if there is none.
-double quadruple_area_of(double a, double b, double c);
+// Four times the area of a triangle, by squared lengths; zero if there is none. Which side is the
+// longest cannot be predicted: nothing branches on it.
+inline double quadruple_area_of(double a, double b, double c) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  const double longest = std::max(high, c), middle = std::min(high, c);
+  const double p = low + middle - longest, s = 4 * low * middle - p * p;
+  return std::sqrt(std::max(0., s));
+}
 
 // Whether three squared lengths are those of a triangle with an area: proven.
 bool is_proven_triangle(const Side_values& l);

@@ -147,20 +147,21 @@ void Simplifier::push(std::uint32_t v) {
 }
 
 // Takes the cheapest vertex out of the queue, or none; its star is in `star_` if it has no copies.
-Simplifier::Entry Simplifier::pop() {
+Removal_entry Simplifier::pop() {
   while (!queue_.empty()) {
-    Entry e = queue_.top();
-    queue_.pop();
-    if (is_cost_old_[e.vertex] == 0) {
+    Removal_entry e = queue_.top();
+    const bool is_old = is_cost_old_[e.vertex] != 0;
+    if (!is_old)
       star_.find(mesh_, e.vertex);
-      return e;
-    }
-    if (!find_cost(e.vertex, e.cost)) continue;
-    if (queue_.empty() || queue_.top() > e) {
+    else if (!find_cost(e.vertex, e.cost)) {
+      queue_.pop();
+      continue;
+    } else if (!queue_.change_top(e.cost))
+      continue;
+    else
       std::swap(star_, neighbour_);
-      return e;
-    }
-    queue_.push(e);
+    queue_.pop();
+    return e;
   }
   return {0, Gluing::none};
 }
@@ -235,9 +236,7 @@ void Simplifier::restore_delaunay() {
 
 // Finds the spread of the faces that have changed.
 bool Simplifier::is_within_bounds() {
-  touched_ = mesh_.changed();
-  std::ranges::sort(touched_);
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  mesh_.list_changed(touched_);
   const double stretch = std::max(options_.stretch, 1 + negligible_spread);
   const double most = stretch * stretch * (1 - negligible_spread); // proofs widen it a little
   for (const std::uint32_t f : touched_) {
@@ -256,11 +255,13 @@ bool Simplifier::is_within_bounds() {
 
 // Removes a flat vertex.
 Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
+  coming_.advance(mesh_);
   if (!open_loops(v)) return Fate::failed;
   double before = 0;
   for (const std::uint32_t h : star_.sides())
     before = std::max<double>(before, mesh_.face(h / 3).spread);
   if (!removal_.remove(mesh_, star_, v)) return Fate::failed;
+  coming_.advance(mesh_);
   restore_delaunay();
   if (!is_within_bounds()) return Fate::bound;
   if (!std::isfinite(step_.spread) && std::isfinite(before)) return Fate::failed; // no proof
@@ -287,6 +288,7 @@ Simplifier::Fate Simplifier::remove_copies(std::uint32_t v) {
 // \return `open`: it would stretch the surface much more than expected, and others less
 Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
+  coming_.begin(mesh_, queue_);
   step_ = {};
   if (candidates_.remember())
     candidates_.describe_all(mesh_, copies(v), [&](std::uint32_t copy) -> const Vertex_star& {

@@ -6,15 +6,15 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Candidates.h>
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/simplification/Coming_stars.h>
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
+#include <CGAL/Intrinsic_simplification/simplification/Removal_queue.h>
 #include <CGAL/Intrinsic_simplification/simplification/Simplification.h>
 #include <CGAL/Intrinsic_simplification/simplification/Star_removal.h>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <queue>
 #include <span>
 #include <vector>
 
@@ -38,13 +38,6 @@ public:
 
 private:
   enum class Fate : std::uint8_t { open, removed, stays, blocked, failed, bound };
-  struct Entry {
-    double cost;
-    std::uint32_t vertex;
-    bool operator>(const Entry& e) const {
-      return cost != e.cost ? cost > e.cost : vertex > e.vertex;
-    }
-  };
   struct Counts {
     std::size_t newton_steps = 0, ptolemy_flips = 0, flips = 0;
     double spread = 0; // the greatest one of the faces that have changed
@@ -64,14 +57,14 @@ private:
   void add_to_counts(std::uint32_t v, int sign);
   bool find_cost(std::uint32_t v, double& cost);
   void push(std::uint32_t v);
-  Entry pop();
+  Removal_entry pop();
   Fate remove(std::uint32_t v, double expected);
   Fate remove_copies(std::uint32_t v);
   Fate replace_star(std::uint32_t v);
   Fate flatten(std::uint32_t v);
   bool bend_straight_face(const Vertex_star::Bound& bound, bool grows);
   bool is_reached(const Vertex_star::Bound& bound, bool grows) const;
-  double factor_within(const Vertex_star::Bound& bound, bool grows, double& rest);
+  double factor_within(const Vertex_star::Bound& bound, bool grows, double slope, double& rest);
   bool has_fixed_loop(std::uint32_t v) const;
   bool lower_degree(std::uint32_t v);
   bool lower_degree_in_two(std::uint32_t v);
@@ -94,7 +87,8 @@ private:
   std::vector<char> is_on_border_;              // each vertex
   std::vector<std::ptrdiff_t> weight_, least_weight_; // of the vertices of each component
   std::vector<std::size_t> left_on_loop_;             // vertices of each loop of the border
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  Removal_queue queue_;
+  Coming_stars coming_;
   Vertex_star star_, neighbour_;
   Star_removal removal_;
   Candidates candidates_;

@@ -68,12 +68,12 @@ void Star_removal::overlap(const Enclosed_form& above, const Enclosed_form& belo
 
 // A form about what bounds all of several. Pairs are joined in an order that does not depend on
 // where a star begins: the result does, so that the surface would depend on its numbering.
-template <class Join>
-Form Star_removal::join_all(std::vector<const Enclosed_form*>& forms, const Join& join) {
+template <Form (*Join)(const Form&, const Form&)>
+Form Star_removal::join_all(std::vector<const Enclosed_form*>& forms) {
   if (forms.size() > 2)
     std::ranges::sort(forms, {}, [](const Enclosed_form* f) { return determinant(middle_of(*f)); });
   Form result = middle_of(*forms.front());
-  for (std::size_t i = 1; i < forms.size(); ++i) result = join(result, middle_of(*forms[i]));
+  for (std::size_t i = 1; i < forms.size(); ++i) result = Join(result, middle_of(*forms[i]));
   return result;
 }
 
@@ -128,7 +128,7 @@ bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) 
   for (std::size_t n = 0; n < triangles_.size(); ++n) {
     find_overlapped(n, star);
     const Measured_triangle triangle(new_triangle(triangles_[n]));
-    const Form upper = join_all(overlapped_above_, join), lower = join_all(overlapped_below_, meet);
+    const Form upper = join_all<join>(overlapped_above_), lower = join_all<meet>(overlapped_below_);
     const std::optional<Proven_form> above = proven_above(upper, triangle, overlapped_above_);
     if (!above) return false;
     above_.push_back(*above);

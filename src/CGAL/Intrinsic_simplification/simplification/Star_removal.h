@@ -79,8 +79,8 @@ private:
   std::uint32_t far_side(const New_triangle& t) const;
   void find_overlapped(std::size_t number, const Vertex_star& star);
   void overlap(const Enclosed_form& above, const Enclosed_form& below);
-  template <class Join>
-  static Form join_all(std::vector<const Enclosed_form*>& forms, const Join& join);
+  template <Form (*Join)(const Form&, const Form&)>
+  static Form join_all(std::vector<const Enclosed_form*>& forms);
 
   std::vector<Exact_point> points_;           // of the rim
   std::vector<std::uint32_t> before_, after_; // neighbours of points that are left

@@ -28,13 +28,15 @@ bool Simplifier::is_reached(const Vertex_star::Bound& bound, bool grows) const {
 
 // The logarithm of the factor with which the angles are flat, between 1 and a bound: Newton's
 // steps, and halving where they leave what is known.
+// \param slope of the angles
 // \param rest the angles minus the flat ones; on return zero, or something else if the bound is
 //   reached before
-double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, double& rest) {
+double Simplifier::factor_within(const Vertex_star::Bound& bound, bool grows, double slope,
+                                 double& rest) {
   const double tolerance = angle_tolerance(star_), end = std::log(bound.factor);
   double low = grows ? 0 : end, high = grows ? end : 0; // angles fall from low to high
   bool is_end_known = !std::isfinite(end);
-  double u = 0, slope = star_.angles(mesh_, 1).slope;
+  double u = 0;
   unsigned steps = 0;
   while (std::abs(rest) > tolerance && ++steps < 100) {
     double to = u + rest / slope;
@@ -87,11 +89,12 @@ bool Simplifier::bend_straight_face(const Vertex_star::Bound& bound, bool grows)
 Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   for (std::size_t events = 0; events < 1000; ++events) {
     if (events > 0 && !star_.find(mesh_, v)) return Fate::failed;
-    double rest = star_.angles(mesh_, 1).sum - star_.flat_angle();
+    const Vertex_star::Angles angles = star_.angles(mesh_, 1);
+    double rest = angles.sum - star_.flat_angle();
     if (std::abs(rest) <= angle_tolerance(star_)) return Fate::open;
     const bool grows = rest > 0;
     const Vertex_star::Bound bound = grows ? star_.bound_above(mesh_) : star_.bound_below(mesh_);
-    const double u = factor_within(bound, grows, rest);
+    const double u = factor_within(bound, grows, angles.slope, rest);
     if (rest == 0) {
       star_.scale(mesh_, std::exp(u));
       return Fate::open;

@@ -37,6 +37,10 @@ std::string both(const std::string& x, const std::string& y) {
   return x.empty() || x == y ? y : y.empty() ? x : x + "; " + y;
 }
 
+bool has_changed_lengths(const Singular_surface& s) {
+  return s.start().input().report().mollification.kind != Mollification::none;
+}
+
 std::uint32_t sheets_of(const Singular_surface& s) { return s.start().input().names().sheets; }
 
 } // namespace
@@ -54,6 +58,8 @@ Isometry_search::Isometry_search(Surface a, Surface b, Isometry_run& run)
     matching_.reset();
   }
   if (sheets_of(*a_) > 1) note_ = both(note_, "compared are the covers of the meshes");
+  if (has_changed_lengths(*a_) || has_changed_lengths(*b_))
+    note_ = both(note_, "mollification has changed the lengths of a surface before");
 }
 
 void Isometry_search::search(Isometry_run& run) {
