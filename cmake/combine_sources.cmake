@@ -1,5 +1,5 @@
-# combine_sources(RESULT SOURCE...): writes a source RESULT.cpp that includes the given ones, and puts its path into
-# RESULT. What they share is then parsed and instantiated once.
+# combine_sources(RESULT SOURCE...): writes a source RESULT.cpp that includes the given ones, and
+# puts its path into RESULT. What they share is then parsed and instantiated once.
 #
 # Unlike in CMake's unity builds, names of one source do not clash with those of another: headers are
 # included first, then each source within a namespace of its own, where its includes find nothing left to do.

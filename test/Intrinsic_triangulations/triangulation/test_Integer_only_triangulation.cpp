@@ -178,7 +178,8 @@ TEST(Integer_only_triangulation, takes_over_where_another_arithmetic_stopped) {
   }
 }
 
-// Flips on all mesh types are the same with exact traits: one type, which does not number its elements, is enough here.
+// Flips on all mesh types are the same with exact traits: one type, which does not number its
+// elements, is enough here.
 TEST(Integer_only_triangulation, is_the_same_on_another_type_of_mesh_as_on_a_gluing_map) {
   for (const meshes::Mesh& m : shapes()) {
     IT::Integer_only_triangulation<> expected(m.input());

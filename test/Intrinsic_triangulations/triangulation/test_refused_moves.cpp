@@ -97,8 +97,8 @@ std::pair<std::string, Move_status> move_at_random(T& t, std::minstd_rand& rando
 
 template <class Case>
 class Refused_moves_of : public ::testing::Test {};
-// Each correspondence once: what a metric undoes does not depend on it, but for the places of vertices, which exact
-// metrics share with integer coordinates only.
+// Each correspondence once: what a metric undoes does not depend on it, but for the places of
+// vertices, which exact metrics share with integer coordinates only.
 using Cases =
     ::testing::Types<With<Exact, IT::Integer_coordinates>, With<Exact, IT::Signposts>,
                      With<Rounding, IT::No_correspondence>, With<Rounding, IT::Explicit_crossings>>;

@@ -229,7 +229,8 @@ TEST(Vertex_moves, Change_nothing_when_they_are_refused) {
   }
 }
 
-/// Values, independent of the numbers of the elements: of edges with a correspondence, how often they are crossed.
+/// Values, independent of the numbers of the elements: of edges with a correspondence, how often
+/// they are crossed.
 template <class T>
 std::vector<double> sorted_values(const T& t) {
   std::vector<double> values;
