@@ -21,12 +21,12 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 # g++ takes an eighth of its time to free memory between the many templates of a source; 2 to 3 GiB
-# are enough without.
+# are enough without, and up to 6 are needed with it.
 set(keep_memory_flags "")
 cmake_host_system_information(RESULT memory_in_MiB QUERY TOTAL_PHYSICAL_MEMORY)
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 math(EXPR memory_in_MiB "${memory_in_MiB} / ${cores}")
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory_in_MiB GREATER 4000)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND memory_in_MiB GREATER 6000)
   set(keep_memory_flags "--param ggc-min-expand=1000 --param ggc-min-heapsize=4000000")
   add_compile_options("SHELL:${keep_memory_flags}")
 endif()

@@ -93,9 +93,9 @@ def random_clouds(random):
 class Ties(unittest.TestCase):
     """Where four points are on a circle, neither rounding nor numbers decide what matrices show."""
 
-    def compare(self, P, Q, order, neighbors):
+    def compare(self, p, q, order):
         for matrix in (it.Surface.laplacian, it.Surface.mass):
-            a, b = (matrix(it.points(x, neighbors=neighbors)) for x in (P, Q))
+            a, b = matrix(p), matrix(q)
             # weights are cotangents: angles above 1e-3 and coordinates of 10 edges lose 1e-9
             self.assertLess(abs(a[order][:, order] - b).max(), 1e-8 * abs(a).max())
 
@@ -107,8 +107,9 @@ class Ties(unittest.TestCase):
                     turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
                     turn *= np.linalg.det(turn)
                     order = rng.permutation(len(P))
-                    self.compare(P, P[order], order, neighbors)
-                    self.compare(P, P[order] @ turn.T + rng.normal(size=3), order, neighbors)
+                    p = it.points(P, neighbors=neighbors)
+                    for Q in P[order], P[order] @ turn.T + rng.normal(size=3):
+                        self.compare(p, it.points(Q, neighbors=neighbors), order)
 
     def test_lattices_are_covered_evenly(self):
         for name, P in EVEN.items():

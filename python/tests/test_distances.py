@@ -183,12 +183,12 @@ class Arguments(unittest.TestCase):
             seen.append(stage)
             raise KeyboardInterrupt
 
-        s = it.Surface(*unit_grid(250))  # each search asks now and then
+        s = it.Surface(*unit_grid(150))  # each search asks now and then
         t = s.delaunay()
         for work in (lambda: s.distances(range(2000), progress=stop),
-                     lambda: s.farthest_points(30000, progress=stop),
-                     lambda: s.network([[0, 31500, 63000]] * 20, progress=stop),
-                     lambda: s.network([], [[0, 250, 63000]] * 20, progress=stop)):
+                     lambda: s.farthest_points(20000, progress=stop),
+                     lambda: s.network([[0, 11400, 22800]] * 20, progress=stop),
+                     lambda: s.network([], [[0, 150, 22800]] * 20, progress=stop)):
             del seen[:]
             with self.assertRaises(KeyboardInterrupt):
                 work()

@@ -55,13 +55,17 @@ def code_of(page):
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
 class Types(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """Makes a cache: the types of numpy are read once, which takes longer than all else."""
+        cls.cache = cls.enterClassContext(tempfile.TemporaryDirectory())
+
     def mypy(self, *files):
-        with tempfile.TemporaryDirectory() as cache:
-            run = subprocess.run(
-                [sys.executable, "-m", "mypy", "--config-file", "mypy.ini", "--cache-dir", cache,
-                 *map(str, files)], capture_output=True, text=True,
-                cwd=Path(__file__).resolve().parent,
-                env=os.environ | {"MYPYPATH": str(Path(it.__file__).resolve().parents[1])})
+        run = subprocess.run(
+            [sys.executable, "-m", "mypy", "--config-file", "mypy.ini", "--cache-dir", self.cache,
+             *map(str, files)], capture_output=True, text=True,
+            cwd=Path(__file__).resolve().parent,
+            env=os.environ | {"MYPYPATH": str(Path(it.__file__).resolve().parents[1])})
         return run.stdout + run.stderr
 
     def test_examples_and_pages(self):

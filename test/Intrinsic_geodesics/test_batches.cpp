@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/batches.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -26,7 +27,8 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 namespace parameters = IT::parameters;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 using Vertex = Triangulation::vertex_descriptor;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

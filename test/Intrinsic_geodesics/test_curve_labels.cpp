@@ -33,7 +33,6 @@ template <class T>
 class CurveLabels : public ::testing::Test {};
 using Triangulations = ::testing::Types<
     IT::Intrinsic_triangulation<Gluing_map, IT::Exact_euclidean_traits, IT::Integer_coordinates>,
-    IT::Intrinsic_triangulation<Gluing_map, IT::Exact_euclidean_traits, IT::No_correspondence>,
     IT::Intrinsic_triangulation<Gluing_map, IT::Euclidean_traits<double>, IT::Integer_coordinates>>;
 TYPED_TEST_SUITE(CurveLabels, Triangulations);
 

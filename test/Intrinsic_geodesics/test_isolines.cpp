@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_geodesics/isolines/isolines.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/Intrinsic_view.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -34,7 +35,8 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Surface_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

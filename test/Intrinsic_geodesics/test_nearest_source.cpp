@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/farthest_points.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include "gallery.h"
 #include "meshes.h"
@@ -27,7 +28,8 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 namespace parameters = IT::parameters;
 using IT::Surface_point;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 using Vertex = Triangulation::vertex_descriptor;
 using Distance = IT::Polyhedral_distance<Triangulation>;
 

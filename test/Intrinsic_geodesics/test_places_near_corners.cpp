@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/voronoi_cells.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -33,7 +34,8 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Surface_point;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 using Distance = IT::Polyhedral_distance<Triangulation>;
 
 /// A point at 10^-1 to 10^-18 of a side from a corner, or also from a side.

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/queries/trace_shortest_path.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
@@ -50,7 +51,8 @@ using IT::Polyhedral_distance;
 using IT::Shortest_path;
 using IT::Status;
 using IT::Surface_point;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 using Vertex = Triangulation::vertex_descriptor;
 using Distance = Polyhedral_distance<Triangulation>;
 

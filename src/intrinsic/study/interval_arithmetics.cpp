@@ -32,11 +32,7 @@ void note_exact_decisions(Json& findings, const IT::Predicate_statistics& statis
 }
 
 void note_agreement(Study_run& run, std::uint64_t cycles) {
-  run.findings["different_decisions"] = 0;
-  run.findings["nonconvex_flips"] = 0;
-  run.findings["cycles"] = cycles;
-  run.findings["comparison"] = "complete";
-  run.emit();
+  note_comparison(run, {0, 0, cycles, true});
 }
 
 using Counted_exact =
@@ -57,7 +53,7 @@ void study_exact(Study_run& run) {
       note_exact_decisions(run.findings, done.metric().statistics());
       run.findings["largest_interval_width"] = largest_interval_width(done);
     });
-    note_drift(run, t);
+    note_drift(run, conserved(t));
     certify(run, t);
   }
   Counted_exact counted{IT::Intrinsic_input(run.input)};

@@ -15,8 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
@@ -54,35 +53,23 @@ Timed_flips<Triangulation> fastest_flips(const IT::Intrinsic_input& input) {
   return best;
 }
 
-/// notes how flipping ended and what it did.
-inline void note_flips(Json& findings, const IT::Flip_to_delaunay_result& result) {
-  findings["status"] = result.status == IT::Status::done ? "done" : "cap";
-  findings["flips"] = result.flips;
-  findings["checks"] = result.checks;
-  findings["refused_flips"] = result.refused_flips;
-}
+/// notes how long it took to build and to flip, how flipping ended and what it did.
+void note_flips(Json& findings, double build, double flip,
+                const IT::Flip_to_delaunay_result& result);
 
 /// notes how far total area and cone angles have moved.
-template <class Triangulation>
-void note_drift(Study_run& run, const Triangulation& t) {
-  const Conserved after = conserved(t);
-  const long double area = run.before.quadruple_area;
-  run.findings["area_drift"] =
-      static_cast<double>(std::abs(after.quadruple_area - area) / (area > 0 ? area : 1));
-  long double largest = 0;
-  for (std::size_t v = 0; v < after.cone_angles.size(); ++v)
-    largest = std::max(largest, std::abs(after.cone_angles[v] - run.before.cone_angles[v]));
-  run.findings["cone_angle_drift"] = static_cast<double>(largest);
-  run.emit();
-}
+void note_drift(Study_run& run, const Conserved& after);
 
 /// notes what a result is, exactly.
-inline void note_result(Json& findings, const IT::Delaunay_certificate& certificate) {
-  findings["inverted_faces"] = certificate.inverted_faces;
-  findings["bent_edges"] = certificate.bent_edges;
-  findings["non_delaunay_edges"] = certificate.non_delaunay_edges;
-  findings["cocircular_edges"] = certificate.ties;
-}
+void note_result(Json& findings, const IT::Delaunay_certificate& certificate);
+
+/// What an arithmetic did beside an exact metric.
+struct Comparison {
+  std::uint64_t different_decisions, nonconvex_flips, cycles;
+  bool is_complete;
+};
+/// notes where they differ.
+void note_comparison(Study_run& run, const Comparison& found);
 
 /// decides what a result is from its integer coordinates and the input, which no flip has touched.
 /// Nothing is noted of edges that cross too much of the input to be unfolded.
@@ -108,11 +95,8 @@ void compare(Study_run& run) {
       IT::Intrinsic_triangulation<IT::Gluing_map, Compared_traits<Traits>, Cycle_counter>;
   Compared t{IT::Intrinsic_input(run.input)};
   IT::flip_to_delaunay(t);
-  run.findings["different_decisions"] = t.metric().different_decisions();
-  run.findings["nonconvex_flips"] = t.metric().nonconvex_flips();
-  run.findings["cycles"] = t.correspondence().cycles();
-  run.findings["comparison"] = t.metric().is_following() ? "complete" : "until_nonconvex_flip";
-  run.emit();
+  note_comparison(run, {t.metric().different_decisions(), t.metric().nonconvex_flips(),
+                        t.correspondence().cycles(), t.metric().is_following()});
 }
 
 /*!
@@ -128,8 +112,7 @@ Triangulation measure(Study_run& run, const Note_more& note_more) {
   reset_peak_memory();
   Timed_flips<Triangulation> done = fastest_flips<Triangulation>(run.input);
   findings["peak_rss_mib"] = peak_memory_mib();
-  findings["seconds"] = {{"build", done.build}, {"flip", done.flip}};
-  note_flips(findings, done.result);
+  note_flips(findings, done.build, done.flip, done.result);
   note_more(done.triangulation);
   findings["result"] = fingerprint(done.triangulation);
   run.emit();
@@ -150,7 +133,7 @@ template <class Traits, class Note_more>
 void measure_and_compare(Study_run& run, const Note_more& note_more) {
   {
     const auto t = measure<Measured<Traits>>(run, note_more);
-    note_drift(run, t);
+    note_drift(run, conserved(t));
     certify(run, t);
   }
   compare<Traits>(run);

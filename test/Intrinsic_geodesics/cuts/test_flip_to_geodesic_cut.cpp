@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/topology.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 
 #include "meshes.h"
 #include "operator_test_meshes.h"
@@ -21,7 +22,8 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Triangulation = IT::Intrinsic_triangulation<>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits,
+                                                  IT::Integer_coordinates>;
 using Vertex = Triangulation::vertex_descriptor;
 
 double length(const Triangulation& t, const IT::Marked_edges<Triangulation>& marks) {

@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_geodesics/single_source/flip_to_geodesic_tree.h>
 #include <CGAL/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/places_on_mesh.h>
 
 #include <gtest/gtest.h>
@@ -22,8 +23,10 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-using Exact = IT::Intrinsic_triangulation<>;
-using Double = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>>;
+template <class Traits>
+using Traced = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, IT::Integer_coordinates>;
+using Exact = Traced<IT::Exact_euclidean_traits>;
+using Double = Traced<IT::Euclidean_traits<double>>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class T>

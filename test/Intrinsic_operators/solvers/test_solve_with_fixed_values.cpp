@@ -115,7 +115,6 @@ TEST(Solve_with_fixed_values, lays_a_refined_flat_mesh_out_by_its_border_with_ea
   expect_linear_on_refinement<IT::Explicit_crossings, IT::Exact_euclidean_traits>();
   expect_linear_on_refinement<IT::Signposts, IT::Exact_euclidean_traits>();
   expect_linear_on_refinement<IT::Integer_coordinates, Doubles>();
-  expect_linear_on_refinement<IT::Signposts, Doubles>();
 }
 
 TEST(Solve_with_fixed_values, is_the_stationary_point_of_the_energy_under_constraints) {

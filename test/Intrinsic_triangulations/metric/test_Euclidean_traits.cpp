@@ -27,9 +27,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-template <unsigned bits>
 using Float = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::cpp_bin_float<100, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 template <class FT>
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<FT>>;
@@ -39,7 +38,7 @@ static_assert(Triangulation<CGAL::Gmpq>::Metric::is_exact);
 static_assert(Triangulation<CORE::Expr>::Metric::is_exact);
 static_assert(Triangulation<CGAL::Lazy_exact_nt<CORE::Expr>>::Metric::is_exact);
 static_assert(!Triangulation<double>::Metric::is_exact);
-static_assert(!Triangulation<Float<100>>::Metric::is_exact);
+static_assert(!Triangulation<Float>::Metric::is_exact);
 
 // Weights of thin faces lose some digits against lengths, which are good to about 1e-14.
 constexpr double tolerance = 1e-10;
@@ -59,8 +58,7 @@ void expect_agreement(const meshes::Mesh& m) {
 
 template <class FT>
 class Euclidean_traits_of_inexact_types : public ::testing::Test {};
-using Inexact =
-    ::testing::Types<double, long double, Float<100>, Float<200>, CGAL::Interval_nt<true>>;
+using Inexact = ::testing::Types<double, long double, Float, CGAL::Interval_nt<true>>;
 TYPED_TEST_SUITE(Euclidean_traits_of_inexact_types, Inexact);
 
 TYPED_TEST(Euclidean_traits_of_inexact_types, agree_with_exact_ones_away_from_ties) {

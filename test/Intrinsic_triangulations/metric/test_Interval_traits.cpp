@@ -26,7 +26,7 @@ namespace {
 using Triangulation = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Interval_traits>;
 using Exact = IT::Intrinsic_triangulation<>;
 using Float = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<300, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::cpp_bin_float<100, boost::multiprecision::digit_base_2>,
     boost::multiprecision::et_off>;
 using Interval = CGAL::Interval_nt<false>;
 

@@ -24,13 +24,16 @@ using Triangulation =
 
 static_assert(IT::IntrinsicTriangulationTraits<IT::Tolerant_traits<double, std::micro>>);
 static_assert(IT::IntrinsicTriangulationTraits<IT::Tolerant_traits<long double, std::pico>>);
-static_assert(!Triangulation<std::micro>::Metric::is_exact);
+// Every tolerance is a type, which takes seconds to compile: few are tested, on many meshes.
+using Quarter = std::ratio<1, 4>;
+static_assert(!Triangulation<Quarter>::Metric::is_exact);
 
 // The edge from (-1, 0) to (1, 0) with the corners (0, 1) and (0, -b) opposite: cot k = 0 and
-// cot m = (b^2 - 1) / (2 b), which for b = 1 - 2^-10 is -0.000977.
-meshes::Mesh nearly_cocircular() {
-  return {{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1 + 0x1p-10, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+// cot m = (b^2 - 1) / (2 b), which for b = (sqrt(17) - 1) / 4 = 0.780776 is -1/4.
+meshes::Mesh nearly_cocircular(double b) {
+  return {{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -b, 0}}, {{0, 1, 2}, {1, 0, 3}}};
 }
+const meshes::Mesh tolerated = nearly_cocircular(0.78078), beyond = nearly_cocircular(0.78077);
 
 template <class Tolerance>
 std::uint64_t flips_of(const meshes::Mesh& m) {
@@ -43,22 +46,22 @@ std::uint64_t flips_of(const meshes::Mesh& m) {
 }
 
 TEST(Tolerant_traits, tolerate_a_sum_of_cotangents_above_minus_the_tolerance_and_no_other) {
-  EXPECT_EQ(flips_of<std::milli>(nearly_cocircular()), 0U);
-  EXPECT_EQ((flips_of<std::ratio<978, 1000000>>(nearly_cocircular())), 0U);
-  EXPECT_EQ((flips_of<std::ratio<976, 1000000>>(nearly_cocircular())), 1U);
-  EXPECT_EQ(flips_of<std::micro>(nearly_cocircular()), 1U);
+  EXPECT_EQ(flips_of<Quarter>(nearly_cocircular(1 - 0x1p-10)), 0U);
+  EXPECT_EQ(flips_of<Quarter>(tolerated), 0U);
+  EXPECT_EQ(flips_of<Quarter>(beyond), 1U);
+  EXPECT_EQ(flips_of<std::pico>(tolerated), 1U);
+  EXPECT_EQ(flips_of<std::pico>(nearly_cocircular(1 - 0x1p-10)), 1U);
 }
 
 TEST(Tolerant_traits, decide_alike_at_every_scale) {
   for (const double scale : {0x1p-100, 1e-3, 3.0, 0x1p100}) {
-    const meshes::Mesh m = meshes::scaled(nearly_cocircular(), scale);
-    EXPECT_EQ((flips_of<std::ratio<978, 1000000>>(m)), 0U) << scale;
-    EXPECT_EQ((flips_of<std::ratio<976, 1000000>>(m)), 1U) << scale;
+    EXPECT_EQ(flips_of<Quarter>(meshes::scaled(tolerated, scale)), 0U) << scale;
+    EXPECT_EQ(flips_of<Quarter>(meshes::scaled(beyond, scale)), 1U) << scale;
   }
 }
 
 TEST(Tolerant_traits, leave_no_edge_beyond_the_tolerance) {
-  Triangulation<std::ratio<1, 4>> t(meshes::rough_grid(12, 3).input());
+  Triangulation<Quarter> t(meshes::rough_grid(12, 3).input());
   IT::flip_to_delaunay(t);
   double least = 0;
   for (const auto h : properties::flippable_by_connectivity(t))
@@ -85,7 +88,7 @@ TEST(Tolerant_traits, do_not_tolerate_caps) {
 }
 
 TEST(Tolerant_traits, count_checks) {
-  Triangulation<std::micro> t(meshes::rough_grid(4, 1).input());
+  Triangulation<Quarter> t(meshes::rough_grid(4, 1).input());
   const IT::Flip_to_delaunay_result r = IT::flip_to_delaunay(t);
   EXPECT_GT(r.checks, 0U);
   EXPECT_LE(t.metric().statistics().checks, r.checks); // those on the border need no predicate

@@ -69,7 +69,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Exact = IT::Intrinsic_triangulation<>;
 using Inexact = IT::Intrinsic_triangulation<Surface_mesh, IT::Euclidean_traits<double>>;
 using With_signposts =
-    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Euclidean_traits<double>, IT::Signposts>;
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, IT::Signposts>;
 using Without_insertions = IT::Intrinsic_triangulation<IT::Gluing_map, archetypes::Traits>;
 using Integer_only = IT::Integer_only_triangulation<>;
 using Hyperbolic = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Ideal_hyperbolic_traits<double>>;

@@ -97,8 +97,8 @@ TEST(Measures, are_those_of_the_mesh_in_space_whatever_moves_were_made) {
       1e-10);
   expect_measures_of_space<Triangulation<IT::Exact_euclidean_traits, IT::Explicit_crossings>>(
       1e-10);
+  expect_measures_of_space<Triangulation<IT::Exact_euclidean_traits, IT::Signposts>>(1e-10);
   expect_measures_of_space<Double>(1e-9);
-  expect_measures_of_space<Triangulation<IT::Euclidean_traits<double>, IT::Signposts>>(1e-9);
 }
 
 TEST(Measures, satisfy_Gauss_and_Bonnet_on_every_delta_complex_of_the_gallery) {

@@ -260,12 +260,12 @@ class Stored_places_on : public testing::Test {};
 TYPED_TEST_SUITE(Stored_places_on, All_meshes);
 
 TYPED_TEST(Stored_places_on, Any_mesh_type_come_back) {
-  using T = IT::Intrinsic_triangulation<TypeParam, IT::Exact_euclidean_traits>;
+  using T = IT::Intrinsic_triangulation<TypeParam, IT::Euclidean_traits<double>>;
   T t(meshes::rough_grid(3, 3).input());
   ASSERT_GT(move_at_random(t, 5, 60)[2], 0);
   T back = from_text<T>(text(t));
   expect_equal(text(back), text(t));
-  Exact other = from_text<Exact>(text(t));
+  Double other = from_text<Double>(text(t));
   expect_equal(text(other), text(t));
   EXPECT_EQ(delaunay_signs(back), delaunay_signs(other));
   IT::flip_to_delaunay(back);
@@ -283,8 +283,7 @@ using Integer_double = Traced<IT::Euclidean_traits<double>, IT::Integer_coordina
 template <class T>
 class Stored_correspondence : public testing::Test {};
 using All_traced = testing::Types<Integer_exact, Integer_double,
-                                  Traced<IT::Exact_euclidean_traits, IT::Explicit_crossings>,
-                                  Traced<IT::Euclidean_traits<double>, IT::Explicit_crossings>>;
+                                  Traced<IT::Exact_euclidean_traits, IT::Explicit_crossings>>;
 TYPED_TEST_SUITE(Stored_correspondence, All_traced);
 
 /// Expects the same paths, halfedge by halfedge and bit by bit. \pre numbers have no gaps

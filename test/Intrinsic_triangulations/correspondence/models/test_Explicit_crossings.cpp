@@ -37,11 +37,11 @@ using subdivision_oracle::input;
 using subdivision_oracle::Mover;
 using Lists = std::vector<std::vector<std::uint32_t>>;
 
-template <class C, class Mesh = IT::Gluing_map>
-using Rounded = IT::Intrinsic_triangulation<Mesh, IT::Euclidean_traits<double>, C>;
 template <class C>
 using Exact = IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, C>;
-static_assert(IT::IntrinsicCorrespondence<Explicit_crossings, Rounded<Explicit_crossings>>);
+template <class C, class Mesh>
+using Rounded = IT::Intrinsic_triangulation<Mesh, IT::Euclidean_traits<double>, C>;
+static_assert(IT::IntrinsicCorrespondence<Explicit_crossings, Exact<Explicit_crossings>>);
 static_assert(std::copyable<Explicit_crossings>);
 
 Lists lists_of(const Explicit_crossings& c) {
@@ -117,10 +117,10 @@ void expect_same_subdivisions(const T& t, const U& u, const std::string& name) {
 
 /// Triangulations that differ in the correspondence only and make the same random moves.
 struct Twins {
-  Rounded<Explicit_crossings> t;
-  Rounded<Integer_coordinates> u;
-  Mover<Rounded<Explicit_crossings>> move_t;
-  Mover<Rounded<Integer_coordinates>> move_u;
+  Exact<Explicit_crossings> t;
+  Exact<Integer_coordinates> u;
+  Mover<Exact<Explicit_crossings>> move_t;
+  Mover<Exact<Integer_coordinates>> move_u;
 
   Twins(const IT::Intrinsic_input& in, unsigned seed)
       : t(in), u(in), move_t(t, seed), move_u(u, seed) {}
@@ -220,7 +220,7 @@ TEST(Explicit_crossings, Are_restored_by_flipping_back) {
 
 TEST(Explicit_crossings, Are_restored_by_removal) {
   for (const auto& [name, m] : all_meshes()) {
-    Rounded<Explicit_crossings> t(input(m));
+    Exact<Explicit_crossings> t(input(m));
     flip_to_delaunay(t);
     const Lists before = lists_of(t.correspondence());
     for (const auto h : halfedges(t.mesh())) {
@@ -245,7 +245,7 @@ TEST(Explicit_crossings, Of_a_surface_mesh_are_the_same) {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   const meshes::Mesh m = meshes::rough_grid(8, 3);
   Rounded<Explicit_crossings, Mesh> t(input(m));
-  Rounded<Integer_coordinates> u(input(m));
+  Rounded<Integer_coordinates, IT::Gluing_map> u(input(m));
   flip_to_delaunay(t);
   flip_to_delaunay(u);
   expect_same_lists(t, u, "surface mesh");
@@ -254,10 +254,10 @@ TEST(Explicit_crossings, Of_a_surface_mesh_are_the_same) {
 
 TEST(Explicit_crossings, Are_copied_and_moved) {
   const meshes::Mesh m = meshes::integer_terrain(50, 50, 4);
-  Rounded<Explicit_crossings> t(input(m));
+  Exact<Explicit_crossings> t(input(m));
   flip_to_delaunay(t);
   const Lists before = lists_of(t.correspondence());
-  Rounded<Explicit_crossings> copy(t);
+  Exact<Explicit_crossings> copy(t);
   Mover mover(copy, 5);
   for (int i = 0; i < 50; ++i) mover.move(true);
   EXPECT_EQ(lists_of(t.correspondence()), before);
@@ -269,7 +269,7 @@ TEST(Explicit_crossings, Are_copied_and_moved) {
 
 TEST(Explicit_crossings, Name_the_input_edge_that_an_edge_runs_along) {
   const meshes::Mesh m = meshes::grid(1, 1);
-  Rounded<Explicit_crossings> t(input(m));
+  Exact<Explicit_crossings> t(input(m));
   const Explicit_crossings& c = t.correspondence();
   for (std::uint32_t h = 0; h < t.mesh().number_of_halfedges(); ++h) EXPECT_EQ(c.along(h), h);
   for (const auto h : halfedges(t.mesh())) {

@@ -88,8 +88,9 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-template <class Correspondence, class Traits = IT::Exact_euclidean_traits>
-using With = IT::Intrinsic_triangulation<IT::Gluing_map, Traits, Correspondence>;
+template <class Correspondence>
+using With =
+    IT::Intrinsic_triangulation<IT::Gluing_map, IT::Exact_euclidean_traits, Correspondence>;
 
 template <class T>
 T refined() {
@@ -112,13 +113,12 @@ std::string text(const T& t) {
 template <class T>
 class Own_correspondence : public testing::Test {};
 
-using Types = testing::Types<With<own::Counted>, With<own::Shared>,
-                             With<own::Counted, IT::Euclidean_traits<double>>>;
+using Types = testing::Types<With<own::Counted>, With<own::Shared>>;
 TYPED_TEST_SUITE(Own_correspondence, Types);
 
 TYPED_TEST(Own_correspondence, Opens_all_queries) {
   const TypeParam t = refined<TypeParam>();
-  const auto known = refined<With<IT::Integer_coordinates, typename TypeParam::Traits>>();
+  const auto known = refined<With<IT::Integer_coordinates>>();
   ASSERT_GT(t.correspondence().moves(), 0U);
   ASSERT_EQ(num_vertices(t.mesh()), num_vertices(known.mesh()));
   for (const auto f : faces(t.mesh())) {
