@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_RANGES_H
 
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -24,8 +24,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// The numbers that an option may have.
 struct Number_range {
-  double least = 0; ///< the least of them
-  double most = 0;  ///< the greatest of them
+  double least = 0;         ///< the least of them
+  double most = 0;          ///< the greatest of them
   bool is_whole = false;    ///< whether only whole numbers are
   bool is_positive = false; ///< whether `least`, which is 0, is none of them
 
