@@ -18,7 +18,7 @@ FLAGS = ["-std=c++20", "-frounding-math", "-DCGAL_USE_GMP=1", "-DCGAL_USE_MPFR=1
          f"-I{ROOT / 'include'}", f"-I{ROOT / 'src'}", "-isystem", "/usr/include/eigen3"]
 COMPILED = "-DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED=1"
 HEAVY = re.compile(r"(CGAL/(Triangulation_2|Constrained_\w+|Filtered_kernel|Lazy_\w+|Mpzf)\.h"
-                   r"|c\+\+/\d+/(ranges|mutex|regex|future)|boost/multiprecision/\w+\.hpp)$")
+                   r"|c\+\+/\d+/(ranges|mutex|regex|future|filesystem)|boost/multiprecision/\w+\.hpp)$")
 PACKAGES = ("triangulations", "geodesics", "operators", "conformal", "simplification")
 PROGRAM = """
 #include <CGAL/Intrinsic_triangulations.h>
@@ -57,6 +57,13 @@ class LightHeaders(unittest.TestCase):
     def test_with_the_library_nothing_heavy_is_included(self):
         headers = headers_of([f"CGAL/Intrinsic_{package}.h" for package in PACKAGES], COMPILED)
         self.assertEqual([h for h in headers if HEAVY.search(h) or "/src/CGAL/" in h], [])
+
+    def test_cmath_is_read_once(self):
+        """The guard of <cmath> does not surround it all: g++ reads 1,900 lines at each inclusion."""
+        for folder in (ROOT / "include", ROOT / "src/CGAL"):
+            found = [str(path) for path in sorted(folder.rglob("*.*"))
+                     if path.suffix in (".h", ".cpp") and "#include <cmath>" in path.read_text()]
+            self.assertEqual([path for path in found if not path.endswith("support/cmath.h")], [])
 
     def test_without_it_all_is(self):
         self.assertTrue(any(HEAVY.search(h)

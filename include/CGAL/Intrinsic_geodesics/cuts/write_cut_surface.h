@@ -8,9 +8,9 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 
 #include <array>
-#include <filesystem>
 #include <iosfwd>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -45,7 +45,7 @@ If anything fails, the file is unchanged: see `Replacing_file`.
 \throws Invalid_input see there
 \throws std::runtime_error naming the file if it cannot be written
 */
-void write_cut_surface(const std::filesystem::path& path, const Cut_surface& s,
+void write_cut_surface(const std::string& path, const Cut_surface& s,
                        std::span<const std::array<double, 3>> points,
                        std::span<const std::array<double, 2>> texture = {});
 

@@ -5,13 +5,13 @@
 #define CGAL_INTRINSIC_OPERATORS_ELEMENTS_QUADRATIC_H
 
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <cstddef>
 
 /*!

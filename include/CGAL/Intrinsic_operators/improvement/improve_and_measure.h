@@ -13,10 +13,10 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/support/Stopwatch.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <ostream>
 #include <sstream>

@@ -8,7 +8,6 @@
 
 #include <complex>
 #include <concepts>
-#include <filesystem>
 #include <ostream>
 #include <string>
 
@@ -64,7 +63,7 @@ file is complete or unchanged.
 \throws std::runtime_error naming the file if it cannot be written
 \complexity linear
 */
-void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,
+void write_matrix_market(const std::string& path, const Eigen::SparseMatrix<double>& m,
                          const std::string& comment = {});
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -4,9 +4,10 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_LINEAR_SOLVER_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_LINEAR_SOLVER_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <Eigen/Core>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>

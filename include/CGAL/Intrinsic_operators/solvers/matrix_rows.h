@@ -5,11 +5,11 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_MATRIX_ROWS_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>

@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
 #include <CGAL/Gmpq.h>
@@ -30,7 +31,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

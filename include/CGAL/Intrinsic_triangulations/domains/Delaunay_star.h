@@ -4,8 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DELAUNAY_STAR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DELAUNAY_STAR_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_PLANE_VECTOR_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations {

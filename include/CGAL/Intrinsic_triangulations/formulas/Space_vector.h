@@ -4,9 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SPACE_VECTOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_SPACE_VECTOR_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

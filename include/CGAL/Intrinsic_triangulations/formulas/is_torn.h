@@ -4,8 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_IS_TORN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_IS_TORN_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <array>
-#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations {
 

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORMULAS_TRIANGLE_FORMULAS_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
@@ -12,7 +13,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <iterator>
 #include <limits>

@@ -6,9 +6,9 @@
 
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>

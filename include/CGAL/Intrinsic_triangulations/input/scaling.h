@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_SCALING_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 /*!

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/metric/Lambda_values.h>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
@@ -22,7 +23,6 @@
 
 #include <boost/config.hpp>
 
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>

@@ -8,11 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>

@@ -4,6 +4,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_METRIC_BOOST_FLOAT_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_METRIC_BOOST_FLOAT_TRAITS_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/boost_mp.h>
@@ -11,7 +13,6 @@
 
 #include <boost/multiprecision/number.hpp>
 
-#include <cmath>
 #include <limits>
 #include <utility>
 

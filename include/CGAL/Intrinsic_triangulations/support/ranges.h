@@ -5,8 +5,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_RANGES_H
 
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <limits>
 #include <string>
 

@@ -5,11 +5,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_WITHIN_ROUNDING_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 

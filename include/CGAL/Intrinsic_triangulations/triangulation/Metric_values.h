@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/metric/Enclosed_values.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
 #include <CGAL/enum.h>
@@ -15,7 +16,6 @@
 #include <boost/config.hpp>
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 

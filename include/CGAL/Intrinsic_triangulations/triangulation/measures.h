@@ -7,6 +7,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Metric_values.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -16,7 +17,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>

@@ -5,10 +5,10 @@
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
 #include <CGAL/Intrinsic_operators/operators/symmetric_assembly.h>
 #include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 

@@ -3,8 +3,9 @@
 
 #include <CGAL/Intrinsic_conformal/angles/Ideal_surface.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {

@@ -4,10 +4,10 @@
 #include <CGAL/Intrinsic_conformal/angles/Prescribed_angles.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Gmpq.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -4,12 +4,12 @@
 #include <CGAL/Intrinsic_conformal/angles/Angle_system.h>
 #include <CGAL/Intrinsic_conformal/angles/flat_angles.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>

@@ -3,9 +3,10 @@
 
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations::internal {

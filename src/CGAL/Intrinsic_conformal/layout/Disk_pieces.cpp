@@ -6,10 +6,10 @@
 #include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Disk_pieces.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>

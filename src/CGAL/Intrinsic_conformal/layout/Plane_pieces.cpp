@@ -4,12 +4,12 @@
 #include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Plane_pieces.h>
 #include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>

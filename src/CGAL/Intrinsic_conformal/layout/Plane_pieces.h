@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/Glued_pieces.h>
 #include <CGAL/Intrinsic_geodesics/cuts/cut_to_disk.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <vector>

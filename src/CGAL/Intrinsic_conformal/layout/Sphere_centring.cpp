@@ -3,10 +3,11 @@
 
 #include <CGAL/Intrinsic_conformal/layout/Sphere_centring.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Intrinsic_triangulations::internal {

@@ -6,12 +6,12 @@
 #include <CGAL/Intrinsic_conformal/layout/flat_torus.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <string>

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_conformal/layout/Developer.h>
 #include <CGAL/Intrinsic_conformal/layout/lay_out_in_disk.h>
 #include <CGAL/Intrinsic_conformal/layout/turn_back.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/enum.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -30,8 +30,8 @@ public:
   Triangle_turner(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                   Eigen::MatrixX2d& positions)
       : triangles_(triangles), z_(positions), given_(positions),
-        limit_(0x1p-44 *
-               (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm()) {}
+        limit_(0x1p-44 * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm()) {
+  }
 
   void run() {
     std::vector<std::uint32_t> turned;

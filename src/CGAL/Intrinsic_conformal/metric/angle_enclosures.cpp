@@ -3,9 +3,9 @@
 
 #include <CGAL/Intrinsic_conformal/angles/triangle_angles.h>
 #include <CGAL/Intrinsic_conformal/metric/angle_enclosures.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>

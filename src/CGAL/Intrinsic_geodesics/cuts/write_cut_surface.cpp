@@ -241,11 +241,11 @@ void write_cut_surface(std::ostream& out, std::string_view extension, const Cut_
   if (!buffer.flush()) throw std::runtime_error("the cut surface cannot be written completely");
 }
 
-void write_cut_surface(const std::filesystem::path& path, const Cut_surface& s,
+void write_cut_surface(const std::string& path, const Cut_surface& s,
                        std::span<const std::array<double, 3>> points,
                        std::span<const std::array<double, 2>> texture) {
   write_file(path, [&](std::ostream& out) {
-    write_cut_surface(out, path.extension().string(), s, points, texture);
+    write_cut_surface(out, std::filesystem::path(path).extension().string(), s, points, texture);
   });
 }
 

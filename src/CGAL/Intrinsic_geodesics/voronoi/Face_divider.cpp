@@ -7,10 +7,10 @@
 #include <CGAL/Intrinsic_geodesics/voronoi/Weighted_site.h>
 #include <CGAL/Intrinsic_geodesics/voronoi/cell_boundaries.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -4,11 +4,11 @@
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.h>
 #include <CGAL/Intrinsic_operators/operators/Face_table.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>

@@ -12,7 +12,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -104,13 +103,13 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
   internal::write_market_entries(out, m, symmetric);
 }
 
-void write_matrix_market(const std::filesystem::path& path, const Eigen::SparseMatrix<double>& m,
+void write_matrix_market(const std::string& path, const Eigen::SparseMatrix<double>& m,
                          const std::string& comment) {
   Replacing_file file(path);
   try {
     write_matrix_market(file.stream(), m, comment);
   } catch (const std::runtime_error&) {
-    throw std::runtime_error(path.string() + " cannot be written completely; is the disk full?");
+    throw std::runtime_error(path + " cannot be written completely; is the disk full?");
   }
   file.commit();
 }

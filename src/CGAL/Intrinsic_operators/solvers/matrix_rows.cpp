@@ -3,10 +3,11 @@
 
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>

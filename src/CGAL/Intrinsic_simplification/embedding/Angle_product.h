@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_ANGLE_PRODUCT_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace CGAL::Intrinsic_triangulations::internal {

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -9,12 +9,12 @@
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -3,8 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Candidates.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace CGAL::Intrinsic_triangulations::internal {

@@ -3,9 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>

@@ -3,9 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

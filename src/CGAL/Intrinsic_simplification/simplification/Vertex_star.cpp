@@ -3,8 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>

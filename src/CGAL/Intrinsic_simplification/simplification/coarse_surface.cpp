@@ -7,9 +7,9 @@
 #include <CGAL/Intrinsic_simplification/simplification/simplify.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 

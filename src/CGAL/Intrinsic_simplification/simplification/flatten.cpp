@@ -3,8 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 // How a vertex becomes flat, while the triangulation stays Delaunay.

@@ -3,8 +3,9 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/removal_costs.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>

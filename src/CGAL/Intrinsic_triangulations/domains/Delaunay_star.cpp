@@ -4,10 +4,10 @@
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Point_kernel.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_CHECK_COORDINATES_H
 
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 

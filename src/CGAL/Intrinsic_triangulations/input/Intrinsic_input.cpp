@@ -15,9 +15,9 @@
 #include <CGAL/Intrinsic_triangulations/input/renumbering.h>
 #include <CGAL/Intrinsic_triangulations/input/scaling.h>
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>

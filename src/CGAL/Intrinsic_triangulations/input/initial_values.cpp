@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/nonnegative_intervals.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Gmpz.h>
@@ -13,7 +14,6 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -76,8 +76,7 @@ Interval_nt<false> quadruple_area_interval(const Input_metric& m, std::uint32_t 
   const FT d = m.is_embedded() ? Embedded_area<FT>(m, f).squared : m.squared_quadruple_area<FT>(f);
   if (d.inf() > 0 && d.sup() - d.inf() <= 0x1p-36 * d.sup()) return CGAL::sqrt(d);
   const auto [inf, sup] = CGAL::to_interval(checked_squared_quadruple_area<Mpzf>(m, f));
-  if (inf > 0x1p-900 || sup == 0)
-    return CGAL::sqrt(FT(inf, sup)); // Mpzf does not report underflow
+  if (inf > 0x1p-900 || sup == 0) return CGAL::sqrt(FT(inf, sup)); // Mpzf does not report underflow
   return CGAL::sqrt(from_rational<FT>(m.squared_quadruple_area<Gmpq>(f)));
 }
 

@@ -4,11 +4,11 @@
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_utils.h>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/curves/write_polylines.h>
 
-#include <filesystem>
 #include <iosfwd>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,7 +29,7 @@ std::vector<Polyline> read_polylines(std::istream& in, std::string_view extensio
 
 /// reads polylines from a file, in the format of its extension: see the overload with a stream.
 /// \throws std::runtime_error naming the file if it cannot be read, or what is wrong in it
-std::vector<Polyline> read_polylines(const std::filesystem::path& path);
+std::vector<Polyline> read_polylines(const std::string& path);
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <span>
 #include <string>
@@ -62,7 +61,7 @@ If anything fails, the file is unchanged: see `Replacing_file`.
 \param label the name of the labels in files
 \throws std::runtime_error naming the file if it cannot be written
 */
-void write_polylines(const std::filesystem::path& path, std::span<const Polyline> polylines,
+void write_polylines(const std::string& path, std::span<const Polyline> polylines,
                      const std::string& label = "curve");
 
 } // namespace CGAL::Intrinsic_triangulations

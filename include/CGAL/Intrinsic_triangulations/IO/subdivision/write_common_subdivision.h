@@ -9,10 +9,10 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -43,7 +43,7 @@ struct Subdivision_format {
 
 void write_subdivision(std::ostream& out, std::string_view extension, const Subdivision_output& o,
                        const Subdivision_format& format);
-void write_subdivision(const std::filesystem::path& path, const Subdivision_output& o,
+void write_subdivision(const std::string& path, const Subdivision_output& o,
                        const Subdivision_format& format);
 
 template <NamedParameters NP>
@@ -101,7 +101,7 @@ those of the overload with a stream.
 \throws std::runtime_error naming the file if it cannot be written
 */
 template <NamedParameters NP = parameters::Parameters<>>
-void write_common_subdivision(const std::filesystem::path& path, const Common_subdivision& s,
+void write_common_subdivision(const std::string& path, const Common_subdivision& s,
                               std::span<const std::array<double, 3>> points,
                               std::span<const Subdivision_field> fields = {},
                               const NP& np = parameters::default_values()) {

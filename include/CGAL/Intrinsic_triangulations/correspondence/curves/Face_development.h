@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -150,7 +150,7 @@ public:
     return t > 0 && opposite == 2 ? t : triangles_[t].beyond[(opposite + 1) % 3];
   }
   /// returns the triangles that are entered from a triangle, two at most.
-  boost::container::static_vector<std::uint32_t, 2> children(std::uint32_t t) const;
+  boost::container::small_vector<std::uint32_t, 2> children(std::uint32_t t) const;
 
   /*!
   \brief names the curve over which a triangle is entered.

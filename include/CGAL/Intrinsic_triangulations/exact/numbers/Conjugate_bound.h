@@ -4,9 +4,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_BOUND_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_CONJUGATE_BOUND_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 

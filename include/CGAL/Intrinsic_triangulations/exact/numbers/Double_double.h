@@ -4,9 +4,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_DOUBLE_DOUBLE_H
 
-#include <boost/config.hpp>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
+#include <boost/config.hpp>
 
 namespace CGAL::Intrinsic_triangulations {
 

@@ -4,13 +4,14 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_MPFR_NUMBER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXACT_NUMBERS_MPFR_NUMBER_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <CGAL/Gmpq.h>
 
 #include <boost/container/small_vector.hpp>
 #include <mpfr.h>
 
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -115,9 +116,7 @@ private:
     return current;
   }
 
-  static std::size_t limbs(std::size_t bits) {
-    return (bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
-  }
+  static std::size_t limbs(std::size_t bits) { return (bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS; }
 
   void copy_value(const Mpfr_number& other) {
     *value_ = *other.value_;
@@ -164,8 +163,7 @@ constexpr bool raise_precision(unsigned first, unsigned last, const Is_done& is_
 /// \return whether the bits were enough
 template <std::predicate<unsigned> Is_done>
 constexpr bool narrow_enclosures(unsigned first, unsigned last, const Is_done& is_done) {
-  return raise_precision(first, last,
-                         [&](unsigned bits) { return bits != 512 && is_done(bits); });
+  return raise_precision(first, last, [&](unsigned bits) { return bits != 512 && is_done(bits); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -13,10 +13,10 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -5,9 +5,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_SCALING_TENSOR_NORM_H
 
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -44,8 +44,7 @@ public:
   \param along factor along the direction, positive
   \param across factor across it, positive
   */
-  static Tensor_norm from_stretches(const Unscaled_vector& direction, double along,
-                                    double across) {
+  static Tensor_norm from_stretches(const Unscaled_vector& direction, double along, double across) {
     const double l = std::hypot(direction[0], direction[1]);
     const double x = direction[0] / l, y = direction[1] / l;
     Tensor_norm n;

@@ -11,13 +11,13 @@
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Scaled_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/Tensor_norm.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

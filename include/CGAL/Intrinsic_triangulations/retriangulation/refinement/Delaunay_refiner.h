@@ -15,12 +15,12 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Surface_check.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/locate_circumcenter.h>
 #include <CGAL/Intrinsic_triangulations/support/caps.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <map>

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs/Block_eigensolver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -10,7 +11,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>

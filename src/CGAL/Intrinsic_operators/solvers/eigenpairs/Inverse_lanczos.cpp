@@ -3,11 +3,11 @@
 
 #include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
-#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <functional>

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs.h>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs/Block_eigensolver.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -17,7 +18,6 @@
 #include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -6,11 +6,11 @@
 #include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_elimination.h>
 #include <CGAL/Intrinsic_operators/solvers/elimination/Multifrontal_factor.h>
 #include <CGAL/Intrinsic_operators/solvers/ordering/Symbolic_factorization.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>

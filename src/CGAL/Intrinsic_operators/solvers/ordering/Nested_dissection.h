@@ -7,11 +7,11 @@
 #include <CGAL/Intrinsic_operators/solvers/ordering/Graph_separation.h>
 #include <CGAL/Intrinsic_operators/solvers/ordering/Separable_graph.h>
 #include <CGAL/Intrinsic_operators/solvers/ordering/Separator_refinement.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/SparseCore>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>

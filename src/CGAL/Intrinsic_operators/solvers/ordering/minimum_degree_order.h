@@ -4,12 +4,13 @@
 #ifndef CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_MINIMUM_DEGREE_ORDER_H
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_ORDERING_MINIMUM_DEGREE_ORDER_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>

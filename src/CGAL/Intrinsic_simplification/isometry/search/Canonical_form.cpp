@@ -7,8 +7,8 @@
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Singular_surface.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>

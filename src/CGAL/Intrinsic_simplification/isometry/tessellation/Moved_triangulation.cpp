@@ -10,10 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/moves.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>

@@ -35,15 +35,15 @@ std::vector<Polyline> read_polylines(std::istream& in, std::string_view extensio
   return read;
 }
 
-std::vector<Polyline> read_polylines(const std::filesystem::path& path) {
+std::vector<Polyline> read_polylines(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw std::runtime_error(path.string() +
+    throw std::runtime_error(path +
                              ": the file cannot be read; give the path of a file with curves");
   try {
-    return read_polylines(in, path.extension().string());
+    return read_polylines(in, std::filesystem::path(path).extension().string());
   } catch (const Invalid_input& e) {
-    throw std::runtime_error(path.string() + ": " + e.what());
+    throw std::runtime_error(path + ": " + e.what());
   }
 }
 

@@ -127,10 +127,10 @@ void write_polylines(std::ostream& out, std::string_view extension,
   if (!buffer.flush()) throw std::runtime_error("the polylines cannot be written completely");
 }
 
-void write_polylines(const std::filesystem::path& path, std::span<const Polyline> polylines,
+void write_polylines(const std::string& path, std::span<const Polyline> polylines,
                      const std::string& label) {
   write_file(path, [&](std::ostream& out) {
-    write_polylines(out, path.extension().string(), polylines, label);
+    write_polylines(out, std::filesystem::path(path).extension().string(), polylines, label);
   });
 }
 

@@ -7,12 +7,12 @@
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <istream>
 #include <limits>

@@ -4,8 +4,8 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <cstddef>
 #include <istream>
 #include <string>

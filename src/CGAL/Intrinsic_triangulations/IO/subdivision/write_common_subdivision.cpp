@@ -57,10 +57,10 @@ void write_subdivision(std::ostream& out, std::string_view extension, const Subd
     throw std::runtime_error("the common subdivision cannot be written completely");
 }
 
-void write_subdivision(const std::filesystem::path& path, const Subdivision_output& o,
+void write_subdivision(const std::string& path, const Subdivision_output& o,
                        const Subdivision_format& format) {
   write_file(path, [&](std::ostream& out) {
-    write_subdivision(out, path.extension().string(), o, format);
+    write_subdivision(out, std::filesystem::path(path).extension().string(), o, format);
   });
 }
 

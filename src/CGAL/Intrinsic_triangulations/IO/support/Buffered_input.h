@@ -4,10 +4,11 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_BUFFERED_INPUT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_IO_SUPPORT_BUFFERED_INPUT_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
-#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -29,9 +29,8 @@ std::optional<unsigned> Face_development::shared_corner(std::uint32_t triangle,
   return std::nullopt;
 }
 
-boost::container::static_vector<std::uint32_t, 2>
-Face_development::children(std::uint32_t t) const {
-  boost::container::static_vector<std::uint32_t, 2> result;
+boost::container::small_vector<std::uint32_t, 2> Face_development::children(std::uint32_t t) const {
+  boost::container::small_vector<std::uint32_t, 2> result;
   const auto branch = static_cast<std::uint32_t>(along_) + 1;
   for (const std::uint32_t child : {t + 1, branch})
     if (child <= last() && triangles_[child].parent() == t) result.push_back(child);

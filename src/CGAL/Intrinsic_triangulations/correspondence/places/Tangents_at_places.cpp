@@ -4,10 +4,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Tangents_at_places.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Space_vector.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/points_in_one_face.h>
 
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>

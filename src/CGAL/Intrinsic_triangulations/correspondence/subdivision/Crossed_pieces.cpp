@@ -6,10 +6,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Crossed_pieces.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>

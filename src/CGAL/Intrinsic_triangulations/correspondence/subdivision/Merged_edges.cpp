@@ -4,8 +4,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/Merged_edges.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/expect_middle.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -3,10 +3,11 @@
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Residues.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <CGAL/Gmpz.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

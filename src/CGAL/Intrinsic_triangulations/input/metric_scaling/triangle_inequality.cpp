@@ -4,13 +4,13 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
 #include <CGAL/Intrinsic_triangulations/input/metric_scaling/triangle_inequality.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <queue>
@@ -29,10 +29,6 @@ bool squares_satisfy_triangle_inequality(double L_ij, double L_jk, double L_ki) 
     return d > 0;
   return squared_quadruple_area(Gmpq(L_ij), Gmpq(L_jk), Gmpq(L_ki)) >= Gmpq(0);
 }
-
-namespace internal {
-
-} // namespace internal
 
 std::vector<std::uint32_t>
 faces_violating_triangle_inequality(const Gluing_map& mesh,

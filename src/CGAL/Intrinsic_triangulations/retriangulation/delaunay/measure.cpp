@@ -3,11 +3,12 @@
 
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+
 #include <CGAL/Gmpq.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations {
 
