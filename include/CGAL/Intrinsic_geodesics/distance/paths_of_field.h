@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace CGAL::Intrinsic_triangulations::internal {

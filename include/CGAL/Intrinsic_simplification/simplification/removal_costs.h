@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H
 
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -11,7 +12,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>

@@ -7,10 +7,10 @@
 #include <CGAL/Intrinsic_simplification/simplification/Fine_surface.h>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
