@@ -9,8 +9,8 @@
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance_visitor.h>
 #include <CGAL/Intrinsic_geodesics/distance/Searched_surface.h>
 #include <CGAL/Intrinsic_geodesics/distance/Shortest_path.h>
-#include <CGAL/Intrinsic_geodesics/distance/paths_of_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/spread_windows.h>
+#include <CGAL/Intrinsic_geodesics/distance/trace_back.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -42,12 +41,8 @@ namespace CGAL::Intrinsic_triangulations {
 Distances are those on the surface, along shortest paths through faces and across edges, without
 discretization: errors are those of rounding. The triangulation is read once, in doubles: only
 lengths and areas count, so that it need not lie in space. Any Delta-complex will do, with or
-without border; a shortest path may run along the border.
-
-Only the effort depends on the triangulation. Unless its edges are Delaunay, the search is made on a
-copy that is flipped first, which needs exact traits and a correspondence; `as_given()` makes none.
-Paths, vectors and cells are on the triangulation as it is: after flips, the first query for one
-repeats the search there. If you need them, flip the triangulation before.
+without border; a shortest path may run along the border. The effort depends on the triangulation of
+the surface, the distances do not.
 
 At a vertex that is not manifold, paths pass from any fan of faces to any other. On a cover the
 copies of a vertex are one point: paths start, end and pass from one side to the other there.
@@ -96,19 +91,13 @@ public:
     search(sources, np);
   }
 
-  /// reads the triangulation, after flips of a copy, and has no sources yet: all distances are
-  /// infinite. \complexity linear, and that of `flip_to_delaunay()`
+  /// reads the triangulation, and has no sources yet: all distances are infinite.
+  /// \complexity linear
   explicit Polyhedral_distance(const Triangulation& t)
-      : Polyhedral_distance(internal::Searched_surface<Triangulation>::flipped(t)) {}
+      : Polyhedral_distance(internal::Searched_surface<Triangulation>(t)) {}
   /// A triangulation that would end before this object is refused: give it a name.
   template <class... Others>
   explicit Polyhedral_distance(const Triangulation&&, const Others&...) = delete;
-
-  /// reads the triangulation as it is, without flips. \param t the triangulation;
-  /// it must outlive the result unchanged \complexity linear
-  static Polyhedral_distance as_given(const Triangulation& t) {
-    return Polyhedral_distance(internal::Searched_surface<Triangulation>(t));
-  }
 
   /*!
   \brief reads the user's faces under a cover, any number of which may meet at an edge; another
@@ -146,13 +135,10 @@ public:
     internal::expect_names<maximum_distance, targets, maximum_number, visitor>(np);
     field_.clear();
     sources_ = {};
-    asked_.clear();
-    given_.reset();
     for_each_place(sources, [&](const auto& p) { sources_.add(p); });
-    if (surface_.is_flipped()) asked_.add(sources);
     internal::Propagation_limits limits;
     limits.radius = internal::value_or<maximum_distance>(np, limits.radius) / field_.table.unit;
-    limits.windows = internal::value_or<maximum_number>(np, default_cap());
+    limits.windows = internal::value_or<maximum_number>(np, field_.default_cap());
     for_each_place(internal::object_or<targets>(np, std::array<Surface_point, 0>()),
                    [&](const auto& p) { limits.targets.add(p); });
     if (!limits.targets.points.empty()) field_.windows.keep(field_.table.corners.size());
@@ -178,8 +164,6 @@ public:
       added.add(p, sources_.size());
       sources_.add(p);
     });
-    given_.reset();
-    if (surface_.is_flipped()) asked_.add(source);
     field_.windows = {};
     return spread(added, limits, np);
   }
@@ -232,20 +216,16 @@ public:
   template <internal::Place_on<Triangulation> Place>
   std::uint32_t nearest_source(const Place& p) const {
     std::uint32_t result = Gluing::none;
-    for_each_place(p, [&](const auto& place) { result = in_reach(found(place)); });
+    for_each_place(p, [&](const auto& place) { result = source_at(place); });
     return result;
   }
 
-  /// returns a shortest path to a vertex or a point from the nearest source.
-  /// \complexity linear in the number of its points; for a point, also of the windows of its face
+  /// returns a shortest path to a vertex or a point from the nearest source. \complexity
+  /// linear in the number of its points; for a point, also of the windows of its face
   template <internal::Place_on<Triangulation> Place>
   Shortest_path shortest_path(const Place& p) const {
-    const Polyhedral_distance& given = on_given();
     Shortest_path result;
-    given.for_each_place(p, [&](const auto& q) {
-      result = internal::path_to(given.surface_, given.field_, q, given.distance_of(q));
-    });
-    result.length = distance(p); // the same up to rounding
+    for_each_place(p, [&](const auto& place) { result = path_to(place, distance_of(place)); });
     return result;
   }
 
@@ -255,20 +235,13 @@ public:
   /// the path astray. \complexity that of `shortest_path()`
   template <internal::Place_on<Triangulation> Place>
   Tangent_vector logarithm(const Place& p) const {
-    const Polyhedral_distance& given = on_given();
     Tangent_vector result;
-    given.for_each_place(p, [&](const auto& q) {
-      result = internal::departure_to(given.surface_, given.field_, q, given.distance_of(q));
-    });
+    for_each_place(p, [&](const auto& place) { result = departure_to(place, distance_of(place)); });
     return result;
   }
 
   /// \cond
-  // Reads the faces under a cover, or the triangulation as it is.
-  static Polyhedral_distance faces_or_given(const Triangulation& t) {
-    return Polyhedral_distance(internal::Searched_surface<Triangulation>::faces_or_given(t));
-  }
-  // What a search with windows finds.
+  // What a search with windows finds, as far as the first search went.
   const internal::Distance_field& field_with_windows() const {
     if (field_.windows.are_kept()) return field_;
     internal::Propagation_limits limits;
@@ -278,20 +251,6 @@ public:
     const auto go_on = [](std::uint64_t, double) { return true; };
     spread_windows(field_, sources_, limits, memory_, go_on);
     return field_;
-  }
-  // The same search of what has places on the triangulation or the input, as far as this one went.
-  const Polyhedral_distance& on_given() const {
-    if (!surface_.is_flipped()) return *this;
-    if (given_) return *given_;
-    given_ = std::make_unique<Polyhedral_distance>(as_given(triangulation()));
-    asked_.for_each([&](const auto& p) {
-      given_->for_each_place(p, [&](const auto& q) { given_->sources_.add(q); });
-    });
-    internal::Propagation_limits limits; // a little farther: rounding may put a target there
-    limits.radius = reached_distance() * (1 + 0x1p-32) / given_->field_.table.unit;
-    limits.windows = default_cap();
-    given_->spread(given_->sources_, limits, parameters::default_values());
-    return *given_;
   }
   // What is searched.
   const internal::Searched_surface<Triangulation>& surface() const { return surface_; }
@@ -317,14 +276,19 @@ private:
     return status_;
   }
 
-  const internal::Distance_and_arrival& found(std::uint32_t v) const { return field_.vertices[v]; }
-  internal::Distance_and_arrival found(const internal::Point_in_face& p) const {
-    return field_with_windows().at(p);
+  double distance_of(std::uint32_t v) const { return in_units(field_.vertices[v].distance); }
+  double distance_of(const internal::Point_in_face& p) const {
+    return in_units(field_with_windows().at(p).distance);
   }
-  double distance_of(const auto& place) const { return in_units(found(place).distance); }
-  std::uint32_t in_reach(const internal::Distance_and_arrival& at) const {
-    return at.distance <= field_.radius ? at.arrival.origin : Gluing::none;
+
+  std::uint32_t source_at(std::uint32_t v) const { return in_reach(field_.vertices[v]); }
+  std::uint32_t source_at(const internal::Point_in_face& p) const {
+    return in_reach(field_with_windows().at(p));
   }
+  std::uint32_t in_reach(const internal::Distance_and_arrival& found) const {
+    return found.distance <= field_.radius ? found.arrival.origin : Gluing::none;
+  }
+
   double in_units(double scaled_distance) const {
     return scaled_distance <= field_.radius ? scaled_distance * field_.table.unit
                                             : std::numeric_limits<double>::infinity();
@@ -335,10 +299,33 @@ private:
     surface_.for_each_place(field_, places, f);
   }
 
+  // To a vertex by number, or to a point in a face.
+  template <class Place>
+  Shortest_path path_to(const Place& place, double length) const {
+    if (!std::isfinite(length)) return {Status::stalled, {}, false, length};
+    const internal::Traced_back path = trace_back(field_, place);
+    Shortest_path result{path.status, {}, false, length};
+    result.is_on_input = surface_.has_faces();
+    for (const internal::Path_place& p : path.places) result.points.push_back(surface_.point(p));
+    std::reverse(result.points.begin(), result.points.end());
+    return result;
+  }
+  template <class Place>
+  Tangent_vector departure_to(const Place& to, double length) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Tangent_vector none{{Gluing::none, {unknown, unknown, unknown}}, {unknown, unknown}};
+    if (!std::isfinite(length)) return none;
+    const internal::Traced_back path = trace_back(field_, to);
+    if (path.status != Status::done || path.places.empty()) return none;
+    const internal::Path_place& place = path.places.back();
+    const Plane_vector<double>& d = path.departure;
+    const double norm = std::hypot(d.x, d.y), scale = norm > 0 ? length / norm : 0;
+    if (norm == 0 && length > 0) return none; // from another copy of the source
+    return {surface_.point(place), {scale * d.x, scale * d.y}};
+  }
+
   internal::Searched_surface<Triangulation> surface_;
   internal::Places sources_;
-  internal::Asked_places<Triangulation> asked_; // the sources, if edges were flipped
-  mutable std::unique_ptr<Polyhedral_distance> given_;
   mutable internal::Distance_field field_;
   mutable internal::Propagation_memory memory_;
   Status status_ = Status::done;

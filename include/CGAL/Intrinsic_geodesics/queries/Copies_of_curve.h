@@ -102,8 +102,7 @@ private:
   const std::vector<Cost>& ways(std::size_t i, std::size_t k) {
     if (std::vector<Cost>& found = legs_[i][k]; !found.empty()) return found;
     const Vertices& to = copies_[(i + 1) % copies_.size()];
-    auto distance = Polyhedral_distance<Triangulation>::as_given(t_);
-    distance.search(copies_[i][k], parameters::targets(to));
+    const Polyhedral_distance<Triangulation> distance(t_, copies_[i][k], parameters::targets(to));
     for (const Vertex v : to)
       legs_[i][k].push_back({distance.distance(v), passages(distance.shortest_path(v).points), 0});
     return legs_[i][k];

@@ -103,9 +103,9 @@ flip_to_shortest_path(Triangulation& t, typename Triangulation::vertex_descripto
                       Shortening_result& result, const NamedParameters& np) {
   auto stored_visitor = object_or<tags::visitor>(np, Shortening_visitor());
   Search_of_shortening observed{&unwrapped(stored_visitor), &result};
-  auto search = Polyhedral_distance<Triangulation>::as_given(t);
-  if (search.search(from, parameters::targets(to).visitor(std::ref(observed))) == Status::cancelled)
-    return {Status::cancelled, {}, 0};
+  const Polyhedral_distance<Triangulation> search(
+      t, from, parameters::targets(to).visitor(std::ref(observed)));
+  if (search.status() == Status::cancelled) return {Status::cancelled, {}, 0};
   const Shortest_path path = search.shortest_path(to);
   Edge_way<Triangulation> way{path.status, {}, path.length};
   if (path.status != Status::done) return way;

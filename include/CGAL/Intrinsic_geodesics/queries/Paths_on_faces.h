@@ -46,7 +46,7 @@ public:
   /// reads the faces if `t` is of a double cover. \param t the triangulation; it must outlive this
   /// object unchanged \complexity linear
   explicit Paths_on_faces(const Triangulation& t)
-      : t_(t), search_(Polyhedral_distance<Triangulation>::faces_or_given(t)), find_(t) {}
+      : t_(t), search_(Polyhedral_distance<Triangulation>::on_faces(t)), find_(t) {}
 
   /// tells whether there are faces under a cover.
   bool has_faces() const { return search_.is_on_faces(); }

@@ -126,9 +126,8 @@ Voronoi_cells voronoi_cells(const Polyhedral_distance<Triangulation>& distance,
     throw std::invalid_argument("each source needs the index of its cell; there are " +
                                 std::to_string(distance.number_of_sources()) + " sources, not " +
                                 std::to_string(cell_of_source.size()));
-  const Polyhedral_distance<Triangulation>& given = distance.on_given();
-  const auto point = [&](const internal::Path_place& p) { return given.surface().point(p); };
-  const internal::Distance_field& field = given.field_with_windows();
+  const auto point = [&](const internal::Path_place& p) { return distance.surface().point(p); };
+  const internal::Distance_field& field = distance.field_with_windows();
   const double unit = field.table.unit;
   const double tolerance = internal::value_or<internal::tags::tolerance>(
       np, unit * internal::default_cell_tolerance(field.table));
