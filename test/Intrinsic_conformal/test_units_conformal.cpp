@@ -121,7 +121,7 @@ void expect_powers(const Shape& shape, void (*find)(Sized&, Results&)) {
 
 Shape hills() { return rough_grid(6, .3, .5, 3); }
 
-TEST(Units, of_measures_are_the_users) {
+TEST(Units_of_results, of_measures_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     std::vector<double> lengths, bounds, areas;
     for (const auto e : edges(x.t.mesh())) {
@@ -150,12 +150,12 @@ TEST(Units, of_measures_are_the_users) {
   });
 }
 
-TEST(Units, of_other_metrics_are_the_users) {
+TEST(Units_of_results, of_other_metrics_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     const IT::Intrinsic_input in = x.shape.input();
-    r.add("scale_conformally", 2,
-          IT::scale_conformally(in, [](auto v) { return 0.01 * (v.index % 5); })
-              .input.squared_lengths);
+    r.add("scale_conformally", 2, IT::scale_conformally(in, [](auto v) {
+                                    return 0.01 * (v.index % 5);
+                                  }).input.squared_lengths);
     std::vector<double> asked;
     const IT::Scaled_metric scaled = IT::scale_by_norm(in, [&](auto, const IT::Unscaled_vector& v) {
       append(asked, std::array{v.x, v.y});
@@ -186,12 +186,11 @@ TEST(Units, of_other_metrics_are_the_users) {
     r.add("ideal_start", 2, IT::ideal_start(x.t).squared_lengths);
     r.add("points_of_rows", 1, IT::points_of_rows(x.t, x.shape.points));
     r.add("positions", 1, IT::positions(IT::common_subdivision(x.t), x.shape.points));
-    r.add("extrinsic_delaunay", 1,
-          IT::extrinsic_delaunay(mesh_of<Surface_mesh>(x.shape)).points);
+    r.add("extrinsic_delaunay", 1, IT::extrinsic_delaunay(mesh_of<Surface_mesh>(x.shape)).points);
   });
 }
 
-TEST(Units, of_improvements_are_the_users) {
+TEST(Units_of_results, of_improvements_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     T refined(x.t), adapted(x.t);
     IT::Improve_options options;
@@ -212,7 +211,7 @@ TEST(Units, of_improvements_are_the_users) {
   });
 }
 
-TEST(Units, of_distances_are_the_users) {
+TEST(Units_of_results, of_distances_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     const std::vector sets{std::vector{x.vertex(8)}, std::vector{x.vertex(30), x.vertex(12)}};
     std::vector<double> out(2 * x.shape.points.size());
@@ -231,8 +230,7 @@ TEST(Units, of_distances_are_the_users) {
     const auto h = halfedge(x.vertex(24), x.t.mesh());
     const std::vector curve{h, next(h, x.t.mesh())};
     r.add("Signed_heat_distance", 1, IT::Signed_heat_distance(x.t).distances(curve));
-    r.add("edge_sources", 1,
-          IT::Signed_heat_distance(x.t).distances(IT::edge_sources(x.t, curve)));
+    r.add("edge_sources", 1, IT::Signed_heat_distance(x.t).distances(IT::edge_sources(x.t, curve)));
     const std::vector places{IT::Place::in_face(3, {.2, .5, .3}),
                              IT::Place::in_face(3, {.6, .1, .3})};
     const IT::Traced_curve line = IT::curve_through(x.t, places);
@@ -241,7 +239,7 @@ TEST(Units, of_distances_are_the_users) {
   });
 }
 
-TEST(Units, of_curves_are_the_users) {
+TEST(Units_of_results, of_curves_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     IT::Geodesic_finder find(x.t);
     const IT::Geodesic_path path = find(x.vertex(2), x.vertex(45));
@@ -255,8 +253,7 @@ TEST(Units, of_curves_are_the_users) {
                                                        x.t, control[0], {0.6, 0.8}, 2 * x.unit))
                          .length});
     const auto lines = IT::isolines(x.t, x.heights(), std::array{2.2, 3.7});
-    r.add("polylines of isolines", 1,
-          IT::polylines(x.t, lines, x.shape.points).front().points);
+    r.add("polylines of isolines", 1, IT::polylines(x.t, lines, x.shape.points).front().points);
     for (const IT::Traced_isoline& line : IT::trace_isolines(x.t, lines))
       r.add("trace_isolines", 1, std::array{line.curve.length});
     T with_lines(x.t);
@@ -266,8 +263,7 @@ TEST(Units, of_curves_are_the_users) {
     const IT::Wanted_curve wanted{{IT::Place::at_vertex(9), IT::Place::in_face(50, {.2, .3, .5})}};
     T with_curve(x.t);
     const auto found = IT::find_curves(with_curve, {wanted});
-    r.add("find_curves", 1,
-          std::array{found.curves[0].way.length, found.curves[0].initial_length});
+    r.add("find_curves", 1, std::array{found.curves[0].way.length, found.curves[0].initial_length});
     r.add("polylines", 1, IT::polylines(with_curve, found, x.shape.points)[0].points);
     T with_bezier(x.t);
     r.add("make_bezier_curve", 1,
@@ -277,7 +273,7 @@ TEST(Units, of_curves_are_the_users) {
   });
 }
 
-TEST(Units, of_matrices_and_functions_are_the_users) {
+TEST(Units_of_results, of_matrices_and_functions_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     r.add("voronoi_mass_matrix", 2, IT::voronoi_mass_matrix(x.t));
     r.add("quadratic_laplacian", 0, IT::quadratic_laplacian(x.t));
@@ -303,11 +299,10 @@ TEST(Units, of_matrices_and_functions_are_the_users) {
   });
 }
 
-TEST(Units, of_maps_of_disks_are_the_users) {
+TEST(Units_of_results, of_maps_of_disks_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     r.add("circular_border", 0, IT::circular_border(x.t).positions);
-    r.add("polygonal_border", 0,
-          IT::polygonal_border(x.t, {{0, 0}, {1, 0}, {0, 1}}).positions);
+    r.add("polygonal_border", 0, IT::polygonal_border(x.t, {{0, 0}, {1, 0}, {0, 1}}).positions);
     r.add("harmonic_map", 0, IT::harmonic_map(x.t));
     r.add("conformal_energy", 0, IT::conformal_energy(x.t));
     const Eigen::MatrixX2d uv = IT::least_squares_conformal_map(x.t);
@@ -324,7 +319,7 @@ TEST(Units, of_maps_of_disks_are_the_users) {
   });
 }
 
-TEST(Units, of_vectors_are_the_users) {
+TEST(Units_of_results, of_vectors_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     const IT::Tangent_field guide = IT::principal_directions(x.t, x.shape.points);
     r.add("principal_directions", -1, guide);
@@ -353,15 +348,14 @@ TEST(Units, of_vectors_are_the_users) {
   });
 }
 
-TEST(Units, of_conformal_maps_are_the_users) {
+TEST(Units_of_results, of_conformal_maps_are_the_users) {
   expect_powers(hills(), [](Sized& x, Results& r) {
     const IT::Uniformization plane = IT::uniformize(x.t);
     r.add("uniformize, factors", 0, plane.u);
     r.add("lay_out_scaled", 1, plane.layout.value().layout.positions);
   });
   expect_powers(grid(4), [](Sized& x, Results& r) {
-    r.add("lay_out_in_plane", 1,
-          IT::lay_out_in_plane(IT::flat_surface(x.t.input())).positions);
+    r.add("lay_out_in_plane", 1, IT::lay_out_in_plane(IT::flat_surface(x.t.input())).positions);
   });
   expect_powers(rough_torus(8, .2, 1), [](Sized& x, Results& r) {
     const IT::Uniformization torus = IT::uniformize(x.t);
@@ -372,12 +366,12 @@ TEST(Units, of_conformal_maps_are_the_users) {
   });
   // The unit sphere has a unit of its own.
   expect_powers(tetrahedron(), [](Sized& x, Results& r) {
-                  const IT::Uniformization sphere = IT::uniformize(x.t);
-                  r.add("conformal_sphere", 0, sphere.sphere.value().layout.positions);
-                  std::vector<double> u = sphere.u;
-                  for (double& y : u) y += std::log(x.unit);
-                  r.add("logarithmic_scale", 0, u, 1e-12);
-                });
+    const IT::Uniformization sphere = IT::uniformize(x.t);
+    r.add("conformal_sphere", 0, sphere.sphere.value().layout.positions);
+    std::vector<double> u = sphere.u;
+    for (double& y : u) y += std::log(x.unit);
+    r.add("logarithmic_scale", 0, u, 1e-12);
+  });
 }
 
 } // namespace

@@ -57,7 +57,7 @@ Found find(Shape shape, double unit) {
   return found;
 }
 
-TEST(Units, of_coarse_surfaces_are_the_users) {
+TEST(Units_of_coarse_surfaces, of_coarse_surfaces_are_the_users) {
   const Shape shape = rough_torus(8, .3, 2);
   const Found one = find(shape, 1);
   for (const int exponent : {-30, 30}) {

@@ -77,6 +77,18 @@ double least_angle(const Triangulation& t) {
   return least;
 }
 
+// The lengths of an image in a point are the same bit by bit: so are sums, unless they round upwards.
+TEST(improve, measures_the_same_after_reflection_in_a_point) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Shape s = rough_grid(20, .45, .8, seed);
+    Shape image = s;
+    for (auto& p : image.points) p = {-p[0], -p[1], -p[2]};
+    Triangulation t(s.input()), u(image.input());
+    EXPECT_EQ(IT::measure(t, Labels(t), s.points).dirichlet,
+              IT::measure(u, Labels(u), image.points).dirichlet);
+  }
+}
+
 TEST(improve, flips_and_measure_agrees_with_matrices) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Shape s = rough(seed);

@@ -67,7 +67,7 @@ Triangulation dodecahedron_with_pyramids() {
 
 // Two triangles, front and back, with squared lengths 1, 1 and 4 have no area.
 TEST(Isometries, say_that_mollification_has_changed_lengths) {
-  const auto doubled = [](double squared) {
+  const auto doubled = [](double squared, IT::Mollification m = IT::Mollification::automatic) {
     const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 1}};
     IT::Gluing_map mesh(IT::gluing_from_triangles(3, faces));
     std::vector<double> lengths(mesh.number_of_edges(), 1);
@@ -75,7 +75,7 @@ TEST(Isometries, say_that_mollification_has_changed_lengths) {
       const IT::Gluing_map::Halfedge h{2 * e};
       if (mesh.source(h).index + mesh.target(h).index == 3) lengths[e] = squared;
     }
-    return Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths)));
+    return Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths), m));
   };
   const Triangulation thin = doubled(4), thick = doubled(3);
   ASSERT_NE(thin.input().report().mollification.kind, IT::Mollification::none);
@@ -84,6 +84,8 @@ TEST(Isometries, say_that_mollification_has_changed_lengths) {
   EXPECT_NE(found.note().find("mollification"), std::string::npos) << found.note();
   EXPECT_NE(IT::find_isometries(thin, thin).note().find("mollification"), std::string::npos);
   EXPECT_EQ(IT::find_isometries(thick, doubled(2)).note(), "");
+  const Triangulation unchanged = doubled(2, IT::Mollification::lengths); // it was not needed
+  EXPECT_EQ(IT::find_isometries(unchanged, unchanged).note(), "");
 }
 
 TEST(FindIsometries, countsTheSymmetriesOfPlatonicSolids) {

@@ -157,7 +157,7 @@ TEST(AreaCost, is_the_same_on_surfaces_of_any_size) {
   };
   const std::vector<std::uint32_t> expected = kept(0);
   EXPECT_EQ(expected.size(), 20U);
-  for (const int exponent : {-400, 400}) EXPECT_EQ(kept(exponent), expected) << exponent;
+  for (const int exponent : {-500, -400, 400}) EXPECT_EQ(kept(exponent), expected) << exponent;
 }
 
 TEST(AreaCost, leaves_small_faces_before_large_ones) {

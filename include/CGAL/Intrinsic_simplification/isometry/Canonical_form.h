@@ -21,7 +21,8 @@ namespace internal {
 class Singular_surface;
 } // namespace internal
 
-/// What the search for isometries is doing, in this order.
+/// What the search for isometries is doing, in this order. A form may begin again from the input:
+/// then its stages run again.
 enum class Isometry_stage : std::uint8_t {
   flips,         ///< makes a triangulation Delaunay
   flat_vertices, ///< finds flat vertices and removes them
@@ -66,8 +67,8 @@ public:
   */
   explicit Canonical_form(std::shared_ptr<const Input> surface,
                           const Isometry_options& options = {});
-  /// computes the form from a triangulation, which saves its flips if it is Delaunay. If vertices
-  /// were inserted, the form starts from the input.
+  /// computes the form from a triangulation, which mostly saves its flips if it is Delaunay. The
+  /// form may begin again from the input, and starts from there if vertices were inserted.
   explicit Canonical_form(const Corresponding_triangulation& t,
                           const Isometry_options& options = {});
 

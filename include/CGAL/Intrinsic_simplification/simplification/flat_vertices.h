@@ -86,7 +86,7 @@ template <class Triangulation>
 std::vector<char> flat_vertices(const Triangulation& t, double within) {
   if (!ranges::within.contains(within))
     throw Invalid_input(Element_kind::none, 0,
-                        "the angle within which vertices are flat is " + std::to_string(within) +
+                        "the angle within which vertices are flat is " + shortest_text(within) +
                             "; give " + ranges::within.description() + ", in radians");
   const std::vector<char> is_flat = flat_input_vertices(t);
   const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_halfedge();

@@ -194,8 +194,11 @@ Transported_mass curvature_cost(const Triangulation& t) {
 template <NumberedTriangulation Triangulation>
 Transported_mass area_cost(const Triangulation& t) {
   Transported_mass result;
-  if (const double area = total_area(t); area > 0) // areas times lengths could overflow
-    result.add(internal::vertex_values(t).area, std::ldexp(1, -std::ilogb(area)));
+  if (const double area = total_area(t); area > 0) { // areas times lengths could overflow
+    std::vector<double> areas = internal::vertex_values(t).area;
+    for (double& x : areas) x = std::ldexp(x, -std::ilogb(area)); // 2^1024 is no double
+    result.add(areas);
+  }
   return result;
 }
 

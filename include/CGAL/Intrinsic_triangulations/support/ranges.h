@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/support/Report.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
+#include <array>
+#include <charconv>
 #include <limits>
 #include <string>
 
@@ -21,6 +23,12 @@ directions at a vertex.
 */
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// writes a number with as few digits as tell it from all others: what errors say of an option
+inline std::string shortest_text(double x) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
 
 /// The numbers that an option may have.
 struct Number_range {

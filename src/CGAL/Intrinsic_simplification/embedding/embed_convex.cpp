@@ -286,7 +286,7 @@ Convex_polyhedron embed_convex(const Input& surface, const Embed_options& option
   using namespace internal;
   if (!ranges::flat_within.contains(options.flat_within))
     throw Invalid_input(Element_kind::none, 0,
-                        "flat_within is " + std::to_string(options.flat_within) + "; give " +
+                        "flat_within is " + shortest_text(options.flat_within) + "; give " +
                             ranges::flat_within.description() + ", in radians");
   expect_sphere(surface);
   int scale = 0;

@@ -85,13 +85,13 @@ void find_stretch(Simplification& s, const Coarse_mesh& mesh, int scale_exponent
 void expect_range(const Simplify_options& options) {
   if (!(options.stretch >= 1))
     throw Invalid_input(Element_kind::none, 0,
-                        "the stretch is at least 1, not " + std::to_string(options.stretch));
+                        "the stretch is at least 1, not " + shortest_text(options.stretch));
   if (std::isnan(options.cost))
     throw Invalid_input(Element_kind::none, 0, "the bound of the cost is not a number");
   if (options.part && !(*options.part > 0 && *options.part <= 1))
     throw Invalid_input(Element_kind::none, 0,
                         "the part of the vertices that is wanted is above 0 and at most 1, not " +
-                            std::to_string(*options.part));
+                            shortest_text(*options.part));
 }
 
 // A part of a number of vertices: one at least.

@@ -80,6 +80,34 @@ std::pair<Sign, double> tested_weight(const Triangulation& t,
   return {s, s == ZERO ? 0 : session.cotangent_weight(e, statistics_tolerance)};
 }
 
+// Calls a function with halfedges and weights that a session finds, some hundred at a time, in the
+// default floating point environment.
+template <class Triangulation, class Visit>
+class Suspended_visits {
+  using Halfedge = typename Triangulation::halfedge_descriptor;
+  using Session = typename Triangulation::Const_session;
+
+public:
+  Suspended_visits(const Session& session, const Visit& visit) : session_(session), visit_(visit) {}
+
+  void add(Halfedge h, double weight) {
+    waiting_[size_++] = {h, weight};
+    if (size_ == waiting_.size()) visit_all();
+  }
+  void visit_all() {
+    session_.suspended([this] {
+      for (std::size_t i = 0; i < size_; ++i) visit_(waiting_[i].first, waiting_[i].second);
+    });
+    size_ = 0;
+  }
+
+private:
+  const Session& session_;
+  const Visit& visit_;
+  std::array<std::pair<Halfedge, double>, 256> waiting_{}; // a change of rounding takes long
+  std::size_t size_ = 0;
+};
+
 // Tests every edge, and finds its cotangent weight, see `statistics_tolerance`; that of a tie is 0.
 // With exact traits the test is exact. It relies on enclosures of the values that are stored, and
 // on signs that were decided before; to test independently of these, see `certify_delaunay()`.
@@ -95,6 +123,7 @@ Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
   const std::uint64_t before = t.metric().statistics().probable_zero;
   Tested_edges result;
   const typename Triangulation::Const_session session(t);
+  Suspended_visits<Triangulation, Visit> visits(session, visit);
   for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
     const auto h = halfedge(e, mesh);
     const auto f = face(h, mesh), g = face(opposite(h, mesh), mesh);
@@ -105,12 +134,13 @@ Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
     else
       weight = session.cotangent_weight(e, statistics_tolerance);
     if (f != null && g != null) add_weight(weight, quality);
-    visit(h, weight);
+    visits.add(h, weight);
     const bool is_kept = get(constrained, e);
     result.constrained += std::size_t{is_kept};
     if (s == NEGATIVE) ++(is_kept ? result.constrained_non_delaunay : result.non_delaunay);
     if (s == ZERO && !is_kept) ++result.cocircular;
   }
+  visits.visit_all();
   result.probable_zero = t.metric().statistics().probable_zero - before;
   return result;
 }

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -46,12 +47,37 @@ namespace {
 
 constexpr std::uint32_t no_root = Gluing::none;
 
+// The words of a number, as the field of square roots counts them.
+std::size_t words(const Gmpq& x) {
+  return mpz_size(mpq_numref(x.mpq())) + mpz_size(mpq_denref(x.mpq()));
+}
+
+// Counts words of numbers that are multiplied.
+class Budget {
+public:
+  explicit Budget(std::size_t& left) : left_(left) {}
+  // \throws std::length_error if they are used up
+  void count(std::size_t words) {
+    if (words > left_) {
+      left_ = 0;
+      throw std::length_error("chains of too many words");
+    }
+    left_ -= words;
+  }
+
+private:
+  std::size_t& left_;
+};
+
 // Roots of square classes, numbered; the root of a square has no number.
 class Root_classes {
 public:
+  explicit Root_classes(Budget budget) : budget_(budget) {}
+
   // Writes the numbers of a link with the root of its class. \return the class, or no_root
   std::uint32_t reduce(Length_chain::Link& link) {
     const auto is_reduced = [&](const Gmpq& square) {
+      budget_.count(words(link.square) * words(square));
       Gmpq root; // of the quotient
       if (!rational_square_root(link.square / square, root)) return false;
       link = {square, {link.turn.x, link.turn.y * root}, {link.shift.x, link.shift.y * root}};
@@ -66,6 +92,7 @@ public:
   std::size_t size() const { return squares_.size(); }
 
 private:
+  Budget budget_;
   std::vector<Gmpq> squares_;
 };
 
@@ -79,6 +106,7 @@ struct Step {
 std::vector<Step> steps_of(const Length_chain& chain, bool is_second, Root_classes& roots) {
   std::vector<Step> result;
   for (Length_chain::Link link : chain.links) {
+    expect_to_go_on(); // all roots before are compared
     const std::uint32_t root = roots.reduce(link);
     result.push_back({std::move(link), root, is_second});
   }
@@ -112,6 +140,8 @@ that occur before and after.
 */
 class Difference {
 public:
+  explicit Difference(Budget budget) : budget_(budget) {}
+
   // \return whether the steps lead to zero by an identity
   bool vanishes(const Gmpq& unit_a, const Gmpq& unit_b, const std::vector<Step>& steps,
                 std::size_t number_of_roots) {
@@ -154,8 +184,10 @@ private:
   }
 
   // f(z) = u + v x + w y + q |z|^2 becomes f(turn z + shift)
-  static void apply(const Step& step, std::size_t bit, Row& row) {
+  void apply(const Step& step, std::size_t bit, Row& row) {
     const auto& [square, t, s] = step.link;
+    budget_.count((words(square) + words(t.x) + words(t.y) + words(s.x) + words(s.y)) *
+                  words_of(row, step.is_of_second ? 4 : 0));
     const Gmpq norm_of_turn = norm(t, square), norm_of_shift = norm(s, square),
                real = 2 * (s.x * t.x + square * s.y * t.y), imaginary = 2 * (s.x * t.y - s.y * t.x);
     const Row old = row;
@@ -175,6 +207,14 @@ private:
       other[1] += factor * f[2] * t.y;
       other[2] -= factor * (f[1] * t.y + f[3] * imaginary);
     }
+  }
+
+  // The words of the four components of one plane.
+  static std::size_t words_of(const Row& row, std::size_t first) {
+    std::size_t result = 0;
+    for (std::size_t i = first; i < row.size(); i += components)
+      for (std::size_t k = 0; k < components / 2; ++k) result += words(row[i + k]);
+    return result;
   }
 
   // The coefficients of a root that does not occur again have to vanish as those without it do.
@@ -199,11 +239,9 @@ private:
     rows_.clear();
     std::vector<std::size_t> pivots;
     for (Row& r : all) {
-      for (std::size_t k = 0; k < rows_.size(); ++k) {
-        const Gmpq factor = r[pivots[k]];
-        if (factor == Gmpq(0)) continue;
-        for (std::size_t i = pivots[k]; i < r.size(); ++i) r[i] -= factor * rows_[k][i];
-      }
+      expect_to_go_on();
+      for (std::size_t k = 0; k < rows_.size(); ++k)
+        subtract(Gmpq(r[pivots[k]]), rows_[k], pivots[k], r);
       const auto pivot =
           std::find_if(r.begin(), r.end(), [](const Gmpq& x) { return x != Gmpq(0); });
       if (pivot == r.end()) continue;
@@ -215,21 +253,35 @@ private:
     if (rows_.empty()) rows_.emplace_back(all.front().size(), Gmpq(0));
   }
 
+  // Subtracts a multiple of a row that is zero before its pivot.
+  void subtract(const Gmpq& factor, const Row& row, std::size_t pivot, Row& from) {
+    if (factor == Gmpq(0)) return;
+    for (std::size_t i = pivot; i < from.size(); ++i) {
+      budget_.count(words(factor) * words(row[i]));
+      from[i] -= factor * row[i];
+    }
+  }
+
+  Budget budget_;
   std::vector<std::uint32_t> open_;
   std::vector<Row> rows_;
 };
 
 } // namespace
 
-bool are_identical(const Length_chain& a, const Length_chain& b) {
-  for (const bool is_reversed : {false, true}) {
-    Root_classes roots;
-    const Length_chain& second = is_reversed ? b.reversed() : b;
-    std::vector<Step> first_steps = steps_of(a, false, roots),
-                      second_steps = steps_of(second, true, roots);
-    const std::vector<Step> steps =
-        merged(std::move(first_steps), std::move(second_steps), roots.size());
-    if (Difference().vanishes(a.unit, second.unit, steps, roots.size())) return true;
+bool are_identical(const Length_chain& a, const Length_chain& b, std::size_t& words_left) {
+  const Budget budget(words_left);
+  try {
+    for (const bool is_reversed : {false, true}) {
+      Root_classes roots(budget);
+      const Length_chain& second = is_reversed ? b.reversed() : b;
+      std::vector<Step> first_steps = steps_of(a, false, roots),
+                        second_steps = steps_of(second, true, roots);
+      const std::vector<Step> steps =
+          merged(std::move(first_steps), std::move(second_steps), roots.size());
+      if (Difference(budget).vanishes(a.unit, second.unit, steps, roots.size())) return true;
+    }
+  } catch (const std::length_error&) { // nothing is known
   }
   return false;
 }

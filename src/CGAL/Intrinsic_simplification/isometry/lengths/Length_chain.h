@@ -8,6 +8,7 @@
 
 #include <CGAL/Gmpq.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -45,9 +46,11 @@ the last time, its coefficient has to vanish by itself, so that one vector becom
 vectors so far span a space of at most 8 dimensions for each product of roots that occur before
 and after. A basis of this space goes along both chains (Schuetzenberger 1961 decides the equality
 of weighted automata so). \complexity polynomial in the lengths of the chains, if few roots occur
-again later on
+again later on. At most four may do so at a time; with more, nothing is known.
+\param words_left how many words of numbers may be multiplied: those that were are taken off. If
+  they are used up, nothing is known
 */
-bool are_identical(const Length_chain& a, const Length_chain& b);
+bool are_identical(const Length_chain& a, const Length_chain& b, std::size_t& words_left);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

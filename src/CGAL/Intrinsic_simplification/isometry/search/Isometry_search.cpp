@@ -38,7 +38,7 @@ std::string both(const std::string& x, const std::string& y) {
 }
 
 bool has_changed_lengths(const Singular_surface& s) {
-  return s.start().input().report().mollification.kind != Mollification::none;
+  return s.start().input().report().mollification.delta > 0;
 }
 
 std::uint32_t sheets_of(const Singular_surface& s) { return s.start().input().names().sheets; }

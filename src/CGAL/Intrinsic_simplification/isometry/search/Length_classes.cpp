@@ -56,8 +56,7 @@ public:
 
   Equality operator()(const Length& x, const Length& y) {
     if (const auto n = name(x); n && n == name(y)) return Equality::equal;
-    if (const auto a = chain(x), b = chain(y); a && b && are_identical(*a, *b))
-      return Equality::equal;
+    if (have_identical_chains(x, y)) return Equality::equal;
     for (int attempt = 0; attempt < 2 && words_left_ > 0; ++attempt) {
       try {
         return compare_in_field(x, y);
@@ -72,6 +71,10 @@ public:
     return !differ ? Equality::open : *differ ? Equality::different : Equality::equal;
   }
 
+  // Lengths from now on are not compared with those before: chains of a large surface take much
+  // memory.
+  void forget_chains() { known_chains_.clear(); }
+
 private:
   using Number = Square_root_field::Number;
 
@@ -82,19 +85,32 @@ private:
     return exponent_to_units_of(*surfaces_[x.surface], *surfaces_.front());
   }
 
+  static std::uint64_t key(const Length& x) { return (std::uint64_t{x.surface} << 32U) | x.id; }
+
   std::optional<Strip_names::Name> name(const Length& x) {
     if (!recipes(x).is_length_of_edge(x.id)) return std::nullopt;
-    const auto key = std::pair(x.surface, x.id);
-    const std::uint64_t number = (std::uint64_t{key.first} << 32U) | key.second;
-    if (const auto known = known_names_.find(number); known != known_names_.end())
+    if (const auto known = known_names_.find(key(x)); known != known_names_.end())
       return known->second;
-    return known_names_.emplace(number, names_.name(recipes(x), x.id, exponent(x))).first->second;
+    return known_names_.emplace(key(x), names_.name(recipes(x), x.id, exponent(x))).first->second;
   }
 
-  std::optional<Length_chain> chain(const Length& x) const {
+  const std::optional<Length_chain>& chain(const Length& x) {
+    if (const auto known = known_chains_.find(key(x)); known != known_chains_.end())
+      return known->second;
     std::optional<Length_chain> c = surfaces_[x.surface]->triangulation().developed().chain(x.id);
     if (c) c->unit = scaled_by_power_of_two(c->unit, exponent(x));
-    return c;
+    return known_chains_.emplace(key(x), std::move(c)).first->second;
+  }
+
+  bool have_identical_chains(const Length& x, const Length& y) {
+    if (words_left_ == 0) return false;
+    const std::optional<Length_chain>&a = chain(x), &b = chain(y);
+    if (!a || !b) return false;
+    const std::size_t most = std::min(words_left_, most_words);
+    std::size_t left = most;
+    const bool are_equal = are_identical(*a, *b, left);
+    words_left_ -= most - left;
+    return are_equal;
   }
 
   Equality compare_in_field(const Length& x, const Length& y) {
@@ -125,14 +141,16 @@ private:
       exact_.emplace_back(s->triangulation().developed(), field_.get());
   }
 
-  // words of coefficients that one comparison may cost, and all together:
+  // words of coefficients, and of numbers of chains, that one proof may cost, and all together:
   // seconds
   static constexpr std::size_t most_words = std::size_t(1) << 23;
 
   std::span<const Singular_surface* const> surfaces_;
   std::size_t words_left_ = std::size_t(1) << 27;
   Strip_names names_;
+  // by surface and value
   std::unordered_map<std::uint64_t, std::optional<Strip_names::Name>> known_names_;
+  std::unordered_map<std::uint64_t, std::optional<Length_chain>> known_chains_;
   std::unique_ptr<Square_root_field> field_;
   std::vector<Developed_faces::Evaluation<Number>> exact_;
 };
@@ -209,6 +227,7 @@ Length_classes exact_length_classes(std::span<const Singular_surface* const> sur
     return x.value.radius() <= 0x1p-80 * std::abs(x.value.center().magnitude());
   });
   for_each_run(all, [&](std::span<const Length> run) {
+    compare.forget_chains();
     std::vector<std::pair<const Length*, std::uint32_t>> classes;
     for (const Length& x : run) {
       expect_to_go_on();
@@ -216,7 +235,8 @@ Length_classes exact_length_classes(std::span<const Singular_surface* const> sur
         if (is_certain((x.value - c.first->value).sign()) &&
             get_certain((x.value - c.first->value).sign()) != ZERO)
           return false;
-        const Equality e = compare(x, *c.first);
+        // one open comparison leaves the answer open: all others would be in vain
+        const Equality e = are_proven ? compare(x, *c.first) : Equality::open;
         are_proven = are_proven && e != Equality::open;
         return e != Equality::different;
       };

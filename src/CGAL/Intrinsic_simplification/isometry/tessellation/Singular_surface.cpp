@@ -87,12 +87,13 @@ Corresponding_triangulation triangulation_of(std::shared_ptr<const Input> surfac
 
 Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_vertices vertices,
                                    Isometry_run& run)
-    : start_(std::move(t)) {
+    : input_(t.shared_input()),
+      start_(std::make_unique<Corresponding_triangulation>(std::move(t))) {
   try {
     run.begin(Isometry_stage::flips);
-    std::vector<char> are_removed(start_.mesh().number_of_vertices(), 0);
+    std::vector<char> are_removed(start_->mesh().number_of_vertices(), 0);
     if (vertices == Tessellation_vertices::not_flat) {
-      are_removed = flat_or_isolated_vertices(start_);
+      are_removed = flat_or_isolated_vertices(*start_);
       expect_to_go_on();
       choose_vertices(are_removed);
     }
@@ -101,40 +102,53 @@ Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_v
     is_proven_ = false;
     is_ended_ = run.is_ended();
     choice_ = e.what();
-    if (!moved_) moved_.emplace(start_);
+    if (!moved_) moved_ = std::make_unique<Moved_triangulation>(*start_);
     ties_.assign(moved_->mesh().number_of_edges(), 0);
   }
   darts_.emplace(moved_->mesh(), ties_);
-  if (is_ended_ || start_.metric().statistics().probable_zero == 0) return;
+  if (is_ended_ || start_->metric().statistics().probable_zero == 0) return;
   is_proven_ = false;
   choice_ = "exact arithmetic took some values for zero without a proof";
 }
 
 void Singular_surface::make(const std::vector<char>& are_removed, Isometry_run& run) {
   constexpr std::uint32_t factor = 8; // how much longer flips may take than removals
-  // A flip from the input takes 40 to 90 microseconds: about a second for all.
+  // Removals from the input take about a second for these.
   constexpr std::uint32_t most_vertices = 1U << 14U;
-  const std::uint32_t vertices = start_.mesh().number_of_vertices();
+  const std::uint32_t vertices = start_->mesh().number_of_vertices();
   if (number_of_flat_vertices_ == 0) return make_from(Start::delaunay, are_removed, run);
   const bool has_many = number_of_flat_vertices_ >= vertices / factor;
   try {
     make_from(has_many ? Start::input : Start::delaunay, are_removed, run);
-    if (has_many || vertices > most_vertices || have_chains()) return;
   } catch (const Undecidable&) {
     if (run.is_ended()) throw;
     return make_from(has_many ? Start::delaunay : Start::input, are_removed, run);
   }
+  if (!has_many && vertices <= most_vertices && !have_chains()) try_input(are_removed, run);
+}
+
+void Singular_surface::try_input(const std::vector<char>& are_removed, Isometry_run& run) {
+  // A move takes 40 to 90 microseconds. Meshes of CGAL's data set with a divided face took at most
+  // 1.2 for each vertex, but a strip with 121 vertices took 1,712.
+  const std::size_t most_moves =
+      std::max<std::size_t>(4096, 2 * start_->mesh().number_of_vertices());
+  std::unique_ptr<Corresponding_triangulation> start = std::move(start_);
+  std::unique_ptr<Moved_triangulation> moved = std::move(moved_); // refers to the start
+  std::vector<char> ties = ties_;
   try {
-    make_from(Start::input, are_removed, run);
+    make_from(Start::input, are_removed, run, most_moves);
   } catch (const Undecidable&) {
+    moved_ = std::move(moved);
+    start_ = std::move(start);
+    ties_ = std::move(ties);
     if (run.is_ended()) throw;
-    make_from(Start::delaunay, are_removed, run);
   }
 }
 
 bool Singular_surface::have_chains() const {
   const Gluing_map& mesh = moved_->mesh();
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    expect_to_go_on();
     const Value_recipes::Id length = moved_->length(e);
     if (mesh.is_removed(Gluing_map::Halfedge{2 * e}) || ties_[e] != 0) continue;
     if (!moved_->recipes().is_length_of_edge(length) && !moved_->developed().chain(length))
@@ -144,24 +158,24 @@ bool Singular_surface::have_chains() const {
 }
 
 void Singular_surface::make_from(Start start, const std::vector<char>& are_removed,
-                                 Isometry_run& run) {
+                                 Isometry_run& run, std::size_t most_moves) {
   run.begin(Isometry_stage::flips);
   moved_.reset(); // it refers to the start
   if (start == Start::input)
-    start_ = triangulation_of(start_.shared_input());
+    start_ = std::make_unique<Corresponding_triangulation>(triangulation_of(input_));
   else
-    flip_while_asked(start_, run);
-  moved_.emplace(start_);
+    flip_while_asked(*start_, run);
+  moved_ = std::make_unique<Moved_triangulation>(*start_);
   run.begin(Isometry_stage::flat_vertices);
   if (number_of_flat_vertices_ > 0) remove_vertices(*moved_, are_removed, start == Start::delaunay);
-  if (start == Start::input) make_delaunay(*moved_);
+  if (start == Start::input) make_delaunay(*moved_, most_moves);
   run.begin(Isometry_stage::ties);
   find_ties();
 }
 
 // A component needs a vertex, and so does a loop of its border.
 void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
-  const Gluing_map& mesh = start_.mesh();
+  const Gluing_map& mesh = start_->mesh();
   std::vector<char> is_done(mesh.number_of_halfedges(), 0);
   for (std::uint32_t first = 0; first < is_done.size(); ++first) {
     if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
@@ -196,7 +210,7 @@ void Singular_surface::find_ties() {
   ties_.assign(mesh.number_of_edges(), 0);
   std::vector<std::uint32_t> moved;
   {
-    const Corresponding_triangulation::Const_session session(start_);
+    const Corresponding_triangulation::Const_session session(*start_);
     for (std::uint32_t e = 0; e < ties_.size(); ++e) {
       const Gluing_map::Halfedge h{2 * e};
       if (mesh.is_removed(h) || !moved_->has_diamond(h)) continue;
@@ -240,9 +254,9 @@ std::vector<char> Singular_surface::ties_within(double error) const {
 std::vector<Surface_point>
 Singular_surface::from_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;
-  for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(start_, p).value());
+  for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(*start_, p).value());
   carry(
-      result, start_.mesh(), start_.mesh().number_of_faces(), moved_->moves(),
+      result, start_->mesh(), start_->mesh().number_of_faces(), moved_->moves(),
       [](const Repartition& m) -> const auto& { return m.before; },
       [](const Repartition& m) -> const auto& { return m.after; });
   return result;
@@ -258,10 +272,10 @@ std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_po
   };
   const Backwards back{moved_->moves()};
   carry(
-      result, moved_->mesh(), start_.mesh().number_of_faces(), back,
+      result, moved_->mesh(), start_->mesh().number_of_faces(), back,
       [](const Repartition& m) -> const auto& { return m.after; },
       [](const Repartition& m) -> const auto& { return m.before; });
-  for (Surface_point& p : result) p = locate_on_input(start_, p).value();
+  for (Surface_point& p : result) p = locate_on_input(*start_, p).value();
   return result;
 }
 

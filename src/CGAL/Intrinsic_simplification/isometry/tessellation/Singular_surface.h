@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,7 +36,7 @@ Many flat vertices are removed from the input, whose faces lie in planes: faces 
 triangulation run across creases, where lengths have roots of both sides. Flips after that take
 about as long as removals. Few flat vertices are removed from the Delaunay triangulation, which is
 fast to find; if lengths of edges that moves have made depend on irrational ones then, the input is
-tried, too. What one way cannot decide, the other one may.
+tried, too, unless that takes many moves. What one way cannot decide, the other one may.
 */
 class Singular_surface {
 public:
@@ -44,7 +46,7 @@ public:
   Singular_surface& operator=(const Singular_surface&) = delete;
 
   // the triangulation from which vertices were removed, or a Delaunay one
-  const Corresponding_triangulation& start() const { return start_; }
+  const Corresponding_triangulation& start() const { return *start_; }
   const Moved_triangulation& triangulation() const { return *moved_; }
   const Dart_complex& darts() const { return *darts_; }
   const std::vector<char>& ties() const { return ties_; }
@@ -78,13 +80,18 @@ private:
 
   void choose_vertices(std::vector<char>& are_removed);
   void make(const std::vector<char>& are_removed, Isometry_run& run);
-  void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run);
+  // \throws Undecidable also if flips from the input are more than `most_moves`
+  void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run,
+                 std::size_t most_moves = std::numeric_limits<std::size_t>::max());
+  // begins again from the input; if that takes too long or ends without a proof, all stays
+  void try_input(const std::vector<char>& are_removed, Isometry_run& run);
   void find_ties();
   // whether lengths of moved edges can be compared by their triangles
   bool have_chains() const;
 
-  Corresponding_triangulation start_;
-  std::optional<Moved_triangulation> moved_;
+  std::shared_ptr<const Input> input_;
+  std::unique_ptr<Corresponding_triangulation> start_;
+  std::unique_ptr<Moved_triangulation> moved_;
   std::vector<char> ties_; // by edge
   std::optional<Dart_complex> darts_;
   std::uint32_t number_of_flat_vertices_ = 0;

@@ -128,7 +128,9 @@ private:
 };
 
 // Flips edges, given by their numbers, and those of the faces that this makes.
-void flip_to_delaunay(Moved_triangulation& t, std::vector<std::uint32_t> stack) {
+// \throws Undecidable also if the triangulation has taken more than so many moves
+void flip_to_delaunay(Moved_triangulation& t, std::vector<std::uint32_t> stack,
+                      std::size_t most_moves) {
   const Gluing_map& mesh = t.mesh();
   while (!stack.empty()) {
     const Gluing_map::Halfedge h{2 * stack.back()};
@@ -136,6 +138,7 @@ void flip_to_delaunay(Moved_triangulation& t, std::vector<std::uint32_t> stack) 
     if (mesh.is_removed(h) || !t.has_diamond(h)) continue;
     expect_to_go_on();
     if (t.sign(t.diamond(h), Delaunay_expression()) != NEGATIVE) continue;
+    if (t.moves().size() >= most_moves) throw Undecidable("flips are too many");
     t.flip(h);
     for (const Gluing_map::Halfedge s : {h, Gluing_map::opposite(h)})
       for (Gluing_map::Halfedge n = mesh.next(s); n != s; n = mesh.next(n))
@@ -149,7 +152,7 @@ void flip_to_delaunay(Moved_triangulation& t, std::size_t first_move) {
   for (std::size_t n = first_move; n < t.moves().size(); ++n)
     for (const Moved_face& f : t.moves()[n].after)
       for (const std::uint32_t h : f.sides) stack.push_back(h / 2);
-  flip_to_delaunay(t, std::move(stack));
+  flip_to_delaunay(t, std::move(stack), std::numeric_limits<std::size_t>::max());
 }
 
 // The vertices that edges join to one, among those to be removed; none of them
@@ -207,10 +210,10 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
   }
 }
 
-void make_delaunay(Moved_triangulation& t) {
+void make_delaunay(Moved_triangulation& t, std::size_t most_moves) {
   std::vector<std::uint32_t> all(t.mesh().number_of_edges());
   std::iota(all.begin(), all.end(), 0U);
-  flip_to_delaunay(t, std::move(all));
+  flip_to_delaunay(t, std::move(all), most_moves);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

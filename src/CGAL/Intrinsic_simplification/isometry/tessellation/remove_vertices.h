@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REMOVE_VERTICES_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REMOVE_VERTICES_H
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -24,8 +25,8 @@ Undecidable
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed,
                      bool stays_delaunay);
 
-// Makes all faces Delaunay. \throws Undecidable
-void make_delaunay(Moved_triangulation& t);
+// Makes all faces Delaunay. \throws Undecidable also if that takes more moves, with those before
+void make_delaunay(Moved_triangulation& t, std::size_t most_moves);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
