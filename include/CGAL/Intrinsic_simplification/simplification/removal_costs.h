@@ -196,7 +196,8 @@ Transported_mass area_cost(const Triangulation& t) {
   Transported_mass result;
   if (const double area = total_area(t); area > 0) { // areas times lengths could overflow
     std::vector<double> areas = internal::vertex_values(t).area;
-    for (double& x : areas) x = std::ldexp(x, -std::ilogb(area)); // 2^1024 is no double
+    const int exponent = std::ilogb(area);
+    for (double& x : areas) x = std::ldexp(x, -exponent); // the power itself may overflow
     result.add(areas);
   }
   return result;

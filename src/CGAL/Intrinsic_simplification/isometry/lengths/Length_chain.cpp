@@ -3,7 +3,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
-#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -19,18 +19,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-namespace {
-
-Gmpq norm(const Plane_number& z, const Gmpq& square) { return z.x * z.x + z.y * z.y * square; }
-
-} // namespace
-
 Length_chain::Link inverse(const Length_chain::Link& link) {
-  const Gmpq n = norm(link.turn, link.square);
-  const Plane_number turn{link.turn.x / n, -link.turn.y / n}, &s = link.shift;
-  return {link.square,
-          turn,
-          {link.square * turn.y * s.y - turn.x * s.x, -(turn.x * s.y + turn.y * s.x)}};
+  const Plane_number turn = quotient({1, 0}, link.turn, link.square);
+  return {link.square, turn, -product(turn, link.shift, link.square)};
 }
 
 // With f(g) = 0: f(0) = f(0) - f(g) is the turn times -g.
@@ -267,23 +258,22 @@ private:
   std::vector<Row> rows_;
 };
 
+bool have_zero_difference(const Length_chain& a, const Length_chain& b, const Budget& budget) {
+  Root_classes roots(budget);
+  std::vector<Step> first = steps_of(a, false, roots), second = steps_of(b, true, roots);
+  const std::vector<Step> steps = merged(std::move(first), std::move(second), roots.size());
+  return Difference(budget).vanishes(a.unit, b.unit, steps, roots.size());
+}
+
 } // namespace
 
 bool are_identical(const Length_chain& a, const Length_chain& b, std::size_t& words_left) {
   const Budget budget(words_left);
   try {
-    for (const bool is_reversed : {false, true}) {
-      Root_classes roots(budget);
-      const Length_chain& second = is_reversed ? b.reversed() : b;
-      std::vector<Step> first_steps = steps_of(a, false, roots),
-                        second_steps = steps_of(second, true, roots);
-      const std::vector<Step> steps =
-          merged(std::move(first_steps), std::move(second_steps), roots.size());
-      if (Difference(budget).vanishes(a.unit, second.unit, steps, roots.size())) return true;
-    }
+    return have_zero_difference(a, b, budget) || have_zero_difference(a, b.reversed(), budget);
   } catch (const std::length_error&) { // nothing is known
+    return false;
   }
-  return false;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

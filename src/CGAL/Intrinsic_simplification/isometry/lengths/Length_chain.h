@@ -4,7 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_LENGTH_CHAIN_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_LENGTH_CHAIN_H
 
-#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 
 #include <CGAL/Gmpq.h>
 

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
@@ -56,30 +57,25 @@ Plane_charts::Plane_charts(const Gluing_map& mesh, const std::vector<std::uint32
   squared_length_ = nullptr;
 }
 
-std::optional<Plane_charts::Shape> Plane_charts::shape(const Gluing_map& mesh, Halfedge h) const {
-  Shape s;
-  for (Gmpq& l : s.length) {
+std::optional<Rational_triangle> Plane_charts::triangle(const Gluing_map& mesh, Halfedge h) const {
+  std::array<Gmpq, 3> lengths;
+  for (Gmpq& l : lengths) {
     const std::optional<Gmpq>& x = (*squared_length_)(h.index / 2);
     if (!x) return std::nullopt;
     l = *x;
     h = mesh.next(h);
   }
-  const Gmpq p = s.length[0] + s.length[2] - s.length[1];
-  s.squared_area = 4 * s.length[0] * s.length[2] - p * p;
-  return s;
+  return Rational_triangle(lengths);
 }
 
 bool Plane_charts::start_chart(const Gluing_map& mesh, Halfedge first) {
-  const std::optional<Shape> s = shape(mesh, first);
-  if (!s) return false;
+  const std::optional<Rational_triangle> t = triangle(mesh, first);
+  if (!t) return false;
   const std::uint32_t face = mesh.face(first).index;
   chart_[face] = face;
-  squared_area_[face] = s->squared_area;
-  bits_[face] = most_bits(s->length);
-  const Gmpq twice = 2 * s->length[0];
-  const Plane_number corners[] = {
-      {0, 0}, {1, 0}, {(s->length[0] + s->length[2] - s->length[1]) / twice, 1 / twice}};
-  for (const Plane_number& p : corners) {
+  squared_area_[face] = t->squared_area;
+  bits_[face] = most_bits(t->lengths);
+  for (const Plane_number& p : t->corners) {
     point_[first.index] = static_cast<std::uint32_t>(points_.size());
     points_.push_back(p);
     first = mesh.next(first);
@@ -91,17 +87,16 @@ bool Plane_charts::start_chart(const Gluing_map& mesh, Halfedge first) {
 bool Plane_charts::place_across(const Gluing_map& mesh, Halfedge h) {
   const Halfedge o = Gluing_map::opposite(h), n = mesh.next(o);
   const std::uint32_t chart = chart_[mesh.face(h).index];
-  const std::optional<Shape> s = shape(mesh, o);
-  if (!s) return false;
+  const std::optional<Rational_triangle> t = triangle(mesh, o);
+  if (!t) return false;
+  const Gmpq& q = squared_area_[chart];
   Gmpq area;
-  if (!rational_square_root(s->squared_area / squared_area_[chart], area)) return false;
-  const Gmpq twice = 2 * s->length[0];
-  const Plane_number i = source(mesh.next(h)), j = source(h),
-                     turn{(s->length[0] + s->length[2] - s->length[1]) / twice, area / twice};
-  const Plane_number apex = i + product(chart, j - i, turn);
+  if (!rational_square_root(t->squared_area / q, area)) return false;
+  const Plane_number i = source(mesh.next(h)), j = source(h), &corner = t->corners[2];
+  const Plane_number apex = i + product(j - i, {corner.x, corner.y * area}, q);
   // In a plane, x is a quotient of squared lengths, and y one of areas: of six lengths together.
   // Where faces turn on and on, as on a cone, numbers grow: then another chart begins.
-  const std::size_t most = 8 * std::max(most_bits(s->length), bits_[chart]);
+  const std::size_t most = 8 * std::max(most_bits(t->lengths), bits_[chart]);
   if (std::max(number_of_bits(apex.x), number_of_bits(apex.y)) > most) return false;
   point_[o.index] = point_[mesh.next(h).index];
   point_[n.index] = point_[h.index];
@@ -122,13 +117,6 @@ std::uint32_t Plane_charts::number(const Gluing_map& mesh, Halfedge o, const Pla
   return static_cast<std::uint32_t>(points_.size()) - 1;
 }
 
-Plane_number Plane_charts::quotient(std::uint32_t chart, const Plane_number& a,
-                                    const Plane_number& b) const {
-  const Gmpq norm = b.x * b.x + b.y * b.y * squared_area_[chart];
-  const Plane_number c = product(chart, a, {b.x, -b.y});
-  return {c.x / norm, c.y / norm};
-}
-
 std::optional<Plane_motion> Plane_charts::motion_across(const Gluing_map& mesh, Halfedge h) const {
   const Halfedge o = Gluing_map::opposite(h), hn = mesh.next(h), on = mesh.next(o);
   const auto are_equal = [this](Halfedge x, Halfedge y) {
@@ -136,17 +124,20 @@ std::optional<Plane_motion> Plane_charts::motion_across(const Gluing_map& mesh, 
   };
   if (are_equal(h, on) && are_equal(hn, o)) return std::nullopt;
   const std::uint32_t chart = chart_[mesh.face(h).index];
-  const Plane_number turn = quotient(chart, source(hn) - source(h), source(o) - source(on));
-  return Plane_motion{chart, turn, source(h) - product(chart, turn, source(on))};
+  const Gmpq& q = squared_area_[chart];
+  const Plane_number turn = quotient(source(hn) - source(h), source(o) - source(on), q);
+  return Plane_motion{chart, turn, source(h) - product(turn, source(on), q)};
 }
 
 Plane_motion Plane_charts::composed(const Plane_motion& a, const Plane_motion& b) const {
-  return {a.chart, product(a.chart, a.turn, b.turn), product(a.chart, a.turn, b.shift) + a.shift};
+  const Gmpq& q = squared_area_[a.chart];
+  return {a.chart, product(a.turn, b.turn, q), product(a.turn, b.shift, q) + a.shift};
 }
 
 Plane_motion Plane_charts::inverse(const Plane_motion& a) const {
-  const Plane_number turn = quotient(a.chart, {1, 0}, a.turn);
-  return {a.chart, turn, Plane_number{0, 0} - product(a.chart, turn, a.shift)};
+  const Gmpq& q = squared_area_[a.chart];
+  const Plane_number turn = quotient({1, 0}, a.turn, q);
+  return {a.chart, turn, -product(turn, a.shift, q)};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_PLANE_CHARTS_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_PLANE_CHARTS_H
 
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 
@@ -17,24 +18,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-// The number x + y sqrt(-q), where a chart knows q.
-struct Plane_number {
-  Gmpq x, y;
-
-  friend Plane_number operator+(const Plane_number& a, const Plane_number& b) {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend Plane_number operator-(const Plane_number& a, const Plane_number& b) {
-    return {a.x - b.x, a.y - b.y};
-  }
-  friend bool operator==(const Plane_number& a, const Plane_number& b) {
-    return a.x == b.x && a.y == b.y;
-  }
-  friend bool operator<(const Plane_number& a, const Plane_number& b) {
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-  }
-};
 
 // Maps z to turn z + shift.
 struct Plane_motion {
@@ -88,20 +71,10 @@ public:
   }
 
 private:
-  // a triangle, from the squared lengths of its sides
-  struct Shape {
-    std::array<Gmpq, 3> length;
-    Gmpq squared_area; // of the quadruple area
-  };
-
-  std::optional<Shape> shape(const Gluing_map& mesh, Halfedge h) const;
+  std::optional<Rational_triangle> triangle(const Gluing_map& mesh, Halfedge h) const;
   bool start_chart(const Gluing_map& mesh, Halfedge first);
   bool place_across(const Gluing_map& mesh, Halfedge h);
   std::uint32_t number(const Gluing_map& mesh, Halfedge o, const Plane_number& apex);
-  Plane_number product(std::uint32_t chart, const Plane_number& a, const Plane_number& b) const {
-    return {a.x * b.x - a.y * b.y * squared_area_[chart], a.x * b.y + a.y * b.x};
-  }
-  Plane_number quotient(std::uint32_t chart, const Plane_number& a, const Plane_number& b) const;
   const Plane_number& source(Halfedge h) const { return points_[point_[h.index]]; }
 
   const Squared_length* squared_length_ = nullptr; // while charts are made

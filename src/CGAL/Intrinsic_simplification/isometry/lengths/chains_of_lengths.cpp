@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
@@ -24,25 +25,13 @@ namespace {
 
 using Link = Length_chain::Link;
 
-Plane_number opposite_of(const Plane_number& z) { return {-z.x, -z.y}; }
 Link shift_by(const Gmpq& square, const Plane_number& z) { return {square, {1, 0}, z}; }
 
-// A triangle with its first side from 0 to 1.
-struct Rational_triangle {
-  explicit Rational_triangle(const std::array<Gmpq, 3>& l) {
-    const Gmpq p = l[0] + l[2] - l[1], twice = 2 * l[0];
-    square = 4 * l[0] * l[2] - p * p;
-    corners = {Plane_number{0, 0}, {1, 0}, {p / twice, 1 / twice}};
-  }
-  // from coordinates in which a side runs from 1 to 0
-  Link across(std::uint32_t side) const {
-    const Plane_number &from = corners[(side + 1) % 3], &to = corners[side];
-    return {square, to - from, from};
-  }
-
-  Gmpq square; // of the quadruple area
-  std::array<Plane_number, 3> corners;
-};
+// to coordinates of a triangle, from those in which a side runs from 1 to 0
+Link across(const Rational_triangle& t, std::uint32_t side) {
+  const Plane_number &from = t.corners[(side + 1) % 3], &to = t.corners[side];
+  return {t.squared_area, to - from, from};
+}
 
 Rational_triangle triangle_at(const Input_metric& m, const Face_side& s) {
   const auto length = [&](std::uint32_t k) {
@@ -70,9 +59,10 @@ std::optional<Length_chain> Value_recipes::chain(std::uint32_t edge) const {
     if (k > 0 && triangles[k].parent() != k - 1) return std::nullopt;
     const Rational_triangle t = triangle_at(metric(), triangles[k].side);
     if (k == 0)
-      result.links.push_back(shift_by(t.square, opposite_of(t.corners[strip->corners[0].corner])));
-    result.links.push_back(k < last ? t.across(triangles.exit_to(k + 1))
-                                    : shift_by(t.square, t.corners[strip->corners[1].corner]));
+      result.links.push_back(shift_by(t.squared_area, -t.corners[strip->corners[0].corner]));
+    result.links.push_back(k < last
+                               ? across(t, triangles.exit_to(k + 1))
+                               : shift_by(t.squared_area, t.corners[strip->corners[1].corner]));
   }
   return result;
 }
@@ -96,7 +86,7 @@ Developed_faces::rational_frame(std::uint32_t frame) const {
     h = next_[h];
   }
   const Rational_triangle t(lengths);
-  return Rational_frame{t.square, t.corners};
+  return Rational_frame{t.squared_area, t.corners};
 }
 
 Plane_number Developed_faces::place(const Rational_frame& frame, std::uint32_t halfedge) const {
@@ -131,7 +121,7 @@ std::optional<Length_chain> Developed_faces::chain(Value length) const {
   const std::optional<Gmpq> unit_of_frame = rational_length(unit(q.frame));
   const auto first = rational_frame(q.frame), last = rational_frame(frame_at_start_[face_[end]]);
   if (q.is_area || !unit_of_frame || !first || !last) return std::nullopt;
-  Length_chain result{*unit_of_frame, {shift_by(first->square, opposite_of(place(*first, start)))}};
+  Length_chain result{*unit_of_frame, {shift_by(first->square, -place(*first, start))}};
   const Frame_maps::Map map = map_of(q.points[1]);
   if (maps_.number_of_letters(map) > 1) {
     for (const Frame_maps::Map letter : maps_.letters(map))
