@@ -6,16 +6,17 @@
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
+#include <boost/container_hash/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
-#include <numeric>
 #include <string>
 #include <string_view>
-#include <tuple>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -134,27 +135,18 @@ private:
     add_corner(p);
   }
 
-  // Vertices are numbered in the order in which they first occur.
+  // Vertices are numbered in the order in which they first occur. The hash holds zeros of both signs
+  // for one number, as == does.
   void merge() {
     out_.line = 0;
-    std::vector<std::uint32_t> order(corners_.size()), first(corners_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return std::tie(corners_[a], a) < std::tie(corners_[b], b);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i)
-      first[order[i]] =
-          i > 0 && corners_[order[i]] == corners_[order[i - 1]] ? first[order[i - 1]] : order[i];
-    order = {};
+    std::unordered_map<Point, std::int64_t, boost::hash<Point>> vertices;
+    vertices.reserve(corners_.size() / 6); // the degree of most vertices of a closed surface
     std::vector<std::int64_t> face;
-    for (std::size_t c = 0; c < corners_.size(); ++c) {
-      if (first[c] == c) {
-        first[c] = static_cast<std::uint32_t>(out_.number_of_vertices());
-        out_.add_vertex(corners_[c][0], corners_[c][1], corners_[c][2]);
-      } else {
-        first[c] = first[first[c]]; // an earlier corner, whose entry is its vertex by now
-      }
-      face.push_back(first[c]);
+    for (const Point& p : corners_) {
+      const auto next = static_cast<std::int64_t>(out_.number_of_vertices());
+      const auto [vertex, is_new] = vertices.try_emplace(p, next);
+      if (is_new) out_.add_vertex(p[0], p[1], p[2]);
+      face.push_back(vertex->second);
       if (face.size() < 3) continue;
       out_.add_face(face);
       face.clear();
