@@ -62,16 +62,16 @@ class CoarseSurface(Surface):
                 self._fine, self._flipped(), self.kept, faces, weights, tuple(self.stretch), None))
         return self._vector_prolongation
 
-    def _found(self) -> dict[str, Any]:
+    def _kept_state(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items()
                 if name in CoarseSurface.__annotations__ or name in ("_fine",
                                                                      "_vector_prolongation")}
 
     def __reduce__(self):
-        return _restored, (self._core, self._found())
+        return _restored, (self._core, self._kept_state())
 
     def __copy__(self):
-        return _restored(_core.copy(self._core), self._found())
+        return _restored(_core.copy(self._core), self._kept_state())
 
     def __repr__(self):
         return f"<intrinsic.CoarseSurface: {self.number_of_vertices} vertices, " \

@@ -20,8 +20,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 \brief is what a double cover covers: the user's faces, each once, any number of them at an edge.
 
 Its vertices have the numbers of rows; its faces those of pairs of front and back. In a cloud, of
-which each point has triangles of its own, those at the same three points are one face. Nothing is
-flipped: windows have to meet edges of more than two faces as edges.
+which each point has triangles of its own, those at the same three points are one face, and all
+with two points in common meet at the segment between them. Nothing is flipped: windows have to meet
+edges of more than two faces as edges.
 */
 class Face_complex {
 public:
@@ -32,7 +33,7 @@ public:
   /// \complexity linear
   explicit Face_complex(const Input& input);
 
-  /// returns the faces for searches. \complexity linear
+  /// returns the faces for searches. \complexity linear, but for sorting
   Corner_table table() const;
   /// returns the place of a point of the cover, on its front or its back.
   Path_place place(const Surface_point& p) const;
@@ -45,9 +46,16 @@ private:
     bool is_against; // it runs against that side
   };
 
+  struct Side_on_edge {
+    std::array<std::uint32_t, 2> edge; // a name that the sides at one edge share
+    std::uint32_t number;
+    bool is_along; // it runs in the direction of the name
+  };
+
   Side same_side(std::uint32_t first, const std::array<std::uint32_t, 3>& sides, unsigned k) const;
   std::uint32_t side(std::uint32_t halfedge, bool& is_back) const;
-  std::vector<Branched_side::Other> other_sides(std::uint32_t first) const;
+  Side_on_edge on_edge(std::uint32_t side) const;
+  std::vector<Branched_side> sides_at_edges() const;
   // of the source of a halfedge
   std::uint32_t row(std::uint32_t h) const { return input_.names().row(input_.source(h)); }
 

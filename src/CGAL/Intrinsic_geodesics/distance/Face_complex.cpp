@@ -72,55 +72,50 @@ Path_place Face_complex::place(const Surface_point& p) const {
   return {s, {p.weights[1], p.weights[0], p.weights[2]}};
 }
 
-// Those that meet a halfedge of the cover, and how they run beside it.
-std::vector<Branched_side::Other> Face_complex::other_sides(std::uint32_t along) const {
-  std::vector<Branched_side::Other> sides;
-  const auto add = [&](std::uint32_t halfedge, bool is_along) {
-    if (input_.is_border(halfedge)) return;
-    bool is_back = false;
-    const std::uint32_t s = side(halfedge, is_back);
-    sides.push_back({s, is_along != is_back});
-  };
-  for (const std::uint32_t h : sheets_.edges_over(along)) {
-    add(h, true);
-    add(h ^ 1U, false);
+// In a cloud, the cover joins the triangles of one star only; but those of all stars that have two
+// points in common meet along the segment between them, as other faces do.
+Face_complex::Side_on_edge Face_complex::on_edge(std::uint32_t side) const {
+  const std::uint32_t h = halfedges_[side];
+  if (input_.names().is_cloud()) {
+    const std::uint32_t from = row(h), to = row(input_.next(h));
+    return {{std::min(from, to), std::max(from, to)}, side, from < to};
   }
-  return sides;
+  const std::uint32_t least = std::ranges::min(sheets_.edges_over(h));
+  return {{least / 2, 0}, side, least % 2 == 0};
+}
+
+// The other sides at the edge of each side.
+std::vector<Branched_side> Face_complex::sides_at_edges() const {
+  std::vector<Side_on_edge> all;
+  for (std::uint32_t s = 0; s < halfedges_.size(); ++s) all.push_back(on_edge(s));
+  std::ranges::sort(all, {}, [](const Side_on_edge& s) { return std::pair(s.edge, s.number); });
+  std::vector<Branched_side> result(all.size());
+  for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
+    while (to < all.size() && all[to].edge == all[from].edge) ++to;
+    for (std::size_t i = from; i < to; ++i) {
+      result[all[i].number].side = all[i].number;
+      for (std::size_t j = from; j < to; ++j)
+        if (j != i)
+          result[all[i].number].others.push_back(
+              {all[j].number, all[i].is_along == all[j].is_along});
+    }
+  }
+  return result;
 }
 
 Corner_table Face_complex::table() const {
   Corner_table table;
   table.unit = std::ldexp(1.0, -input_.scale_exponent());
   table.first_corner.assign(input_.number_of_rows(), Gluing::none);
-  std::vector<Branched_side> branch(halfedges_.size());
-  for (std::uint32_t f = 0; 3 * f < sides_.size(); ++f) { // copies of a face meet different others
-    const auto sides =
-        sides_of_face(input_, input_.halfedge_of_face(input_.names().faces.here(2 * f)));
-    for (unsigned k = 0; k < 3; ++k) {
-      const Side& s = sides_[3 * f + k];
-      std::vector<Branched_side::Other>& others = branch[s.number].others;
-      for (Branched_side::Other o : other_sides(sides[k])) {
-        o.is_along = o.is_along != s.is_against;
-        if (o.side != s.number &&
-            std::ranges::find(others, o.side, &Branched_side::Other::side) == others.end())
-          others.push_back(o);
-      }
-    }
-  }
+  std::vector<Branched_side> branch = sides_at_edges();
   for (std::uint32_t s = 0; s < halfedges_.size(); ++s) {
     const std::uint32_t h = halfedges_[s];
     const std::array<double, 3> l = squared_lengths_of_face(input_, h);
     const auto [cosine, sine] =
         corner_direction(l[0], l[2], l[1], input_.quadruple_area(input_.face(h)));
-    branch[s].side = s;
     const std::vector<Branched_side::Other>& others = branch[s].others;
     std::uint32_t opposite = Gluing::none;
-    // Over clouds, where a side meets others in several stars, these may have more others than it.
-    const auto is_only_other = [&branch, s](const Branched_side::Other& o) {
-      const std::vector<Branched_side::Other>& back = branch[o.side].others;
-      return !o.is_along && back.size() == 1 && back.front().side == s;
-    };
-    if (others.size() == 1 && is_only_other(others.front())) {
+    if (others.size() == 1 && !others.front().is_along) {
       opposite = others.front().side;
     } else if (!others.empty()) {
       opposite = static_cast<std::uint32_t>(Face_corner::first_branch + table.branches.size());
