@@ -35,7 +35,8 @@ if(INTRINSIC_TRIANGULATIONS_BUILD_TESTS)
       $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_DEFINITIONS>)
     target_compile_options(shared_settings INTERFACE
       $<TARGET_PROPERTY:GTest::gtest,INTERFACE_COMPILE_OPTIONS>)
-    target_precompile_headers(shared_precompiled PRIVATE <gtest/gtest.h>)
+    target_precompile_headers(shared_precompiled PRIVATE
+      "${PROJECT_SOURCE_DIR}/test/support/functions_as_tests.h") # includes gtest
   endif()
 endif()
 if(NOT INTRINSIC_TRIANGULATIONS_TEST_PROGRAM_PER_FILE) # else foreign ones only, which do not change

@@ -86,7 +86,7 @@ class Long_work(unittest.TestCase):
 
 class Totals(unittest.TestCase):
     def test_they_are_known_of_what_is_listed(self):
-        s = it.Surface(*unit_grid(150))
+        s = it.Surface(*unit_grid(100))
         seen = set()
         s.distances(range(12), progress=lambda *a: seen.add((a[0], a[2])))
         self.assertIn(("parts", 12), seen)

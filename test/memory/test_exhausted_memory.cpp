@@ -197,7 +197,7 @@ TYPED_TEST(Exhausted_memory, during_moves_of_all_kinds_changes_nothing) {
     for (int i = 0; i < 40; ++i) {
       const Move<TypeParam> m = move_at_random(t, random);
       const auto [status, failures] = make_at_last(t, m);
-      ASSERT_FALSE(this->HasFailure()) << "start " << start << ", move " << i;
+      ASSERT_FALSE(::testing::Test::HasFailure()) << "start " << start << ", move " << i;
       done[m.kind] += status == Move_status::done ? 1 : 0;
       exceptions[m.kind] += failures;
     }

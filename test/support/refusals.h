@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,9 +20,9 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 /// Expects `Invalid_input` with an element of this kind, the index if one is given, and all texts
 /// in its message.
-template <class Make>
-void expect_invalid(const Make& make, IT::Element_kind kind, std::optional<std::size_t> index = {},
-                    const std::vector<std::string>& texts = {}) {
+inline void expect_invalid(const std::function<void()>& make, IT::Element_kind kind,
+                           std::optional<std::size_t> index = {},
+                           const std::vector<std::string>& texts = {}) {
   try {
     make();
     ADD_FAILURE() << "not refused: " << ::testing::PrintToString(texts);
@@ -35,8 +36,7 @@ void expect_invalid(const Make& make, IT::Element_kind kind, std::optional<std::
 }
 
 /// The message with which something is refused, or nothing.
-template <class Make>
-std::string refusal(const Make& make) {
+inline std::string refusal(const std::function<void()>& make) {
   try {
     make();
     return {};
@@ -46,8 +46,7 @@ std::string refusal(const Make& make) {
 }
 
 /// Expects that something is refused with a text in the message.
-template <class Make>
-void expect_refusal(const Make& make, const std::string& text) {
+inline void expect_refusal(const std::function<void()>& make, const std::string& text) {
   const std::string message = refusal(make);
   EXPECT_NE(message.find(text), std::string::npos)
       << (message.empty() ? "not refused: " + text : message);

@@ -207,12 +207,12 @@ TYPED_TEST(Unfolded_face, places_points_of_the_plane_within_rounding_and_knows_t
       for (const std::uint32_t h : moved.sides) {
         const auto curves = unfold.curves(h);
         moved.place_a_point(h, curves, unfold(h), 0x1p-34);
-        if (this->HasFatalFailure()) return;
+        if (::testing::Test::HasFatalFailure()) return;
         const auto [a, b, c] = curves.cutting;
         fans += curves.fan_corner() < 3 && curves.emanating[curves.fan_corner()] > 1 ? 1 : 0;
         corners += (a > 0) + (b > 0) + (c > 0) > 1 ? 1 : 0;
         strips += a + b + c > 4 ? 1 : 0;
-        if (this->HasFailure()) return;
+        if (::testing::Test::HasFailure()) return;
       }
     }
   EXPECT_GT(fans, 20);
@@ -251,7 +251,7 @@ TYPED_TEST(Unfolded_face, turns_about_a_vertex_of_many_edges) {
       ++long_turns;
       for (int i = 0; i < 3; ++i) { // the last two times with a tree of products
         moved.place_a_point(h, curves, unfold(h), 0x1p-16);
-        if (this->HasFailure()) return;
+        if (::testing::Test::HasFailure()) return;
       }
     }
   }
@@ -296,7 +296,7 @@ TYPED_TEST(Unfolded_face, puts_points_of_curves_on_them) {
           moved.check_direction(h, face, *place);
           ++points;
           in_fans += place->region.corner == place->region.fan_corner ? 1 : 0;
-          if (this->HasFailure()) return;
+          if (::testing::Test::HasFailure()) return;
         }
     }
     EXPECT_GT(moved.on_curves, 0);
