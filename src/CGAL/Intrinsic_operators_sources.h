@@ -21,6 +21,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.cpp>
 #include <CGAL/Intrinsic_operators/elements/quadratic.cpp>
+#include <CGAL/Intrinsic_operators/improvement/reports.cpp>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.cpp>
 #include <CGAL/Intrinsic_operators/operators/matrix_market.cpp>
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.cpp>

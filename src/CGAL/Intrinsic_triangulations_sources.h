@@ -47,6 +47,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turned_positions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/ideal_crossings.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.cpp>
