@@ -11,6 +11,7 @@ their sources includes this file.
 */
 
 #include <CGAL/Intrinsic_geodesics_sources.h>
+#include <CGAL/Intrinsic_operators/distance/Distances.cpp>
 #include <CGAL/Intrinsic_operators/distance/Heat_solver.cpp>
 #include <CGAL/Intrinsic_operators/distance/Pinned_laplacian.cpp>
 #include <CGAL/Intrinsic_operators/distance/Signed_heat_distance.cpp>
@@ -20,6 +21,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/editing/Surface_deformation.cpp>
 #include <CGAL/Intrinsic_operators/elements/crouzeix_raviart.cpp>
 #include <CGAL/Intrinsic_operators/elements/quadratic.cpp>
+#include <CGAL/Intrinsic_operators/improvement/reports.cpp>
 #include <CGAL/Intrinsic_operators/operators/Face_gradient.cpp>
 #include <CGAL/Intrinsic_operators/operators/matrix_market.cpp>
 #include <CGAL/Intrinsic_operators/operators/reaction_diffusion.cpp>
@@ -32,6 +34,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/parametrization/measure_distortion.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/pack_components.cpp>
 #include <CGAL/Intrinsic_operators/parametrization/point_cloud_map.cpp>
+#include <CGAL/Intrinsic_operators/solvers/Chosen_factorization.cpp>
 #include <CGAL/Intrinsic_operators/solvers/Fixed_values_solver.cpp>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs/Block_eigensolver.cpp>
 #include <CGAL/Intrinsic_operators/solvers/eigenpairs/Inverse_lanczos.cpp>
@@ -45,6 +48,7 @@ their sources includes this file.
 #include <CGAL/Intrinsic_operators/vectors/Direction_problem.cpp>
 #include <CGAL/Intrinsic_operators/vectors/Heat_transport.cpp>
 #include <CGAL/Intrinsic_operators/vectors/Point_cloud_vectors.cpp>
+#include <CGAL/Intrinsic_operators/vectors/Vectors.cpp>
 #include <CGAL/Intrinsic_operators/vectors/principal_directions.cpp>
 
 #endif // CGAL_INTRINSIC_OPERATORS_SOURCES_H

@@ -47,6 +47,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Turned_positions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Unfolded_face.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.cpp>
+#include <CGAL/Intrinsic_triangulations/correspondence/curves/ideal_crossings.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.cpp>
@@ -83,9 +84,12 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Flip_list.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/Replayed_faces.cpp>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.cpp>
+#include <CGAL/Intrinsic_triangulations/formulas/Expression_steps.cpp>
 #include <CGAL/Intrinsic_triangulations/formulas/Recorded_expression.cpp>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.cpp>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Element_names.cpp>
+#include <CGAL/Intrinsic_triangulations/input/Input.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.cpp>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.cpp>
@@ -98,6 +102,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/input/mollification.cpp>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_flattener.cpp>
 #include <CGAL/Intrinsic_triangulations/input/polygons/Polygon_triangulator.cpp>
+#include <CGAL/Intrinsic_triangulations/input/position_on_face.cpp>
 #include <CGAL/Intrinsic_triangulations/input/renumbering.cpp>
 #include <CGAL/Intrinsic_triangulations/input/scaling.cpp>
 #include <CGAL/Intrinsic_triangulations/input/triangulate_face_graph.cpp>
@@ -107,6 +112,10 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/extrinsic/extrinsic_delaunay.cpp>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/Planar_star.cpp>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Constrained_segments.cpp>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/Refinement_test.cpp>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.cpp>
 #include <CGAL/Intrinsic_triangulations/support/Report.cpp>
+#include <CGAL/Intrinsic_triangulations/tracing/walks_over_input.cpp>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SOURCES_H

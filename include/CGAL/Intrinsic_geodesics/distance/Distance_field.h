@@ -41,11 +41,7 @@ public:
   };
 
   /// forgets all windows, and makes room for those of a number of sides.
-  void keep(std::size_t sides) {
-    blocks_.clear();
-    first_.assign(sides, Gluing::none);
-    size_ = 0;
-  }
+  void keep(std::size_t sides);
   /// returns whether windows are kept.
   bool are_kept() const { return !first_.empty(); }
   /// adds a window to a side with a length.
@@ -143,19 +139,10 @@ struct Distance_field {
   double radius = 0;      ///< distances up to this one are final
 
   /// starts without sources.
-  explicit Distance_field(Corner_table t)
-      : table(std::move(t)), vertices(table.first_corner.size()) {}
+  explicit Distance_field(Corner_table t);
 
   /// forgets what was found, and has sources no more.
-  void clear() {
-    vertices.assign(vertices.size(), {});
-    windows = {};
-    face_sources.clear();
-    origins.clear();
-    sources_by_face.clear();
-    crossings.clear();
-    radius = 0;
-  }
+  void clear();
   /// returns the vertex, or the source in a face, where the straight path begins.
   std::uint32_t root(std::uint32_t source) const {
     return Crossing::is_one(source) ? crossings[source - Crossing::first].root : source;

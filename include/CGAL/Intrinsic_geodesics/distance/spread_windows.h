@@ -36,9 +36,9 @@ struct Places {
   /// adds a point in a face.
   void add(const Point_in_face& p) { add(p, size()); }
   /// adds a vertex with an index.
-  void add(std::uint32_t v, std::uint32_t index) { vertices.push_back({v, index}); }
+  void add(std::uint32_t v, std::uint32_t index);
   /// adds a point in a face with an index.
-  void add(const Point_in_face& p, std::uint32_t index) { points.push_back({p, index}); }
+  void add(const Point_in_face& p, std::uint32_t index);
 };
 
 /// What stops a propagation early.

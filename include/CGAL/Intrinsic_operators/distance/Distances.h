@@ -26,16 +26,21 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// The numbers of places that are equal, for each of the different ones.
+std::vector<std::vector<std::size_t>> equal_places(const std::vector<Place>& places);
+
+} // namespace internal
 
 /*!
 \brief finds distances between places that a user names, by either method, with the tables of exact
@@ -299,20 +304,14 @@ private:
   // A solution for each place that is the first of a pair.
   std::vector<double> heat_of_pairs(const std::vector<Place>& from, const std::vector<Place>& to,
                                     const Distance_options& options) {
-    std::map<std::tuple<std::uint32_t, std::uint32_t, std::array<double, 3>>,
-             std::vector<std::size_t>>
-        pairs;
-    for (std::size_t i = 0; i < from.size(); ++i)
-      pairs[{from[i].vertex, from[i].face, from[i].weights}].push_back(i);
+    const std::vector<std::vector<std::size_t>> pairs = internal::equal_places(from);
     std::vector<Source_set> sets;
-    for (const auto& [place, members] : pairs) sets.push_back({from[members.front()]});
+    for (const std::vector<std::size_t>& members : pairs) sets.push_back({from[members.front()]});
     std::vector<double> result(from.size());
-    auto next = pairs.begin();
     for_each_column(
         sets,
-        [&](std::size_t, std::span<const double> column) {
-          for (const std::size_t i : next->second) result[i] = value_at(to[i], column);
-          ++next;
+        [&](std::size_t k, std::span<const double> column) {
+          for (const std::size_t i : pairs[k]) result[i] = value_at(to[i], column);
         },
         options);
     return result;

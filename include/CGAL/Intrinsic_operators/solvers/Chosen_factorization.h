@@ -88,19 +88,11 @@ Chosen_factorization<Scalar> chosen_factorization(Eigen::SparseMatrix<Scalar> m,
 }
 
 // Of the Laplacian of a graph and a diagonal, see `Laplacian_factorization`.
-inline Chosen_factorization<double> chosen_factorization(Eigen::SparseMatrix<double> laplacian,
-                                                         Eigen::VectorXd diagonal,
-                                                         Linear_solver solver) {
-  const auto shared =
-      std::make_shared<const std::pair<Eigen::SparseMatrix<double>, Eigen::VectorXd>>(
-          std::move(laplacian), std::move(diagonal));
-  return chosen_factorization<double>(
-      shared->first.cols(), solver,
-      [&] { return Multigrid_factorization<double>(shared->first, shared->second); },
-      [shared] {
-        return Chosen_factorization<double>(Laplacian_factorization(shared->first, shared->second));
-      });
-}
+Chosen_factorization<double> chosen_factorization(Eigen::SparseMatrix<double> laplacian,
+                                                  Eigen::VectorXd diagonal, Linear_solver solver);
+
+extern template Chosen_factorization<double> chosen_factorization(Eigen::SparseMatrix<double>,
+                                                                  Linear_solver);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

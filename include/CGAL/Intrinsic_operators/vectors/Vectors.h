@@ -40,6 +40,16 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// The number of a point of a cloud.
+std::size_t point_of_cloud(const Place& p);
+// Given vectors in the tangent planes of points.
+std::vector<std::pair<std::size_t, std::complex<double>>>
+in_planes_of_points(const Point_cloud_vectors& cloud, const Given_vectors& given);
+
+} // namespace internal
+
 /*!
 \brief finds vectors from places that a user names: transported ones, logarithmic maps, fields of
 directions; on the surface of a cloud of points by its tangent planes, `Point_cloud_vectors`.
@@ -82,7 +92,7 @@ public:
   Found_vectors transport(const Given_vectors& given, const Vector_options& options = {}) {
     if (is_cloud()) {
       const Point_cloud_vectors& c = cloud(options);
-      return of_points(c.transport(at_points(c, given)));
+      return of_points(c.transport(internal::in_planes_of_points(c, given)));
     }
     const Heat* const method = heat(options, given.places.size() > 1, true); // else of one length
     if (method == nullptr) return cancelled();
@@ -108,7 +118,7 @@ public:
     if (is_cloud()) {
       std::vector<std::pair<std::size_t, double>> sources;
       for (std::size_t i = 0; i < places.size(); ++i)
-        sources.push_back({point_of_cloud(places[i]), values.at(i)});
+        sources.push_back({internal::point_of_cloud(places[i]), values.at(i)});
       const auto extended = cloud(options).extend_scalars(sources);
       for (std::size_t i = 0; i < extended.size(); ++i) result[i] = extended[i];
       return result;
@@ -140,7 +150,7 @@ public:
       if (method != usual_method())
         refuse("logarithmic maps of points are found by affine heat; leave out --method, or give "
                "affine");
-      return of_points(cloud(options).logarithmic_map(point_of_cloud(place)));
+      return of_points(cloud(options).logarithmic_map(internal::point_of_cloud(place)));
     }
     using enum Logarithm_method;
     const Heat* const by_heat = method == exact ? nullptr : heat(options, method != polar, true);
@@ -176,7 +186,8 @@ public:
       internal::expect_factor_for_cloud(options);
       const Point_cloud_vectors& c = cloud(options.neighbors);
       if (!visitor.progress(0U)) return {cancelled()};
-      const Direction_field f = c.smoothest_direction_field(degree, at_points(c, fixed), np);
+      const Direction_field f =
+          c.smoothest_direction_field(degree, internal::in_planes_of_points(c, fixed), np);
       if (f.status == Status::cancelled) return {cancelled()};
       return {of_points(f.directions())};
     }
@@ -294,28 +305,6 @@ private:
     return *cloud_;
   }
 
-  static std::size_t point_of_cloud(const Place& p) {
-    if (!p.is_vertex()) refuse("a cloud of points has no faces; give the number of a point");
-    return p.vertex;
-  }
-  // Given vectors in the tangent planes of points.
-  static std::vector<std::pair<std::size_t, std::complex<double>>>
-  at_points(const Point_cloud_vectors& cloud, const Given_vectors& given) {
-    std::vector<std::pair<std::size_t, std::complex<double>>> result;
-    for (std::size_t i = 0; i < given.places.size(); ++i) {
-      const std::size_t p = point_of_cloud(given.places[i]);
-      std::complex<double> z = 0;
-      if (!given.in_planes.empty())
-        z = given.in_planes.at(i);
-      else if (p < cloud.size()) {
-        const auto v = Eigen::Vector3d::Map(given.in_space.at(i).data());
-        const auto& [x, y] = cloud.axes(p);
-        z = {Eigen::Vector3d::Map(x.data()).dot(v), Eigen::Vector3d::Map(y.data()).dot(v)};
-      }
-      result.push_back({p, z});
-    }
-    return result;
-  }
   // The vectors of a cloud, each of its own row.
   Found_vectors of_points(Tangent_field vectors) const {
     Found_vectors found{std::move(vectors)};

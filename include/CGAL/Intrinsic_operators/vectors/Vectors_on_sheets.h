@@ -110,8 +110,8 @@ public:
     for (std::size_t i = 0; i < field.size(); ++i)
       if (const auto u = internal::unit_vector(sums[i]); u != 0.)
         field[i] = std::polar(std::abs(field[i]), std::arg(u) / degree);
-    for (auto given = fixed.rbegin(); given != fixed.rend(); ++given)
-      field[copies(given->first)] = internal::unit_vector(given->second);
+    for (std::size_t i = fixed.size(); i-- > 0;)
+      field[copies(fixed[i].first)] = internal::unit_vector(fixed[i].second);
     return field;
   }
 

@@ -54,7 +54,17 @@ public:
   using Face = Gluing_descriptor<struct Face_tag>;
 
   /// constructs the empty complex.
-  Gluing_map() = default;
+  Gluing_map();
+  /// copies.
+  Gluing_map(const Gluing_map& other);
+  /// moves.
+  Gluing_map(Gluing_map&& other) noexcept;
+  /// copies.
+  Gluing_map& operator=(const Gluing_map& other);
+  /// moves.
+  Gluing_map& operator=(Gluing_map&& other) noexcept;
+  /// destructs.
+  ~Gluing_map();
 
   /*!
   \brief glues triangles together.
@@ -63,22 +73,13 @@ public:
   \throws Invalid_input if the arrays do not describe a gluing (see `validate()`)
   \complexity linear
   */
-  explicit Gluing_map(const Gluing& gluing) {
-    validate(gluing);
-    build(gluing);
-  }
+  explicit Gluing_map(const Gluing& gluing);
   /// builds the connectivity of a valid gluing, such as those of `gluing_from_triangles()`.
   /// \pre `validate(gluing)` does not throw \complexity linear
-  static Gluing_map from_valid(const Gluing& gluing) {
-    Gluing_map result;
-    result.build(gluing);
-    return result;
-  }
+  static Gluing_map from_valid(const Gluing& gluing);
 
   /// constructs elements that are not connected yet; the setters connect them.
-  Gluing_map(std::uint32_t vertices, std::uint32_t edges, std::uint32_t faces)
-      : halfedge_(2 * static_cast<std::size_t>(edges)), vertex_(vertices, Gluing::none),
-        face_(faces, Gluing::none) {}
+  Gluing_map(std::uint32_t vertices, std::uint32_t edges, std::uint32_t faces);
 
   /// returns the number of vertices, removed ones included: a bound of their indices.
   std::uint32_t number_of_vertices() const { return static_cast<std::uint32_t>(vertex_.size()); }
@@ -199,11 +200,6 @@ private:
     std::uint32_t target = Gluing::none;
     std::uint32_t face = Gluing::none;
   };
-
-  void build(const Gluing& g) {
-    number_edges(g);
-    link_border();
-  }
 
   void number_edges(const Gluing& g);
 

@@ -327,6 +327,7 @@ Mesh mesh_from_gluing_map(Gluing_map map) {
 /// \cond
 extern template Gluing
 internal::unglued_triangles(std::uint32_t, const std::vector<std::array<std::uint32_t, 3>>&);
+extern template Gluing_map gluing_map_unless_polygonal(const Gluing_map&, std::uint32_t&);
 /// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -122,15 +122,12 @@ class Turned_faces {
 public:
   using FT = Interval_nt<false>;
 
-  Turned_faces() = default;
-  Turned_faces(const Turned_faces&) {}
-  Turned_faces(Turned_faces&&) = default;
-  Turned_faces& operator=(const Turned_faces&) {
-    *this = {};
-    return *this;
-  }
-  Turned_faces& operator=(Turned_faces&&) = default;
-  ~Turned_faces() = default;
+  Turned_faces();
+  Turned_faces(const Turned_faces&);
+  Turned_faces(Turned_faces&&);
+  Turned_faces& operator=(const Turned_faces&);
+  Turned_faces& operator=(Turned_faces&&) noexcept;
+  ~Turned_faces();
 
   // The values of the face of a halfedge, from that on. \param bits 53 or 106
   template <class View>
@@ -230,6 +227,13 @@ struct Exact_memory : No_correspondence {
   bool are_sharp = false;       // all faces, since the last move
   bool are_found = false;       // values of all edges and faces that need it, since the last move
   Followed_values values;
+
+  Exact_memory();
+  Exact_memory(const Exact_memory&);
+  Exact_memory(Exact_memory&&);
+  Exact_memory& operator=(const Exact_memory&);
+  Exact_memory& operator=(Exact_memory&&) noexcept;
+  ~Exact_memory();
 
   // follows moves: forgets what queries stored, so that they cannot change later results
   template <class Triangulation>

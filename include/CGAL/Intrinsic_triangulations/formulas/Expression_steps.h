@@ -110,40 +110,7 @@ public:
   \param values as many as the expression depends on
   */
   template <class FT>
-  FT run(std::span<const FT* const> values) const {
-    boost::container::small_vector<FT, 12> results;
-    results.reserve(steps_.size());
-    const auto at = [&](std::uint32_t n) -> const FT& {
-      return n < values.size() ? *values[n] : results[n - values.size()];
-    };
-    for (const Step& s : steps_) {
-      switch (s.operation) {
-      case Operation::sum:
-        results.push_back(at(s.a) + at(s.b));
-        break;
-      case Operation::difference:
-        results.push_back(at(s.a) - at(s.b));
-        break;
-      case Operation::negation:
-        results.push_back(-at(s.a));
-        break;
-      case Operation::product:
-        results.push_back(at(s.a) * at(s.b));
-        break;
-      default:
-        if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
-          results.push_back(s.operation == Operation::constant ? FT(s.constant)
-                                                               : FT(at(s.a) / at(s.b)));
-        else
-          throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
-      }
-      if constexpr (std::is_default_constructible_v<FT>) {
-        if (s.is_last_of_a) results[s.a - values.size()] = FT();
-        if (s.is_last_of_b) results[s.b - values.size()] = FT();
-      }
-    }
-    return at(result_);
-  }
+  FT run(std::span<const FT* const> values) const;
 
 private:
   struct Step {
@@ -156,23 +123,48 @@ private:
   // whose results are not worth freeing: in 256 bits they take seven kilobytes
   static constexpr std::size_t few_steps = 32;
 
-  void find_last_uses() {
-    std::vector<char> is_used_later(steps_.size());
-    const auto is_last = [&](std::uint32_t n) {
-      return n >= values_ && !std::exchange(is_used_later[n - values_], 1);
-    };
-    is_last(result_);
-    for (auto s = steps_.rbegin(); s != steps_.rend(); ++s) {
-      if (s->operation == Operation::constant) continue;
-      s->is_last_of_a = is_last(s->a);
-      if (s->operation != Operation::negation) s->is_last_of_b = is_last(s->b);
-    }
-  }
+  void find_last_uses();
 
   std::uint32_t values_;
   std::uint32_t result_ = 0;
   std::vector<Step> steps_;
 };
+
+template <class FT>
+FT Expression_steps::run(std::span<const FT* const> values) const {
+  boost::container::small_vector<FT, 12> results;
+  results.reserve(steps_.size());
+  const auto at = [&](std::uint32_t n) -> const FT& {
+    return n < values.size() ? *values[n] : results[n - values.size()];
+  };
+  for (const Step& s : steps_) {
+    switch (s.operation) {
+    case Operation::sum:
+      results.push_back(at(s.a) + at(s.b));
+      break;
+    case Operation::difference:
+      results.push_back(at(s.a) - at(s.b));
+      break;
+    case Operation::negation:
+      results.push_back(-at(s.a));
+      break;
+    case Operation::product:
+      results.push_back(at(s.a) * at(s.b));
+      break;
+    default:
+      if constexpr (std::is_constructible_v<FT, double> && requires(const FT& x) { x / x; })
+        results.push_back(s.operation == Operation::constant ? FT(s.constant)
+                                                             : FT(at(s.a) / at(s.b)));
+      else
+        throw std::logic_error("an expression that is no polynomial is evaluated in a ring");
+    }
+    if constexpr (std::is_default_constructible_v<FT>) {
+      if (s.is_last_of_a) results[s.a - values.size()] = FT();
+      if (s.is_last_of_b) results[s.b - values.size()] = FT();
+    }
+  }
+  return at(result_);
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -66,22 +66,7 @@ Then they define a point exactly, in any field.
 \return the coordinates, or nothing if one is negative or not finite, all but one vanish, or the sum
   is not near 1
 */
-inline std::optional<std::array<double, 3>>
-representable_weights(const std::array<double, 3>& weights) {
-  const double sum = weights[0] + weights[1] + weights[2];
-  // weights that were rounded to single precision, by 2^-25 each, pass
-  if (!(std::abs(sum - 1) <= 0x1p-20)) return std::nullopt;
-  const auto rounded = [](double x) { return std::floor(x * 0x1p52) * 0x1p-52; };
-  std::array<double, 3> w{0, rounded(weights[1]), rounded(weights[2])};
-  w[0] = weights[0] == 0 ? 0 : 1 - w[1] - w[2]; // exact: all are multiples of 2^-52 up to 1
-  if (weights[0] == 0) w[1] = 1 - w[2];
-  int positive = 0;
-  for (const double x : w) {
-    if (!(x >= 0)) return std::nullopt;
-    positive += x > 0 ? 1 : 0;
-  }
-  return positive >= 2 ? std::optional(w) : std::nullopt;
-}
+std::optional<std::array<double, 3>> representable_weights(const std::array<double, 3>& weights);
 
 /*!
 \brief computes the squared distance of a point of a triangle ijk from its corner i.

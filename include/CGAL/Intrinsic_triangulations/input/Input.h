@@ -77,19 +77,19 @@ public:
   };
 
   /// defines the surface without elements.
-  Input_definition() = default;
+  Input_definition();
   /// takes the parts.
-  explicit Input_definition(Parts parts) : parts_(std::move(parts)) {}
+  explicit Input_definition(Parts parts);
   /// copies.
-  Input_definition(const Input_definition&) = default;
+  Input_definition(const Input_definition& other);
   /// moves.
-  Input_definition(Input_definition&&) = default;
+  Input_definition(Input_definition&& other) noexcept;
   /// copies.
-  Input_definition& operator=(const Input_definition&) = default;
+  Input_definition& operator=(const Input_definition& other);
   /// moves.
-  Input_definition& operator=(Input_definition&&) = default;
+  Input_definition& operator=(Input_definition&& other) noexcept;
   /// destructs.
-  virtual ~Input_definition() = default;
+  virtual ~Input_definition();
 
   /// returns what defines lengths and areas exactly.
   const Input_metric& metric() const { return parts_.metric; }
@@ -129,19 +129,25 @@ file that says how it lies on its input.
 class Input final : public Input_definition {
 public:
   /// constructs the empty surface.
-  Input() = default;
+  Input();
+  /// copies.
+  Input(const Input& other);
+  /// moves.
+  Input(Input&& other) noexcept;
+  /// copies.
+  Input& operator=(const Input& other);
+  /// moves.
+  Input& operator=(Input&& other) noexcept;
+  /// destructs.
+  ~Input() override;
 
   /// takes the parts of the surface. \param mesh the connectivity \param parts all else
-  Input(Gluing_map mesh, Parts parts)
-      : Input_definition(std::move(parts)), mesh_(std::move(mesh)) {}
+  Input(Gluing_map mesh, Parts parts);
 
   /// takes the parts of the surface.
   /// \param mesh the connectivity \param metric what defines lengths and areas \param names the
   /// numbers in the user's mesh
-  Input(Gluing_map mesh, Input_metric metric, Input_names names = {})
-      : Input_definition(
-            Parts{mesh.number_of_vertices(), std::move(metric), std::move(names), {}, {}}),
-        mesh_(std::move(mesh)) {}
+  Input(Gluing_map mesh, Input_metric metric, Input_names names = {});
 
   /*!
   \brief takes the parts of the surface, and keeps the lengths and areas of a metric if these are
@@ -167,17 +173,7 @@ public:
   const Gluing_map& mesh() const { return mesh_; }
   /// tells whether `metric()` defines the lengths of the faces of `mesh()`, which can fail only for
   /// an input that users assembled. \complexity linear
-  bool is_defined_by_metric() const {
-    if (metric().number_of_faces() != number_of_faces()) return false;
-    for (std::uint32_t f = 0; f < number_of_faces(); ++f) {
-      std::uint32_t h = halfedge_of_face(f);
-      for (const std::uint32_t name : metric().sides(f)) {
-        if (name != metric().name(source(h), h / 2)) return false;
-        h = next(h);
-      }
-    }
-    return true;
-  }
+  bool is_defined_by_metric() const;
 
   /// returns the number of edges.
   std::uint32_t number_of_edges() const { return mesh_.number_of_edges(); }
@@ -208,16 +204,13 @@ public:
     return squared_length_.empty() ? defined_squared_length(e) : squared_length_[e];
   }
   double quadruple_area(std::uint32_t f) const {
-    return quadruple_area_.empty() ? Intrinsic_triangulations::quadruple_area<double>(metric(), f)
-                                   : quadruple_area_[f];
+    return quadruple_area_.empty() ? defined_quadruple_area(f) : quadruple_area_[f];
   }
   /// \endcond
 
 private:
-  double defined_squared_length(std::uint32_t e) const {
-    const std::uint32_t h = is_border(2 * e) ? 2 * e + 1 : 2 * e, first = halfedge_of_face(face(h));
-    return metric().squared_length<double>(face(h), h == first ? 0 : h == next(first) ? 1 : 2);
-  }
+  double defined_squared_length(std::uint32_t e) const;
+  double defined_quadruple_area(std::uint32_t f) const;
 
   Gluing_map mesh_;
   std::vector<double> squared_length_; // as the metric has them, or none

@@ -84,7 +84,17 @@ struct Intrinsic_input {
   Planar_polygons planar_polygons;
 
   /// constructs an input without faces.
-  Intrinsic_input() = default;
+  Intrinsic_input();
+  /// copies.
+  Intrinsic_input(const Intrinsic_input& other);
+  /// moves.
+  Intrinsic_input(Intrinsic_input&& other) noexcept;
+  /// copies.
+  Intrinsic_input& operator=(const Intrinsic_input& other);
+  /// moves.
+  Intrinsic_input& operator=(Intrinsic_input&& other) noexcept;
+  /// destructs.
+  ~Intrinsic_input();
 
   /*!
   \brief takes an abstract metric: it need not embed in space.
@@ -92,13 +102,11 @@ struct Intrinsic_input {
   \param l one squared length per edge of `g`, in the order of `edges(g)`
   \param m treatment of degenerate faces
   */
-  Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m = Mollification::automatic)
-      : mesh(std::move(g)), squared_lengths(std::move(l)), mollification(m) {}
+  Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m = Mollification::automatic);
 
   /// takes a gluing map with a point per vertex.
   Intrinsic_input(Gluing_map g, std::vector<std::array<double, 3>> p,
-                  Mollification m = Mollification::automatic)
-      : mesh(std::move(g)), points(std::move(p)), mollification(m) {}
+                  Mollification m = Mollification::automatic);
 
   /*!
   \brief takes points and triples of their numbers, from a file or from arrays.

@@ -238,6 +238,7 @@ std::vector<FT> quadruple_areas(const Input_metric& m) {
 }
 
 /// \cond
+extern template double quadruple_area(const Input_metric&, std::uint32_t);
 extern template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
 extern template std::vector<double> quadruple_areas(const Input_metric&);
 extern template std::vector<Interval_nt<false>> quadruple_areas(const Input_metric&);

@@ -39,12 +39,6 @@ private:
   std::size_t index_;
 };
 
-inline Invalid_input Invalid_input::about(Element_kind kind, std::size_t index,
-                                          const std::string& what) {
-  constexpr const char* names[] = {"element ", "vertex ", "halfedge ", "edge ", "face "};
-  return Invalid_input(kind, index, names[static_cast<int>(kind)] + std::to_string(index) + what);
-}
-
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SUPPORT_INVALID_INPUT_H

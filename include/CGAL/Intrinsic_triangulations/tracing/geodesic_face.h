@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/triangle_formulas.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
@@ -249,6 +250,10 @@ Surface_point seen_from(const Input& input, const Surface_point& p, std::uint32_
   if (p.halfedge == input.next(base)) return {base, {w[2], w[0], w[1]}};
   return {base, {w[1], w[2], w[0]}};
 }
+
+/// \cond
+extern template bool turn(const Input&, Corner_direction&, double);
+/// \endcond
 
 } // namespace CGAL::Intrinsic_triangulations
 

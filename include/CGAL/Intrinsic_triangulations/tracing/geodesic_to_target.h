@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -234,6 +235,10 @@ Geodesic_to_target trace_to_target(const Complex& complex, const Geodesic_walk<C
                                    std::size_t maximum_faces = std::size_t{1} << 22U) {
   return Target_tracer<Complex>(complex, target, length, strip).trace(walk, maximum_faces);
 }
+
+extern template Geodesic_to_target trace_to_target(const Input&, const Geodesic_walk<Input>&,
+                                                   const Geodesic_target&, double,
+                                                   std::vector<Strip_side>&, std::size_t);
 
 } // namespace internal
 

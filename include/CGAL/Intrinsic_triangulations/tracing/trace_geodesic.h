@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACING_TRACE_GEODESIC_H
 
 #include <CGAL/Intrinsic_triangulations/connectivity/concepts.h>
+#include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
 #include <CGAL/Intrinsic_triangulations/tracing/geodesic_walk.h>
@@ -114,6 +115,9 @@ Geodesic_end trace_geodesic(const Complex& complex, const Surface_point& start,
   return finish_walk(complex, Geodesic_walk<Complex>(complex, from, direction), length, options,
                      crossings);
 }
+
+extern template Geodesic_end finish_walk(const Input&, Geodesic_walk<Input>, double,
+                                         const Trace_options&, std::vector<Geodesic_crossing>&);
 
 } // namespace internal
 

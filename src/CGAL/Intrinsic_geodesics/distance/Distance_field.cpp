@@ -3,15 +3,24 @@
 
 #include <CGAL/Intrinsic_geodesics/distance/Distance_field.h>
 #include <CGAL/Intrinsic_geodesics/distance/Window.h>
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+void Stored_windows::keep(std::size_t sides) {
+  blocks_.clear();
+  first_.assign(sides, Gluing::none);
+  size_ = 0;
+}
 
 void Stored_windows::add(const Window& w, std::uint32_t side, double length) {
   const auto rounded = [length](double x, double up) {
@@ -23,6 +32,19 @@ void Stored_windows::add(const Window& w, std::uint32_t side, double length) {
     blocks_.push_back(std::make_unique_for_overwrite<Record[]>(block_size));
   at(size_) = {w.image, rounded(w.begin, 0), rounded(w.end, 1), w.source, first_[side]};
   first_[side] = size_++;
+}
+
+Distance_field::Distance_field(Corner_table t)
+    : table(std::move(t)), vertices(table.first_corner.size()) {}
+
+void Distance_field::clear() {
+  vertices.assign(vertices.size(), {});
+  windows = {};
+  face_sources.clear();
+  origins.clear();
+  sources_by_face.clear();
+  crossings.clear();
+  radius = 0;
 }
 
 std::span<const std::uint32_t> Distance_field::sources_in_face(std::uint32_t face) const {

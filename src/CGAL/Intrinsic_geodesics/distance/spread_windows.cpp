@@ -68,6 +68,9 @@ there itself; a source within rounding of a vertex leaves it to the vertex altog
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+void Places::add(std::uint32_t v, std::uint32_t index) { vertices.push_back({v, index}); }
+void Places::add(const Point_in_face& p, std::uint32_t index) { points.push_back({p, index}); }
+
 struct Propagation_memory::Arrays {
   explicit Arrays(const Distance_field& field)
       : queue(field.table.corners.size()), split(field.table.corners.size()),

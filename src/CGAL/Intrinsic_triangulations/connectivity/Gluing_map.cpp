@@ -11,6 +11,29 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+Gluing_map::Gluing_map() = default;
+Gluing_map::Gluing_map(const Gluing_map& other) = default;
+Gluing_map::Gluing_map(Gluing_map&& other) noexcept = default;
+Gluing_map& Gluing_map::operator=(const Gluing_map& other) = default;
+Gluing_map& Gluing_map::operator=(Gluing_map&& other) noexcept = default;
+Gluing_map::~Gluing_map() = default;
+
+Gluing_map::Gluing_map(const Gluing& gluing) {
+  validate(gluing);
+  *this = from_valid(gluing);
+}
+
+Gluing_map Gluing_map::from_valid(const Gluing& gluing) {
+  Gluing_map result;
+  result.number_edges(gluing);
+  result.link_border();
+  return result;
+}
+
+Gluing_map::Gluing_map(std::uint32_t vertices, std::uint32_t edges, std::uint32_t faces)
+    : halfedge_(2 * static_cast<std::size_t>(edges)), vertex_(vertices, Gluing::none),
+      face_(faces, Gluing::none) {}
+
 void Gluing_map::make_room() {
   reserve_at_least(vertex_, vertex_.size() + 1);
   reserve_at_least(halfedge_, halfedge_.size() + 6);

@@ -84,4 +84,6 @@ Gluing glue_triangles(Gluing g, std::uint32_t& conflict, const std::vector<std::
 
 } // namespace internal
 
+template Gluing_map gluing_map_unless_polygonal(const Gluing_map&, std::uint32_t&);
+
 } // namespace CGAL::Intrinsic_triangulations

@@ -52,6 +52,16 @@ void Flat_parts::find_part(const Input& input, std::uint32_t name) try {
   throw;
 }
 
+Turned_faces::Turned_faces() = default;
+Turned_faces::Turned_faces(const Turned_faces&) {}
+Turned_faces::Turned_faces(Turned_faces&&) = default;
+Turned_faces& Turned_faces::operator=(const Turned_faces&) {
+  *this = {};
+  return *this;
+}
+Turned_faces& Turned_faces::operator=(Turned_faces&&) noexcept = default;
+Turned_faces::~Turned_faces() = default;
+
 Unfolded_face<Turned_faces::FT>::Values Turned_faces::values_of(const Input& input) {
   return values_from(input, input_.of(input.metric()));
 }
@@ -64,5 +74,12 @@ Face_values<Turned_faces::FT> Turned_faces::short_values(const Input& input) {
   const auto& l = v.squared_lengths;
   return {{l[0].interval(), l[1].interval(), l[2].interval()}, v.quadruple_area.interval()};
 }
+
+Exact_memory::Exact_memory() = default;
+Exact_memory::Exact_memory(const Exact_memory&) = default;
+Exact_memory::Exact_memory(Exact_memory&&) = default;
+Exact_memory& Exact_memory::operator=(const Exact_memory&) = default;
+Exact_memory& Exact_memory::operator=(Exact_memory&&) noexcept = default;
+Exact_memory::~Exact_memory() = default;
 
 } // namespace CGAL::Intrinsic_triangulations::internal

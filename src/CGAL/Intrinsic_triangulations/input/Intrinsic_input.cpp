@@ -42,6 +42,20 @@ std::size_t number_of_reversed(const std::vector<char>& triangles,
 
 } // namespace internal
 
+Intrinsic_input::Intrinsic_input() = default;
+Intrinsic_input::Intrinsic_input(const Intrinsic_input& other) = default;
+Intrinsic_input::Intrinsic_input(Intrinsic_input&& other) noexcept = default;
+Intrinsic_input& Intrinsic_input::operator=(const Intrinsic_input& other) = default;
+Intrinsic_input& Intrinsic_input::operator=(Intrinsic_input&& other) noexcept = default;
+Intrinsic_input::~Intrinsic_input() = default;
+
+Intrinsic_input::Intrinsic_input(Gluing_map g, std::vector<double> l, Mollification m)
+    : mesh(std::move(g)), squared_lengths(std::move(l)), mollification(m) {}
+
+Intrinsic_input::Intrinsic_input(Gluing_map g, std::vector<std::array<double, 3>> p,
+                                 Mollification m)
+    : mesh(std::move(g)), points(std::move(p)), mollification(m) {}
+
 Intrinsic_input::Intrinsic_input(Triangle_soup soup, Mollification m)
     : points(std::move(soup.points)), mollification(m),
       triangulated_polygons(soup.triangulated_polygons) {

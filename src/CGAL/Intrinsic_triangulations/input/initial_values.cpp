@@ -93,6 +93,7 @@ std::vector<double> excess_of_edges(const Input_metric& m, const Gluing_map& mes
 
 } // namespace internal
 
+template double quadruple_area(const Input_metric&, std::uint32_t);
 template Interval_nt<false> quadruple_area(const Input_metric&, std::uint32_t);
 template std::vector<double> quadruple_areas(const Input_metric&);
 template std::vector<Interval_nt<false>> quadruple_areas(const Input_metric&);

@@ -79,8 +79,8 @@ public:
       steps_ += internal::find_entered(complex, coordinates, sides_[third], 0,
                                        curves_.cutting[third], entered_, stack_);
       std::uint32_t parent = region_at(first_, curves_.cutting[first_]);
-      for (auto x = entered_.rbegin(); x != entered_.rend(); ++x, parent = last())
-        triangles_.enter(input, parent, *x ^ 1U);
+      for (std::size_t i = entered_.size(); i-- > 0; parent = last())
+        triangles_.enter(input, parent, entered_[i] ^ 1U);
     }
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t t = region_at(k, 0);

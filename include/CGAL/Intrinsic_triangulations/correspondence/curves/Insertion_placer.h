@@ -84,6 +84,19 @@ public:
   /// Number type of values.
   using FT = Interval_nt<false>;
 
+  /// has placed no vertex yet.
+  Insertion_placer();
+  /// copies.
+  Insertion_placer(const Insertion_placer& other);
+  /// moves.
+  Insertion_placer(Insertion_placer&& other);
+  /// copies.
+  Insertion_placer& operator=(const Insertion_placer& other);
+  /// moves.
+  Insertion_placer& operator=(Insertion_placer&& other) noexcept;
+  /// destructs.
+  ~Insertion_placer();
+
   /*!
   \brief places a vertex.
   \param t the triangulation; if its metric is exact, its scope is live
@@ -105,8 +118,7 @@ public:
     const Intrinsic_view<Triangulation> view(t);
     const bool along_side = weights[2] == 0 && coordinates.normal_coordinate(h / 2) < 0;
     if constexpr (internal::Has_enclosures<typename Triangulation::Metric>) {
-      short_.is_unfolded = false;
-      for (auto& [bits, numbers] : long_) numbers.is_unfolded = false;
+      forget_unfolded();
       face_.unfold(view, coordinates, h, values_of(coordinates.input()));
       if (along_side || !face_.is_vague()) {
         const auto p = place_near(face_, t, coordinates, h, weights, along_side, wanted);
@@ -224,8 +236,7 @@ private:
       if (!is_open(along_side)) return true;
       const Mpfr_precision precision(bits);
       ++t.metric().statistics().sharpenings[bits];
-      bits == 106 ? find_values(short_, input, along_side)
-                  : find_values(long_[bits], input, along_side);
+      find_values(bits, input, along_side);
       return false;
     });
     return are_positive(along_side);
@@ -250,6 +261,9 @@ private:
     bool is_unfolded = false;
   };
 
+  // the face that was unfolded last, in balls
+  void forget_unfolded();
+
   // of faces of the input
   Unfolded_face<FT>::Values values_of(const Input& input);
 
@@ -260,6 +274,7 @@ private:
   // in more bits; if an area has no certain sign even there, the insertion is refused
   template <class Center>
   void find_values(Numbers<Center>& numbers, const Input& input, bool along_side);
+  void find_values(unsigned bits, const Input& input, bool along_side);
 
   Unfolded_face<double> rough_;
   Unfolded_face<FT> face_;

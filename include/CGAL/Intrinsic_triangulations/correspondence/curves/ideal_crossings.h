@@ -51,16 +51,10 @@ namespace internal {
 // keeps its memory from edge to edge.
 class Ideal_strip {
 public:
-  explicit Ideal_strip(const Input& input)
-      : input_(input), lambda_(nearest_lengths(input.metric(), input.mesh())) {}
+  explicit Ideal_strip(const Input& input);
 
   // \param entered the input halfedges of the faces that the edge enters
-  void measure(std::span<const std::uint32_t> entered) {
-    backwards_.clear();
-    for (std::size_t n = entered.size(); n-- > 0;) backwards_.push_back(entered[n] ^ 1U);
-    measure(entered, from_start_, length_);
-    measure(backwards_, from_end_, length_);
-  }
+  void measure(std::span<const std::uint32_t> entered);
 
   // the lambda length of the edge
   double length() const { return length_; }
@@ -75,21 +69,7 @@ public:
 
 private:
   void measure(std::span<const std::uint32_t> entered, std::vector<std::array<double, 2>>& result,
-               double& length) {
-    strip_.start(entered.front());
-    for (const std::uint32_t x : entered.subspan(1)) strip_.enter(input_, strip_.last(), x);
-    const std::uint32_t to_start = input_.next(entered.front() ^ 1U);
-    at_ = {lambda_[to_start / 2], lambda_[input_.next(to_start) / 2]};
-    strip_.carry(at_, [this](const Development<>::Triangle& t, double from, double to) {
-      const std::uint32_t next = input_.next(t.side);
-      return lambda_at_apex(from, to, lambda_[t.side / 2], lambda_[next / 2],
-                            lambda_[input_.next(next) / 2]);
-    });
-    result.clear();
-    for (const Development<>::Triangle& t : strip_)
-      result.push_back({at_[t.point[0]], at_[t.point[1]]});
-    length = at_.back();
-  }
+               double& length);
 
   const Input& input_;
   std::vector<double> lambda_; // of the edges of the input

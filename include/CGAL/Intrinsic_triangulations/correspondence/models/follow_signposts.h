@@ -87,8 +87,8 @@ Geodesic_to_target trace_signpost(const View& view, const Signposts& signposts, 
   }
   r = follow_signpost(view, signposts, h ^ 1U, strip);
   if (!r.is_reached) return r;
-  for (auto s = strip.rbegin(); s != strip.rend(); ++s)
-    crossings.push_back({s->halfedge ^ 1U, 1 - s->parameter(r.slope)});
+  for (std::size_t i = strip.size(); i-- > 0;)
+    crossings.push_back({strip[i].halfedge ^ 1U, 1 - strip[i].parameter(r.slope)});
   if (r.along != Gluing::none) r.along ^= 1U;
   return r;
 }

@@ -42,38 +42,8 @@ excess of e over the errors of operations.
 doubles, which makes those of double-doubles, products of two such errors, four times as large
 (Boldo, Graillat, Muller, "On the robustness of the 2Sum and Fast2Sum algorithms", 2017).
 */
-inline Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d,
-                                          double e = Double_double::rounding()) {
-  using Number = Double_double;
-  constexpr double tiny = 0x1p-1000; // what underflows
-  const auto size = [](const Number& x) { return std::abs(x.magnitude()); };
-  const auto sum = [](const Number& u, const Number& v) { return Number::rough_sum(u, v); };
-  const Number &l = d.ij.center(), &f = d.area_f.center(), &g = d.area_g.center();
-  const double r_l = d.ij.radius(), r_f = d.area_f.radius(), r_g = d.area_g.radius(),
-               least = l.magnitude() * (1 - 0x1p-48) - r_l;
-  if (!(least > 0)) { // the edge may have no length
-    const Short_ball any = Short_ball::around(0, std::numeric_limits<double>::infinity());
-    return {any, any, any};
-  }
-
-  const Number m = sum(d.mj.center(), -d.im.center()), k = sum(d.jk.center(), -d.ki.center()),
-               x = sum(m, -k), y = sum(f, g), s = sum(x * x, y * y), n = sum(f * m, g * k),
-               quarter = Number(0.25) / l, km = s * quarter, half = y.scaled(0.5),
-               w = (n * quarter).scaled(2);
-  const auto radius_of_sum = [&](const Ball<Number>& u, const Ball<Number>& v) {
-    return u.radius() + v.radius() + e * (size(u.center()) + size(v.center()));
-  };
-  const double r_m = radius_of_sum(d.mj, d.im), r_k = radius_of_sum(d.jk, d.ki),
-               r_x = r_m + r_k + e * (size(m) + size(k)), r_y = radius_of_sum(d.area_f, d.area_g);
-  const double r_s = (2 * size(x) + r_x) * r_x + (2 * size(y) + r_y) * r_y + 2 * e * size(s),
-               r_n = size(f) * r_m + (size(m) + r_m) * r_f + size(g) * r_k + (size(k) + r_k) * r_g +
-                     2 * e * (size(f) * size(m) + size(g) * size(k));
-  const double r_km = (0.25 * r_s + size(km) * r_l + tiny) / least + 2 * e * size(km),
-               r_w = (0.5 * r_n + size(w) * r_l + tiny) / least + 2 * e * size(w),
-               r_area = 0.5 * r_y + r_w + e * (size(half) + size(w));
-  return {Ball<Number>::around(km, r_km), Ball<Number>::around(sum(half, w), r_area),
-          Ball<Number>::around(sum(half, -w), r_area)};
-}
+Flipped_values<Short_ball> flipped(const Diamond_values<Short_ball>& d,
+                                   double e = Double_double::rounding());
 
 /*!
 \brief holds the values of the faces that flips have met, and of those that were asked for; before

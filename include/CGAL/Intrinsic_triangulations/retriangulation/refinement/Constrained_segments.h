@@ -46,6 +46,19 @@ All elements are named by numbers, lengths are those of the complex.
 */
 class Constrained_segments {
 public:
+  /// has none yet.
+  Constrained_segments();
+  /// copies.
+  Constrained_segments(const Constrained_segments& other);
+  /// moves.
+  Constrained_segments(Constrained_segments&& other) noexcept;
+  /// copies.
+  Constrained_segments& operator=(const Constrained_segments& other);
+  /// moves.
+  Constrained_segments& operator=(Constrained_segments&& other) noexcept;
+  /// destructs.
+  ~Constrained_segments();
+
   /*!
   \brief adds an edge; all must be added before `find_small_angles()`.
   \tparam Complex a model of `NumberedComplex`
@@ -57,22 +70,20 @@ public:
   */
   template <NumberedComplex Complex>
   void add(const Complex& complex, std::uint32_t h, bool is_constrained, bool is_seam = false) {
-    set(h / 2, static_cast<std::uint32_t>(segments_.size()));
-    segments_.push_back({{complex.source(h), complex.target(h)},
-                         h,
-                         std::sqrt(complex.squared_length(h / 2)),
-                         is_constrained,
-                         is_seam});
+    add({{complex.source(h), complex.target(h)},
+         h,
+         std::sqrt(complex.squared_length(h / 2)),
+         is_constrained,
+         is_seam});
   }
 
   /// finds where two segments make a small angle. \complexity linear in the degrees of their ends
   template <NumberedComplex Complex>
   void find_small_angles(const Complex& complex) {
-    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
-      for (const std::uint32_t end : segments_[s].ends) at_[end].push_back(s);
-      for (const std::uint32_t h : {segments_[s].halfedge, segments_[s].halfedge ^ 1U})
+    note_ends();
+    for (const Segment& s : segments_)
+      for (const std::uint32_t h : {s.halfedge, s.halfedge ^ 1U})
         if (!complex.is_border(h)) find_small_angle(complex, h);
-    }
   }
 
   /// tells whether an edge is one, or a part of one.
@@ -100,8 +111,8 @@ public:
   */
   template <NumberedComplex Complex>
   double split_parameter(const Complex& complex, std::uint32_t h) const {
-    const bool at_source = has_small_angle_.count(complex.source(h)) != 0;
-    const bool at_target = has_small_angle_.count(complex.target(h)) != 0;
+    const bool at_source = has_small_angle(complex.source(h));
+    const bool at_target = has_small_angle(complex.target(h));
     if (at_source == at_target) return 0.5;
     const double length = std::sqrt(complex.squared_length(h / 2));
     // the power of two that is closest to half the length, by ratio: between 1/3 and 2/3 of it
@@ -119,16 +130,7 @@ public:
   \param parameter weight of the second end
   */
   void split(std::uint32_t whole, const std::array<std::uint32_t, 2>& parts,
-             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter) {
-    const std::uint32_t s = segment_[whole];
-    set(whole, Gluing::none);
-    for (const std::uint32_t part : parts) set(part, s);
-    Place p{s, {}};
-    for (std::size_t i = 0; i < 2; ++i)
-      p.distance[i] =
-          (1 - parameter) * distance(s, i, ends[0]) + parameter * distance(s, i, ends[1]);
-    place_[vertex] = p;
-  }
+             const std::array<std::uint32_t, 2>& ends, std::uint32_t vertex, double parameter);
 
   /*!
   \brief tells whether two vertices are on the two sides of a small angle, neither at its corner:
@@ -141,19 +143,7 @@ public:
   total angle is small: not if the line is a part of it
   */
   bool are_across_small_angle(std::uint32_t v, std::uint32_t w, double bound,
-                              bool may_be_one_segment = true) const {
-    for (const std::uint32_t s : segments_of(v))
-      for (const std::uint32_t t : segments_of(w))
-        for (std::size_t i = 0; i < 2 && (s != t || may_be_one_segment); ++i) {
-          const std::uint32_t corner = segments_[s].ends[i];
-          const std::optional<double> angle = small_angle(corner, s, t);
-          if (!angle || corner == v || corner == w) continue;
-          const std::size_t j = segments_[t].ends[0] == corner ? 0 : 1;
-          const double d = distance(s, i, v), e = distance(t, j, w);
-          if (*angle < bound || std::abs(d - e) <= same * d) return true;
-        }
-    return false;
-  }
+                              bool may_be_one_segment = true) const;
 
   /*!
   \brief tells whether both vertices opposite a segment lie across a small angle, at the same
@@ -184,27 +174,20 @@ private:
     std::array<double, 2> distance; // from the ends of the segment
   };
 
-  void set(std::uint32_t edge, std::uint32_t segment) {
-    if (edge >= segment_.size()) segment_.resize(edge + std::size_t{1}, Gluing::none);
-    segment_[edge] = segment;
-  }
+  void add(const Segment& segment);
+  void set(std::uint32_t edge, std::uint32_t segment);
+
+  // which segments end where
+  void note_ends();
+  bool has_small_angle(std::uint32_t vertex) const;
+  // between two segments at a corner; the least of several angles is kept
+  void note_small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t, double angle);
 
   // of a vertex of a segment from one of its ends, along it; unknown on loops
-  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const {
-    const Segment& segment = segments_[s];
-    if (segment.ends[0] == segment.ends[1]) return std::numeric_limits<double>::quiet_NaN();
-    if (vertex == segment.ends[end]) return 0;
-    const auto p = place_.find(vertex);
-    return p == place_.end() ? segment.length : p->second.distance[end];
-  }
+  double distance(std::uint32_t s, std::size_t end, std::uint32_t vertex) const;
 
   // the segments that a vertex is on
-  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const {
-    if (const auto p = place_.find(vertex); p != place_.end())
-      return std::span(&p->second.segment, 1);
-    const auto a = at_.find(vertex);
-    return a == at_.end() ? std::span<const std::uint32_t>() : std::span(a->second);
-  }
+  std::span<const std::uint32_t> segments_of(std::uint32_t vertex) const;
 
   // the angle to the next segment counterclockwise about the source, if it is below 60 degrees
   template <NumberedComplex Complex>
@@ -217,19 +200,12 @@ private:
       g = next_around_source(complex, g);
     } while (angle < limit && !is_segment(g / 2));
     if (!(angle < limit)) return;
-    const std::uint32_t corner = complex.source(h), s = segment_[h / 2], t = segment_[g / 2];
-    has_small_angle_.insert(corner);
-    const auto [known, is_new] =
-        small_angle_.insert({{corner, std::min(s, t), std::max(s, t)}, angle});
-    known->second = std::min(known->second, angle);
+    note_small_angle(complex.source(h), segment_[h / 2], segment_[g / 2], angle);
   }
 
   // between two segments at a corner, if it is small; between a segment and itself around its end,
   // if that has no other and a small total angle
-  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const {
-    const auto angle = small_angle_.find({corner, std::min(s, t), std::max(s, t)});
-    return angle == small_angle_.end() ? std::nullopt : std::optional(angle->second);
-  }
+  std::optional<double> small_angle(std::uint32_t corner, std::uint32_t s, std::uint32_t t) const;
 
   // Segments at smaller angles need shells (Ruppert 1995): splits of one encroach upon the other.
   static constexpr double limit = std::numbers::pi / 3;

@@ -35,13 +35,21 @@ A face that changes is pushed again, or removed; its old entry is then skipped.
 */
 class Face_queue {
 public:
+  /// has no faces yet.
+  Face_queue();
+  /// copies.
+  Face_queue(const Face_queue& other);
+  /// moves.
+  Face_queue(Face_queue&& other) noexcept;
+  /// copies.
+  Face_queue& operator=(const Face_queue& other);
+  /// moves.
+  Face_queue& operator=(Face_queue&& other) noexcept;
+  /// destructs.
+  ~Face_queue();
+
   /// pushes a face, whether it waits or not. \complexity logarithmic
-  void push(std::uint32_t face, double priority) {
-    resize(face);
-    if (ticket_[face] == 0) ++waiting_;
-    ticket_[face] = ++tickets_;
-    heap_.push({priority, tickets_, face});
-  }
+  void push(std::uint32_t face, double priority);
 
   /// removes a face, if it waits.
   void remove(std::uint32_t face) {
@@ -54,13 +62,7 @@ public:
   bool empty() const { return waiting_ == 0; }
 
   /// takes the first face out. \pre `!empty()`
-  std::uint32_t pop() {
-    while (ticket_[heap_.top().face] != heap_.top().ticket) heap_.pop();
-    const std::uint32_t face = heap_.top().face;
-    heap_.pop();
-    remove(face);
-    return face;
-  }
+  std::uint32_t pop();
 
   /// marks a face, and tells whether it was not marked.
   bool begin_check(std::uint32_t face) {
@@ -80,11 +82,7 @@ private:
     }
   };
 
-  void resize(std::uint32_t face) {
-    if (face < ticket_.size()) return;
-    ticket_.resize(face + std::size_t{1}, 0);
-    is_marked_.resize(face + std::size_t{1}, 0);
-  }
+  void resize(std::uint32_t face);
 
   std::priority_queue<Entry> heap_;
   std::vector<std::uint64_t> ticket_; // of the entry that is valid; 0: the face does not wait
@@ -119,17 +117,7 @@ public:
   or more
   */
   Refinement_test(double minimum_angle, double maximum_circumradius, double maximum_edge_length,
-                  int scale_exponent) {
-    if (!(minimum_angle >= 0 && minimum_angle < 60))
-      throw std::invalid_argument("the minimum angle must be at least 0 and below 60 degrees");
-    if (!(maximum_circumradius > 0) || !(maximum_edge_length > 0))
-      throw std::invalid_argument("the bounds of circumradius and edge length must be positive");
-    if (minimum_angle > 0)
-      // a little less, since rounding of the tangent should not let smaller angles pass
-      cotangent_ = (1 - 0x1p-50) / std::tan(minimum_angle * std::numbers::pi / 180);
-    squared_radius_ = squared(maximum_circumradius, scale_exponent);
-    squared_length_ = squared(maximum_edge_length, scale_exponent);
-  }
+                  int scale_exponent);
 
   /*!
   \brief decides about a face.

@@ -24,6 +24,18 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+Insertion_placer::Insertion_placer() = default;
+Insertion_placer::Insertion_placer(const Insertion_placer& other) = default;
+Insertion_placer::Insertion_placer(Insertion_placer&& other) = default;
+Insertion_placer& Insertion_placer::operator=(const Insertion_placer& other) = default;
+Insertion_placer& Insertion_placer::operator=(Insertion_placer&& other) noexcept = default;
+Insertion_placer::~Insertion_placer() = default;
+
+void Insertion_placer::forget_unfolded() {
+  short_.is_unfolded = false;
+  for (auto& [bits, numbers] : long_) numbers.is_unfolded = false;
+}
+
 std::optional<Seen_corner> Insertion_placer::seen_corner(const Input& input) const {
   const auto seen_in = [&](const auto& face) { return face.farthest_corner(input, place_); };
   if (!face_.is_vague()) return seen_in(face_);
@@ -77,8 +89,11 @@ void Insertion_placer::find_values(Numbers<Center>& numbers, const Input& input,
   }
 }
 
+void Insertion_placer::find_values(unsigned bits, const Input& input, bool along_side) {
+  bits == 106 ? find_values(short_, input, along_side)
+              : find_values(long_[bits], input, along_side);
+}
+
 template void Insertion_placer::unfold(Numbers<Double_double>&, const Input&);
-template void Insertion_placer::find_values(Numbers<Double_double>&, const Input&, bool);
-template void Insertion_placer::find_values(Numbers<Mpfr_number>&, const Input&, bool);
 
 } // namespace CGAL::Intrinsic_triangulations
