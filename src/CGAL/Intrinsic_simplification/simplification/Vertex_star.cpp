@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -13,25 +14,26 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 bool Vertex_star::find(const Coarse_mesh& mesh, std::uint32_t v) {
-  sides_.clear();
-  spoke_.clear();
-  rim_.clear();
   const std::uint32_t first = mesh.outgoing(v);
   vertex_ = v;
-  is_on_border_ = false;
+  size_ = 0;
+  spread_ = 0;
+  is_on_border_ = has_angles_ = false;
   is_proper_ = true;
   if (first == Gluing::none) return false;
   for (std::uint32_t h = first;;) {
     const Coarse_face& f = mesh.face(h / 3);
     const std::uint32_t k = h % 3, n = Gluing::next(k), l = Gluing::next(n);
-    sides_.push_back(h);
-    spoke_.push_back(f.length[k]);
-    rim_.push_back(f.length[n]);
-    is_proper_ = is_proper_ && f.origin[n] != v && f.origin[l] != v;
+    if (size_ + 2 > sides_.size()) grow();
+    sides_[size_] = h;
+    spoke_[size_] = f.length[k];
+    rim_[size_++] = f.length[n];
+    spread_ = std::max(spread_, f.spread);
+    if (f.origin[n] == v || f.origin[l] == v) is_proper_ = false;
     h = f.glue[l];
     if (h == Gluing::none) {
       is_on_border_ = true;
-      spoke_.push_back(f.length[l]);
+      spoke_[size_] = f.length[l];
       break;
     }
     if (h == first) break;
@@ -39,23 +41,31 @@ bool Vertex_star::find(const Coarse_mesh& mesh, std::uint32_t v) {
   return true;
 }
 
+void Vertex_star::grow() {
+  const std::size_t size = 2 * sides_.size() + 16;
+  sides_.resize(size);
+  spoke_.resize(size);
+  rim_.resize(size);
+}
+
 Vertex_star::Angles Vertex_star::angles(const Coarse_mesh& mesh, double factor) const {
   if (!is_proper_) return angles_with_loops(mesh, factor);
   // the angles as arguments of complex numbers, whose product is kept in the upper half plane
   double x = 1, y = 0, slope = 0;
   int half_turns = 0;
-  for (std::size_t k = 0; k < rim_.size(); ++k) {
+  for (std::size_t k = 0; k < size_; ++k) {
     const double a = factor * spoke_[k], b = factor * spoke_[after(k)], e = rim_[k];
     const double area = quadruple_area_of(a, b, e), p = a + b - e;
     const double scale = 1 / (std::abs(p) + area), c = p * scale, s = area * scale;
     const double turned = x * c - y * s;
     y = x * s + y * c;
     x = turned;
-    if (y < 0 || (y == 0 && x < 0)) {
-      x = -x;
-      y = -y;
-      ++half_turns;
-    }
+    // where it turns cannot be predicted: nothing branches on it
+    const bool turns = (y < 0) | ((y == 0) & (x < 0));
+    constexpr std::array<double, 2> signs{1, -1};
+    x *= signs[turns];
+    y *= signs[turns];
+    half_turns += turns;
     if (area > 0) slope += e / area;
     if (std::abs(x) + y < 0x1p-500) { // vertices of huge degree
       x *= 0x1p500;
@@ -72,7 +82,7 @@ double Vertex_star::flat_angle() const { return (is_on_border_ ? 1 : 2) * std::n
 Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
   if (!is_proper_) return search_bound(mesh, true);
   Bound result{std::numeric_limits<double>::infinity(), Gluing::none};
-  const std::size_t n = rim_.size();
+  const std::size_t n = size_;
   for (std::size_t k = 0; k < n; ++k) {
     const double a = spoke_[k], b = spoke_[after(k)], d = std::sqrt(a) - std::sqrt(b);
     if (d == 0 || !(rim_[k] / (d * d) < result.factor)) continue;
@@ -96,12 +106,12 @@ Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
 Vertex_star::Bound Vertex_star::bound_below(const Coarse_mesh& mesh) const {
   if (!is_proper_) return search_bound(mesh, false);
   Bound result{0, Gluing::none};
-  for (std::size_t k = 0; k < rim_.size(); ++k) {
+  for (std::size_t k = 0; k < size_; ++k) {
     const double c = std::sqrt(spoke_[k]) + std::sqrt(spoke_[after(k)]);
     if (rim_[k] / (c * c) > result.factor)
       result = {rim_[k] / (c * c), Gluing::none, static_cast<std::uint32_t>(k)};
   }
-  for (std::size_t k = 0; k < rim_.size(); ++k) {
+  for (std::size_t k = 0; k < size_; ++k) {
     const std::uint32_t h = Coarse_mesh::next(sides_[k]);
     if (!mesh.is_flippable(h)) continue;
     const std::uint32_t g = mesh.glued(h), next = Coarse_mesh::next(g),
@@ -140,7 +150,7 @@ double Vertex_star::cosine(const Coarse_mesh& mesh, std::uint32_t h, double fact
 // the other way.
 Vertex_star::Angles Vertex_star::angles_with_loops(const Coarse_mesh& mesh, double factor) const {
   Angles result;
-  for (const std::uint32_t h : sides_) {
+  for (const std::uint32_t h : sides()) {
     const std::uint32_t next = Coarse_mesh::next(h), last = Coarse_mesh::previous(h);
     const double a = scaled(mesh, h, factor), e = scaled(mesh, next, factor),
                  b = scaled(mesh, last, factor);
@@ -158,7 +168,7 @@ Vertex_star::Angles Vertex_star::angles_with_loops(const Coarse_mesh& mesh, doub
 std::uint32_t Vertex_star::changed_edge(const Coarse_mesh& mesh, double factor) const {
   double least = -1e-11;
   std::uint32_t result = Gluing::none;
-  for (const std::uint32_t s : sides_)
+  for (const std::uint32_t s : sides())
     for (const std::uint32_t h : {s, Coarse_mesh::next(s)}) {
       if (!mesh.is_flippable(h)) continue;
       const double sum = cosine(mesh, h, factor) + cosine(mesh, mesh.glued(h), factor);
@@ -186,16 +196,17 @@ Vertex_star::Bound Vertex_star::search_bound(const Coarse_mesh& mesh, bool above
 }
 
 void Vertex_star::scale(Coarse_mesh& mesh, double factor) {
+  has_angles_ = false;
   if (!is_proper_) {
     std::vector<std::pair<std::uint32_t, double>> lengths; // before any of them changes
-    for (const std::uint32_t s : sides_)
+    for (const std::uint32_t s : sides())
       for (const std::uint32_t h : {s, Coarse_mesh::next(s), Coarse_mesh::previous(s)})
         lengths.emplace_back(h, scaled(mesh, h, factor));
     for (const auto& [h, l] : lengths) mesh.change(h / 3).length[h % 3] = l;
     return;
   }
-  for (double& a : spoke_) a *= factor;
-  for (std::size_t k = 0; k < sides_.size(); ++k) {
+  for (std::size_t k = 0; k < number_of_spokes(); ++k) spoke_[k] *= factor;
+  for (std::size_t k = 0; k < size_; ++k) {
     Coarse_face& f = mesh.change(sides_[k] / 3);
     f.length[sides_[k] % 3] = spoke_[k];
     f.length[Coarse_mesh::previous(sides_[k]) % 3] = spoke_[after(k)];
