@@ -80,7 +80,7 @@ double Vertex_star::flat_angle() const { return (is_on_border_ ? 1 : 2) * std::n
 // A spoke is Delaunay while the cosines of the angles opposite to it do not sum below zero: times
 // the root of s, that is linear in s.
 Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
-  if (!is_proper_) return search_bound(mesh, true);
+  if (!is_proper_) return bound_with_loops(mesh, true);
   Bound result{std::numeric_limits<double>::infinity(), Gluing::none};
   const std::size_t n = size_;
   for (std::size_t k = 0; k < n; ++k) {
@@ -104,7 +104,7 @@ Vertex_star::Bound Vertex_star::bound_above(const Coarse_mesh& mesh) const {
 // A rim edge, likewise; the angle opposite to it across the star does not change, unless that is
 // in the star.
 Vertex_star::Bound Vertex_star::bound_below(const Coarse_mesh& mesh) const {
-  if (!is_proper_) return search_bound(mesh, false);
+  if (!is_proper_) return bound_with_loops(mesh, false);
   Bound result{0, Gluing::none};
   for (std::size_t k = 0; k < size_; ++k) {
     const double c = std::sqrt(spoke_[k]) + std::sqrt(spoke_[after(k)]);
@@ -139,13 +139,6 @@ double Vertex_star::scaled(const Coarse_mesh& mesh, std::uint32_t h, double fact
   return l;
 }
 
-// Twice the cosine of the angle opposite a side.
-double Vertex_star::cosine(const Coarse_mesh& mesh, std::uint32_t h, double factor) const {
-  const double e = scaled(mesh, h, factor), a = scaled(mesh, Coarse_mesh::next(h), factor),
-               b = scaled(mesh, Coarse_mesh::previous(h), factor);
-  return (a + b - e) / std::sqrt(a * b);
-}
-
 // With loops: the angles of a face at two of its corners change as much as that at the third one,
 // the other way.
 Vertex_star::Angles Vertex_star::angles_with_loops(const Coarse_mesh& mesh, double factor) const {
@@ -163,36 +156,36 @@ Vertex_star::Angles Vertex_star::angles_with_loops(const Coarse_mesh& mesh, doub
   return result;
 }
 
-// An edge of the star that is certainly not Delaunay, or the first side of a face without area;
-// none if there is neither.
-std::uint32_t Vertex_star::changed_edge(const Coarse_mesh& mesh, double factor) const {
-  double least = -1e-11;
-  std::uint32_t result = Gluing::none;
-  for (const std::uint32_t s : sides())
-    for (const std::uint32_t h : {s, Coarse_mesh::next(s)}) {
-      if (!mesh.is_flippable(h)) continue;
-      const double sum = cosine(mesh, h, factor) + cosine(mesh, mesh.glued(h), factor);
-      if (sum >= least) continue;
-      least = sum;
-      result = h;
-    }
-  return result;
+// Twice the cosine of the angle opposite a side, times a power of s that is the same on the other
+// side of the edge. A side with k ends at the vertex is multiplied by s^k, in a face with m corners
+// there. Of a, b and e in (a + b - e) / sqrt(a b), each one has the power k + 1 - m then: 0 or 1.
+Vertex_star::Linear_value Vertex_star::cosine(const Coarse_mesh& mesh, std::uint32_t h) const {
+  const std::array<std::uint32_t, 3> sides{h, Coarse_mesh::next(h), Coarse_mesh::previous(h)};
+  const auto ends = [&](std::uint32_t s) { return mesh.origin(s) == vertex_ ? 1 : 0; };
+  const int corners = ends(sides[0]) + ends(sides[1]) + ends(sides[2]);
+  Linear_value result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int power = ends(sides[i]) + ends(sides[(i + 1) % 3]) + 1 - corners;
+    (power == 0 ? result.constant : result.slope) += (i == 0 ? -1 : 1) * mesh.length(sides[i]);
+  }
+  const double root = std::sqrt(mesh.length(sides[1]) * mesh.length(sides[2]));
+  return {result.constant / root, result.slope / root};
 }
 
-// By small steps, and halving of the one in which the triangulation changes.
-Vertex_star::Bound Vertex_star::search_bound(const Coarse_mesh& mesh, bool above) const {
-  double good = 1, bad = 1;
-  for (int n = 0; n < 1000; ++n) {
-    bad *= above ? 1.05 : 1 / 1.05;
-    if (changed_edge(mesh, bad) != Gluing::none) break;
-    good = bad;
-  }
-  if (good == bad) return {bad, Gluing::none};
-  for (int n = 0; n < 60; ++n) {
-    const double middle = (good + bad) / 2;
-    (changed_edge(mesh, middle) == Gluing::none ? good : bad) = middle;
-  }
-  return {bad, changed_edge(mesh, bad)};
+// Edges as above; none is a bound where a face is straight whose longest side cannot be flipped.
+Vertex_star::Bound Vertex_star::bound_with_loops(const Coarse_mesh& mesh, bool above) const {
+  Bound result{above ? std::numeric_limits<double>::infinity() : 0, Gluing::none};
+  for (const std::uint32_t side : sides())
+    for (const std::uint32_t h : {side, Coarse_mesh::next(side)}) {
+      if (!mesh.is_flippable(h)) continue;
+      const Linear_value c = cosine(mesh, h), d = cosine(mesh, mesh.glued(h));
+      const double slope = c.slope + d.slope;
+      if (!(above ? slope < 0 : slope > 0)) continue; // the sum grows
+      const double s = -(c.constant + d.constant) / slope;
+      if (above ? s < result.factor : s > result.factor) result = {s, h};
+    }
+  result.factor = above ? std::max(result.factor, 1.) : std::min(result.factor, 1.);
+  return result;
 }
 
 void Vertex_star::scale(Coarse_mesh& mesh, double factor) {

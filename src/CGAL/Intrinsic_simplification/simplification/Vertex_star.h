@@ -70,12 +70,16 @@ public:
   void scale(Coarse_mesh& mesh, double factor);
 
 private:
+  // a constant, and a factor of s
+  struct Linear_value {
+    double constant = 0, slope = 0;
+  };
+
   void grow();
   double scaled(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
-  double cosine(const Coarse_mesh& mesh, std::uint32_t h, double factor) const;
   Angles angles_with_loops(const Coarse_mesh& mesh, double factor) const;
-  std::uint32_t changed_edge(const Coarse_mesh& mesh, double factor) const;
-  Bound search_bound(const Coarse_mesh& mesh, bool above) const;
+  Linear_value cosine(const Coarse_mesh& mesh, std::uint32_t h) const;
+  Bound bound_with_loops(const Coarse_mesh& mesh, bool above) const;
 
   // as long as the largest star so far, and one more
   std::vector<std::uint32_t> sides_;
