@@ -28,8 +28,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// The edges at a vertex, see `Flat_vertex_removal`. Ears of one plane go before: a vertex on a crease
-// leaves faces of planes, without new roots.
+// The edges at a vertex, see `Flat_vertex_removal`. Ears of one plane go before: a vertex on a
+// crease leaves faces of planes, without new roots.
 class Moved_star {
 public:
   using Halfedge = Gluing_map::Halfedge;
