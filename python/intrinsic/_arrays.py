@@ -40,7 +40,7 @@ def file_name(x, name="path"):
     return path
 
 
-def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
+def number(x, name, wanted="a finite positive number", holds=lambda x: 0 < x < np.inf):
     """Returns one real number as a float.
 
     `holds` tells whether it may be given, and `wanted` says to users which may.
@@ -55,7 +55,7 @@ def number(x, name, wanted="a positive number", holds=lambda x: 0 < x < np.inf):
 
 def not_negative(x, name):
     """Returns one number that is not negative, and finite."""
-    return number(x, name, "a number that is not negative", lambda x: 0 <= x < np.inf)
+    return number(x, name, "a finite number that is not negative", lambda x: 0 <= x < np.inf)
 
 
 def whole(x, name, wanted="a whole number that is not negative", least=0, most=2**53):

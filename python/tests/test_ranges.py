@@ -131,6 +131,18 @@ class Ranges(program.With_folder):
                     self.assertNotEqual(run.returncode, 2, run.stderr)
                     self.assertEqual(run.returncode == 0, self.is_done(call, x), run.stderr)
 
+    def test_infinity_is_refused_by_its_name(self):
+        for name, (_, call) in RANGES.items():
+            allowed = _core.ranges[name]
+            is_bounded = allowed["most"] is not None and allowed["most"] < 1e9
+            with self.subTest(name=name):
+                if allowed["most"] is None or allowed["whole"] or is_bounded:
+                    self.assertNotIn("finite", allowed["description"])
+                    continue
+                self.assertIn("finite", allowed["description"])
+                with self.assertRaisesRegex(ValueError, "finite"):
+                    call(self.s, math.inf)
+
     def is_done(self, call, x):
         try:
             call(self.s, x)

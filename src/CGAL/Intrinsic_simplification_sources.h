@@ -51,6 +51,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/simplification/flat_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/flatten.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/prolongation.cpp>
+#include <CGAL/Intrinsic_simplification/simplification/removable_vertices.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/removal_costs.cpp>
 #include <CGAL/Intrinsic_simplification/simplification/triangulate_star.cpp>
 

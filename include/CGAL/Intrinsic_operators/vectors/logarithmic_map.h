@@ -209,16 +209,15 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t,
   if (frames.is_isolated(v))
     throw std::invalid_argument("vertex " + std::to_string(frames.number(v)) +
                                 " has no face, so that there are no vectors at it");
+  auto distance = Polyhedral_distance<Triangulation>::on_faces(t);
+  distance.search(v, np);
   if constexpr (CorrespondingTriangulation<Triangulation>)
-    if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
-      on_faces.search(v, np);
-      return internal::logarithms(frames, on_faces, np,
+    if (distance.is_on_faces())
+      return internal::logarithms(frames, distance, np,
                                   internal::Vectors_at_copy<Triangulation>(frames, v));
-    }
-  return internal::logarithms(
-      frames, Polyhedral_distance<Triangulation>(t, v, np), np, [&](const Tangent_vector& x) {
-        return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
-      });
+  return internal::logarithms(frames, distance, np, [&](const Tangent_vector& x) {
+    return frames.to_field(frames.number(v), frames.at_corner(x.point, x.vector));
+  });
 }
 
 /*!
@@ -239,15 +238,15 @@ std::vector<std::complex<double>> logarithmic_map(const Triangulation& t, const 
       z = frames.from_corner(p, frames.from_field(frames.number(v), z));
     return result;
   }
+  auto distance = Polyhedral_distance<Triangulation>::on_faces(t);
+  distance.search(p, np);
   if constexpr (CorrespondingTriangulation<Triangulation>)
-    if (auto on_faces = Polyhedral_distance<Triangulation>::on_faces(t); on_faces.is_on_faces()) {
-      on_faces.search(p, np);
-      return internal::logarithms(frames, on_faces, np,
+    if (distance.is_on_faces())
+      return internal::logarithms(frames, distance, np,
                                   internal::Vectors_at_point<Triangulation>(t, p));
-    }
-  return internal::logarithms(
-      frames, Polyhedral_distance<Triangulation>(t, p, np), np,
-      [](const Tangent_vector& x) { return std::complex(x.vector[0], x.vector[1]); });
+  return internal::logarithms(frames, distance, np, [](const Tangent_vector& x) {
+    return std::complex(x.vector[0], x.vector[1]);
+  });
 }
 
 /// \cond

@@ -91,10 +91,11 @@ inline std::string Number_range::description() const {
     if (digits.back() == '.') digits.pop_back();
     return digits;
   };
-  if (is_positive) return "a positive " + number;
-  if (!is_whole && least > 0 && most > 1e9) return "a number from " + text(least);
+  const std::string finite = is_whole || most == ranges::any ? "" : "finite ";
+  if (is_positive) return "a " + finite + "positive " + number;
+  if (!is_whole && least > 0 && most > 1e9) return "a " + finite + "number from " + text(least);
   if (most >= ranges::most_whole)
-    return least == 0 ? "a " + number + " that is not negative" : "a positive " + number;
+    return least == 0 ? "a " + finite + number + " that is not negative" : "a positive " + number;
   return "a " + number + " from " + text(least) + " to " + text(most);
 }
 

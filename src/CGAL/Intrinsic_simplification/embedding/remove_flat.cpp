@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Pyramids.h>
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.h>
+#include <CGAL/Intrinsic_simplification/simplification/flip_away.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
@@ -13,8 +14,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <random>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -31,95 +30,62 @@ double power_of_source(const Metric_diamond& d) {
                   : -std::numeric_limits<double>::infinity();
 }
 
-// Flips edges away from one vertex, and removes it.
-class Flat_vertex_remover {
+// The edges at a vertex, see `Flat_vertex_removal`. By rounding, faces may seem a little concave at
+// the vertex where they are straight: with four edges on two lines, no diamond is strictly convex
+// there.
+class Metric_star {
 public:
-  Flat_vertex_remover(Metric_triangles& t, const Vertex_weights& equal) : t_(t), equal_(equal) {}
+  using Halfedge = std::uint32_t;
 
-  // \return whether the vertex is gone; otherwise others may have to be removed first. The
-  // triangles are Delaunay again.
-  bool remove(std::uint32_t v) {
-    changed_.clear();
-    straight_ = t_.flatten(v) ? 0x1p-80 : 1e-9;
-    const bool is_gone = flip_away(v) && take_out(v);
-    std::erase_if(changed_, [this](std::uint32_t h) { return t_.is_removed(h / 3); });
-    flip_to_convex(t_, equal_, changed_);
-    return is_gone;
+  // The vertex becomes flat.
+  Metric_star(Metric_triangles& t, std::uint32_t v)
+      : t_(t), v_(v), straight_(t.flatten(v) ? 0x1p-80 : 1e-9) {}
+
+  const std::vector<Halfedge>& find_edges() {
+    edges_.clear();
+    Halfedge h = t_.outgoing(v_);
+    do {
+      edges_.push_back(h);
+      h = t_.opposite(Metric_triangles::previous(h));
+    } while (h != t_.outgoing(v_));
+    return edges_;
+  }
+  std::array<bool, 3> are_here(Halfedge h) const {
+    return {t_.target(h) == v_, t_.source(Metric_triangles::previous(h)) == v_,
+            t_.source(Metric_triangles::previous(t_.opposite(h))) == v_};
+  }
+  bool is_in_two_faces(Halfedge h) const { return t_.is_in_two_faces(h); }
+  Ear_rank rank(Halfedge h) const { return {false, power_of_source(t_.unfold(h))}; }
+  bool flip(Halfedge h, bool /* is_last */) {
+    const Metric_diamond d = t_.unfold(h);
+    const std::array<double, 2> sines = d.sines();
+    const bool is_loop = t_.target(h) == v_;
+    if (!(sines[1] > 0) || !(sines[0] > (is_loop ? 0 : -straight_))) return false;
+    t_.flip(h, d);
+    for (const Halfedge side : {h, t_.opposite(h)}) add_changed(side / 3);
+    return true;
+  }
+  void take_out() {
+    for (const Halfedge h : edges_) changed_.push_back(Metric_triangles::next(h));
+    t_.remove(v_);
+    add_changed(edges_.front() / 3);
+  }
+  // Makes the triangles Delaunay again.
+  // \param equal weights, for which convex is Delaunay
+  void restore(const Vertex_weights& equal) {
+    std::erase_if(changed_, [this](Halfedge h) { return t_.is_removed(h / 3); });
+    flip_to_convex(t_, equal, changed_);
   }
 
 private:
-  struct Candidate {
-    int gain; // number of edge ends that leave the vertex
-    double power;
-    std::uint32_t halfedge;
-  };
-
-  int gain(std::uint32_t h) const {
-    const std::uint32_t v = t_.source(h);
-    const auto is_v = [&](std::uint32_t w) { return w == v ? 1 : 0; };
-    return 1 + is_v(t_.target(h)) - is_v(t_.source(Metric_triangles::previous(h))) -
-           is_v(t_.source(Metric_triangles::previous(t_.opposite(h))));
-  }
-
-  // Where the faces about a vertex are Delaunay, so are ears whose circles contain it the least:
-  // Devillers, "On deletion in Delaunay triangulations" (1999). Where edges from the vertex to
-  // itself block all ears, a flip that takes no end away changes the faces.
-  std::vector<Candidate> candidates(std::uint32_t v) {
-    std::vector<Candidate> result;
-    std::uint32_t h = t_.outgoing(v);
-    do {
-      if (const int g = gain(h); t_.is_in_two_faces(h) && g >= 0)
-        result.push_back(
-            {g, g > 0 ? power_of_source(t_.unfold(h)) : static_cast<double>(random_()), h});
-      h = t_.opposite(Metric_triangles::previous(h));
-    } while (h != t_.outgoing(v));
-    std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
-      return std::pair(a.gain, a.power) > std::pair(b.gain, b.power);
-    });
-    return result;
-  }
-
-  bool flip_one(std::uint32_t v) {
-    for (const Candidate& c : candidates(v)) {
-      const Metric_diamond d = t_.unfold(c.halfedge);
-      const std::array<double, 2> sines = d.sines();
-      const bool is_loop = t_.target(c.halfedge) == v;
-      if (!(sines[1] > 0) || !(sines[0] > (is_loop ? 0 : -straight_))) continue;
-      t_.flip(c.halfedge, d);
-      for (const std::uint32_t side : {c.halfedge, t_.opposite(c.halfedge)})
-        for (std::uint32_t k = 0; k < 3; ++k) changed_.push_back(side - side % 3 + k);
-      return true;
-    }
-    return false;
-  }
-
-  bool flip_away(std::uint32_t v) {
-    for (std::uint32_t left = 8 * t_.degree(v) + 32; t_.degree(v) > 3; --left)
-      if (left == 0 || !flip_one(v)) return false;
-    return true;
-  }
-
-  bool take_out(std::uint32_t v) {
-    const std::uint32_t first = t_.outgoing(v);
-    std::uint32_t h = first;
-    do {
-      if (t_.target(h) == v) return false;
-      changed_.push_back(Metric_triangles::next(h));
-      h = t_.opposite(Metric_triangles::previous(h));
-    } while (h != first);
-    if (t_.degree(v) != 3) return false;
-    t_.remove(v);
-    for (std::uint32_t k = 0; k < 3; ++k) changed_.push_back(first - first % 3 + k);
-    return true;
+  void add_changed(std::uint32_t face) {
+    for (Halfedge h = 3 * face; h < 3 * face + 3; ++h) changed_.push_back(h);
   }
 
   Metric_triangles& t_;
-  const Vertex_weights& equal_;        // weights, for which convex is Delaunay
-  std::vector<std::uint32_t> changed_; // halfedges of faces that flips have made
-  // Straight at the vertex is enough: with four edges on two lines, no diamond is strictly convex
-  // there. The face without area that the flip makes goes with the vertex.
-  double straight_ = 0;
-  std::minstd_rand random_;
+  std::uint32_t v_;
+  double straight_;
+  std::vector<Halfedge> edges_, changed_; // changed: of faces that are new
 };
 
 // Vertices that have to go. After removals, some more of them have lost their curvature to others.
@@ -143,20 +109,19 @@ double most_curvature(double within) {
 bool remove_flat(Metric_triangles& t, const std::vector<double>& within, Embedding_run& run) {
   const Vertex_weights equal(t.number_of_vertices());
   std::vector<std::uint32_t> left = flat_ones(t, within);
-  Flat_vertex_remover remover(t, equal);
-  // Loops at a vertex may go with its neighbours.
-  for (bool was_blocked = false; !left.empty();) {
-    std::vector<std::uint32_t> again;
-    for (const std::uint32_t v : left) {
-      if (!run.goes_on()) return false;
-      if (t.curvature(v) <= most_curvature(within[v]) && !remover.remove(v)) again.push_back(v);
-    }
-    const bool is_blocked = again.size() == left.size();
-    if (is_blocked && was_blocked) return false;
-    was_blocked = is_blocked;
-    left = again.empty() ? flat_ones(t, within) : std::move(again);
-  }
-  return true;
+  bool is_stopped = false;
+  const auto remove = [&](std::uint32_t v) {
+    is_stopped = is_stopped || !run.goes_on();
+    if (is_stopped) return false;
+    if (t.curvature(v) > most_curvature(within[v])) return true; // stays
+    Metric_star star(t, v);
+    const bool is_gone = Flat_vertex_removal(star).run();
+    star.restore(equal);
+    return is_gone;
+  };
+  return remove_in_rounds(left, remove, [&] {
+    if (left.empty()) left = flat_ones(t, within);
+  });
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -11,8 +11,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Removes the vertices whose curvature is at most `within` there, by flips until they have three
-// faces. Numbers of vertices stay; see `Metric_triangles::compress()`.
+// Removes the vertices whose curvature is at most `within` there, see `Flat_vertex_removal`.
+// Numbers of vertices stay; see `Metric_triangles::compress()`.
 // \return whether all could be removed
 bool remove_flat(Metric_triangles& t, const std::vector<double>& within, Embedding_run& run);
 

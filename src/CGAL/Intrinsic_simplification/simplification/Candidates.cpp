@@ -25,17 +25,13 @@ double mean_length_of(const Vertex_star& star) {
   return sum / static_cast<double>(star.number_of_spokes());
 }
 
-} // namespace
-
 // The spread of the faces at the vertex, and what their factor adds to it: that is about the
 // curvature divided by the sum of the cotangent weights, a Newton step.
-double Candidates::expected_stretch(const Coarse_mesh& mesh, const Vertex_star& star,
-                                    double curvature, double slope) const {
-  float spread = 0;
-  for (std::size_t n = 0; n < star.size(); ++n)
-    spread = std::max(spread, mesh.face(star.side(n) / 3).spread);
-  return static_cast<double>(spread) + 2 * std::abs(curvature) / std::max(slope, 1e-9);
+double expected_stretch(const Vertex_star& star, double curvature, double slope) {
+  return star.spread() + 2 * std::abs(curvature) / std::max(slope, 1e-9);
 }
+
+} // namespace
 
 // What part of the curvature each neighbour gets, up to a factor: to first order, that of the
 // cotangent weight of its edge.
@@ -88,8 +84,8 @@ void Candidates::find_neighbors(const Coarse_mesh& mesh, const Vertex_star& star
     if (n == v) continue;
     sum += shares_[k];
     spoke_of_.push_back(k);
-    neighbors_.push_back(
-        {n, shares_[k], std::ldexp(std::sqrt(star.spoke(k)), -fine_.scale_exponent), 0, 0});
+    neighbors_.push_back({mesh.number(n), shares_[k],
+                          std::ldexp(std::sqrt(star.spoke(k)), -fine_.scale_exponent), 0, 0});
   }
   for (Removal_neighbor& n : neighbors_)
     n.share = sum > 0 ? n.share / sum : 1 / static_cast<double>(neighbors_.size());
@@ -113,13 +109,14 @@ void Candidates::find_vectors(const Coarse_mesh& mesh, const Vertex_star& star) 
   }
 }
 
-void Candidates::describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
-  const Vertex_star::Angles angles = star.angles(mesh, 1);
+void Candidates::describe(const Coarse_mesh& mesh, Vertex_star& star, std::uint32_t v) {
+  const Vertex_star::Angles& angles = star.angles(mesh);
   const double curvature = star.flat_angle() - angles.sum;
-  candidate_ = {.vertex = fine_.row[v],
-                .number = v,
+  const std::uint32_t number = mesh.number(v);
+  candidate_ = {.vertex = fine_.row[number],
+                .number = number,
                 .curvature = curvature,
-                .stretch = expected_stretch(mesh, star, curvature, angles.slope)};
+                .stretch = expected_stretch(star, curvature, angles.slope)};
   if (cost_.is_stretch()) return; // asks for nothing else
   candidate_.area = std::ldexp(area_of(star), -2 * fine_.scale_exponent);
   candidate_.mean_length = std::ldexp(mean_length_of(star), -fine_.scale_exponent);
@@ -129,7 +126,7 @@ void Candidates::describe(const Coarse_mesh& mesh, const Vertex_star& star, std:
   if (cost_.needs_vectors()) find_vectors(mesh, star);
 }
 
-double Candidates::cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v) {
+double Candidates::cost(const Coarse_mesh& mesh, Vertex_star& star, std::uint32_t v) {
   describe(mesh, star, v);
   return cost_.cost(candidate_, neighbors_);
 }

@@ -23,7 +23,7 @@ public:
   Candidates(const Fine_surface& fine, Asked_cost& cost)
       : fine_(fine), cost_(cost), axis_(cost.needs_vectors() ? fine.row.size() : 0, 0) {}
 
-  double cost(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
+  double cost(const Coarse_mesh& mesh, Vertex_star& star, std::uint32_t v);
   // Whether costs are spreads of the bounds of faces, expected ones.
   bool are_stretches() const { return cost_.is_stretch(); }
   // Whether directions at vertices are needed.
@@ -56,9 +56,7 @@ private:
     std::vector<Removal_neighbor> neighbors;
   };
 
-  void describe(const Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
-  double expected_stretch(const Coarse_mesh& mesh, const Vertex_star& star, double curvature,
-                          double slope) const;
+  void describe(const Coarse_mesh& mesh, Vertex_star& star, std::uint32_t v);
   void find_shares(const Vertex_star& star);
   double mean_squared_length(const Vertex_star& star) const;
   Direction direction(const Coarse_mesh& mesh, std::uint32_t side) const;

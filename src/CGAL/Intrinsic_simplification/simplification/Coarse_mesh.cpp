@@ -58,7 +58,7 @@ Face_forms forms_about(const Side_values& near, const std::array<Interval, 3>& e
     return Side_values{near[0] * by, near[1] * by, near[2] * by};
   };
   double margin = 0x1p-51;
-  while (margin < 1 && !is_proven_above(grown(1 + margin), Interval(1), exact)) margin *= 2;
+  while (margin < 1 && !is_proven_above(grown(1 + margin), exact)) margin *= 2;
   const Side_values above =
       grown(margin < 1 ? 1 + margin : std::numeric_limits<double>::infinity());
   margin = 0x1p-51;
@@ -81,7 +81,7 @@ Face_forms to_side(const Face_forms& forms, std::uint32_t h) { return from_side(
 std::optional<std::array<Face_forms, 2>> flipped_forms(const Plane_diamond& d,
                                                        const std::array<Face_forms, 2>& old) {
   const Protect_FPU_rounding<true> up;
-  const Form_of_sides<Interval> left(d.left()), right(d.right());
+  const Form_of_sides left(d.left()), right(d.right());
   const Enclosed_form f = left(old[0].above), g = right(old[1].above), f_below = left(old[0].below),
                       g_below = right(old[1].below);
   const std::array<const Enclosed_form*, 2> above{&f, &g}, below{&f_below, &g_below};
@@ -138,13 +138,41 @@ Exact_point place_in(const Plane_triangle& p, const std::array<double, 3>& weigh
   return result;
 }
 
+// From a face on, breadth-first; vertices as they are met.
+Near_order::Near_order(const Gluing& g)
+    : vertex(g.number_of_vertices, Gluing::none), face(g.number_of_faces(), Gluing::none) {
+  std::vector<std::uint32_t> found;
+  found.reserve(face.size());
+  const auto visit = [&](std::uint32_t f) {
+    if (face[f] != Gluing::none) return;
+    face[f] = static_cast<std::uint32_t>(found.size());
+    found.push_back(f);
+  };
+  std::uint32_t met = 0;
+  const auto meet = [&](std::uint32_t v) {
+    if (vertex[v] == Gluing::none) vertex[v] = met++;
+  };
+  for (std::uint32_t f = 0, next = 0; f < face.size(); ++f)
+    for (visit(f); next < found.size(); ++next)
+      for (std::uint32_t h = 3 * found[next]; h < 3 * found[next] + 3; ++h) {
+        meet(g.origin[h]);
+        if (g.glue[h] != Gluing::none) visit(g.glue[h] / 3);
+      }
+  for (std::uint32_t v = 0; v < vertex.size(); ++v) meet(v); // isolated ones
+}
+
 Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
-    : faces_(fine.gluing.number_of_faces()), forms_(faces_.size()),
-      outgoing_(outgoing_sides(fine.gluing)), points_(fine.gluing.number_of_vertices) {
+    : order_(fine.gluing), number_(order_.vertex.size()), faces_(order_.face.size()),
+      forms_(faces_.size()), outgoing_(number_.size()), points_(number_.size()) {
+  const std::vector<std::uint32_t> outgoing = outgoing_sides(fine.gluing);
+  for (std::uint32_t v = 0; v < number_.size(); ++v) {
+    number_[order_.vertex[v]] = v;
+    outgoing_[order_.vertex[v]] = side(outgoing[v]);
+  }
   for (std::uint32_t h = 0; h < fine.gluing.origin.size(); ++h) {
-    Coarse_face& f = faces_[h / 3];
-    f.glue[h % 3] = fine.gluing.glue[h];
-    f.origin[h % 3] = fine.gluing.origin[h];
+    Coarse_face& f = faces_[order_.face[h / 3]];
+    f.glue[h % 3] = side(fine.gluing.glue[h]);
+    f.origin[h % 3] = order_.vertex[fine.gluing.origin[h]];
     f.length[h % 3] = fine.squared_length[h];
   }
   start_forms(fine);
@@ -154,8 +182,9 @@ Coarse_mesh::Coarse_mesh(const Fine_surface& fine)
 void Coarse_mesh::start_forms(const Fine_surface& fine) {
   const Protect_FPU_rounding<true> up;
   for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-    const Side_values& l = faces_[f].length;
-    forms_[f] = {l, l};
+    const Side_values& l = faces_[order_.face[f]].length;
+    Face_forms& forms = forms_[order_.face[f]];
+    forms = {l, l};
     std::array<Interval, 3> exact;
     bool is_exact = true;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -163,7 +192,7 @@ void Coarse_mesh::start_forms(const Fine_surface& fine) {
       exact[k] = Interval(l[k]) + Interval(-e, e);
       is_exact = is_exact && e == 0;
     }
-    if (!is_exact) forms_[f] = forms_about(l, exact);
+    if (!is_exact) forms = forms_about(l, exact);
   }
 }
 
@@ -226,6 +255,7 @@ bool Coarse_mesh::violates_delaunay(std::uint32_t h) const {
   const double e = length(h);
   const double p = length(next(h)) + length(previous(h)) - e;
   const double q = length(next(g)) + length(previous(g)) - e;
+  if (p >= 0 && q >= 0) return false; // most edges are opposite two acute angles
   const double a = quadruple_area(h / 3), b = quadruple_area(g / 3);
   return p * b + q * a < -1e-12 * (std::abs(p) * b + std::abs(q) * a + a * b);
 }

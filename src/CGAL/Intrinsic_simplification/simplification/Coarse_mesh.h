@@ -49,6 +49,13 @@ struct Turned_side {
   double angle; // from the old one counterclockwise, on the surface
 };
 
+// Where the vertices and the faces of a surface are stored: neighbours near each other, since steps
+// read and write small regions anywhere.
+struct Near_order {
+  explicit Near_order(const Gluing& g);
+  std::vector<std::uint32_t> vertex, face; // of the surface: where they are here
+};
+
 // The triangulation while vertices are removed. Changes are recorded, and can be taken back.
 class Coarse_mesh {
 public:
@@ -57,7 +64,15 @@ public:
   static std::uint32_t next(std::uint32_t h) { return Gluing::next(h); }
   static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-  const std::vector<Coarse_face>& faces() const { return faces_; }
+  // Vertices and faces in the order of the fine surface.
+  const std::vector<std::uint32_t>& vertices() const { return order_.vertex; }
+  const std::vector<std::uint32_t>& faces() const { return order_.face; }
+  // The number of a vertex on the fine surface.
+  std::uint32_t number(std::uint32_t v) const { return number_[v]; }
+  // The side that was one of the fine surface.
+  std::uint32_t side(std::uint32_t h) const {
+    return h == Gluing::none ? h : 3 * order_.face[h / 3] + h % 3;
+  }
   const Coarse_face& face(std::uint32_t f) const { return faces_[f]; }
   const Face_forms& forms(std::uint32_t f) const { return forms_[f]; }
   const Point_on_coarse& point(std::uint32_t v) const { return points_[v]; }
@@ -142,6 +157,8 @@ private:
   void rewire(std::uint32_t h, double length);
   void start_forms(const Fine_surface& fine);
 
+  Near_order order_;
+  std::vector<std::uint32_t> number_; // of each vertex
   std::vector<Coarse_face> faces_;
   std::vector<Face_forms> forms_;
   std::vector<std::uint32_t> outgoing_;

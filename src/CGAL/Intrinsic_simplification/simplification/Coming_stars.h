@@ -15,10 +15,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
 Brings faces into the cache that are read next. Cheap vertices are anywhere on the surface, and each
-face of a star says where the next one is: on meshes larger than the cache (armadillo, bunny00), a
-fifth of the time was spent waiting for them. While a vertex is removed, the stars of those that
-are first in the queue are followed, one face in each direction at a time. That saves a tenth on
-these meshes, and changes no result.
+face of a star says where the next one is: meshes larger than the cache (armadillo, bunny00) wait
+for them. While a vertex is removed, the stars of those that are first in the queue are followed,
+one face in each direction at a time. With faces stored near their neighbours that saves 1 to 7
+percent, and changes no result.
 */
 class Coming_stars {
 public:

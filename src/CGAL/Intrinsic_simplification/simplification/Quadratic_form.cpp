@@ -42,9 +42,41 @@ struct Comparison_of_forms {
 
 Side_values times(double c, const Side_values& q) { return {c * q[0], c * q[1], c * q[2]}; }
 
+// Products of finite numbers, each equal to `Interval(a) * Interval(b)`. That tries all pairs of
+// bounds, which would be most of the time of a proof.
+Interval exact_product(double a, double b) { return {-CGAL_IA_MUL(-a, b), CGAL_IA_MUL(a, b)}; }
+Interval exact_product(double a, const Interval& b) {
+  return {-std::max(CGAL_IA_MUL(-a, b.inf()), CGAL_IA_MUL(-a, b.sup())),
+          std::max(CGAL_IA_MUL(a, b.inf()), CGAL_IA_MUL(a, b.sup()))};
+}
+Interval exact_product(const Interval& a, const Interval& b) { return a * b; }
+
+// The same if the first one is not negative: its bounds multiply those of the other one.
+#ifdef CGAL_USE_SSE2
+__m128d positive_multiple(double a, const Interval& b) {
+  return IA_opacify128(
+      _mm_mul_pd(IA_opacify128_weak(_mm_set1_pd(a)), IA_opacify128_weak(b.simd())));
+}
+Interval positive_product(double a, const Interval& b) { return Interval(positive_multiple(a, b)); }
+Interval positive_product(const Interval& a, const Interval& b) {
+  return Interval(_mm_max_pd(positive_multiple(a.inf(), b), positive_multiple(a.sup(), b)));
+}
+#else
+Interval positive_product(double a, const Interval& b) { return a * b; }
+Interval positive_product(const Interval& a, const Interval& b) { return a * b; }
+#endif
+
+// Certainly a product of numbers that are not negative is at least the square of a number between
+// the bounds.
+bool is_proven_at_least_square(double a, double b, const Interval& root) {
+  const double least = -CGAL_IA_MUL(-a, b);
+  return CGAL_IA_MUL(root.inf(), root.inf()) <= least &&
+         CGAL_IA_MUL(root.sup(), root.sup()) <= least;
+}
+
 // of a form with values on the sides of a triangle
 bool is_nowhere_negative(const Interval& a, const Interval& b, const Interval& c) {
-  return a.inf() >= 0 && c.inf() >= 0 && (Interval(4) * a * c - square(a + c - b)).inf() >= 0;
+  return a.inf() >= 0 && c.inf() >= 0 && is_proven_at_least_square(4 * a.inf(), c.inf(), a + c - b);
 }
 
 bool is_above_all(const Enclosed_form& m, std::span<const Enclosed_form* const> forms) {
@@ -55,6 +87,47 @@ bool is_below_all(const Enclosed_form& m, std::span<const Enclosed_form* const> 
 }
 
 } // namespace
+
+Form_of_sides::Form_of_sides(const Plane_triangle& p) {
+  const auto difference = [](double a, double b) { return Interval(a) - Interval(b); };
+  if (p[0].x == 0 && p[0].y == 0)
+    measure(p[1].x, p[1].y, p[2].x, p[2].y);
+  else
+    measure(difference(p[1].x, p[0].x), difference(p[1].y, p[0].y), difference(p[2].x, p[0].x),
+            difference(p[2].y, p[0].y));
+}
+
+// The sides from the first point are (x, y) and (u, w).
+template <class Number>
+void Form_of_sides::measure(Number x, Number y, Number u, Number w) {
+  const Interval xw = exact_product(x, w), uy = exact_product(u, y), area = square(xw - uy);
+  if (!(area.inf() > 0)) {
+    xx_.fill(Interval::largest());
+    xy_ = yy_ = xx_;
+    return;
+  }
+  const Interval inverse = 1. / area;
+  const auto divided = [&](const Interval& a) { return positive_product(inverse, a); };
+  const Interval wy = Interval(w) - Interval(y), ux = Interval(u) - Interval(x);
+  xx_ = {divided(exact_product(w, wy)), divided(exact_product(w, y)),
+         -divided(exact_product(y, wy))};
+  yy_ = {divided(exact_product(u, ux)), divided(exact_product(u, x)),
+         -divided(exact_product(x, ux))};
+  const Interval half = (uy + xw) * 0.5;
+  xy_ = {divided(half - exact_product(u, w)), -divided(half), divided(half - exact_product(x, y))};
+}
+
+Enclosed_form Form_of_sides::operator()(const Side_values& q) const {
+  const auto sum_of = [&](const std::array<Interval, 3>& c, const auto& times) {
+    return times(q[0], c[0]) + times(q[1], c[1]) + times(q[2], c[2]);
+  };
+  const auto matrix = [&](const auto& times) {
+    return Enclosed_form{sum_of(xx_, times), sum_of(xy_, times), sum_of(yy_, times)};
+  };
+  if (q[0] >= 0 && q[1] >= 0 && q[2] >= 0)
+    return matrix([](double a, const Interval& b) { return positive_product(a, b); });
+  return matrix([](double a, const Interval& b) { return exact_product(a, b); });
+}
 
 Side_values side_values(const Form& m, const Plane_triangle& p) {
   return {value(m, p[1].x - p[0].x, p[1].y - p[0].y), value(m, p[2].x - p[1].x, p[2].y - p[1].y),
@@ -89,13 +162,13 @@ std::array<double, 2> factors(const Side_values& form, const Side_values& by) {
 }
 
 bool is_proven_above(const Enclosed_form& upper, const Enclosed_form& lower) {
-  const Interval x = upper.xx - lower.xx, z = upper.yy - lower.yy, y = upper.xy - lower.xy;
-  return x.inf() >= 0 && z.inf() >= 0 && (x * z - square(y)).inf() >= 0;
+  const Interval x = upper.xx - lower.xx, z = upper.yy - lower.yy;
+  return x.inf() >= 0 && z.inf() >= 0 &&
+         is_proven_at_least_square(x.inf(), z.inf(), upper.xy - lower.xy);
 }
 
-bool is_proven_above(const Side_values& upper, const Interval& factor,
-                     const std::array<Interval, 3>& lower) {
-  const auto difference = [&](std::size_t k) { return factor * Interval(upper[k]) - lower[k]; };
+bool is_proven_above(const Side_values& upper, const std::array<Interval, 3>& lower) {
+  const auto difference = [&](std::size_t k) { return Interval(upper[k]) - lower[k]; };
   return is_nowhere_negative(difference(0), difference(1), difference(2));
 }
 

@@ -44,28 +44,18 @@ using Form = Symmetric_matrix<double>;
 // A matrix that contains the form.
 using Enclosed_form = Symmetric_matrix<Interval>;
 
-// The matrix of the form with values on the sides of a triangle that is known by two of its sides:
-// each entry is linear in the three values.
-template <class FT>
+// The matrix of the form with values on the sides of a triangle: each entry is linear in the three
+// values. The first point may be the origin: then sides are exact, and products of them cheap.
 class Form_of_sides {
 public:
-  explicit Form_of_sides(const Plane_triangle& p) {
-    const FT x = FT(p[1].x) - FT(p[0].x), y = FT(p[1].y) - FT(p[0].y), u = FT(p[2].x) - FT(p[0].x),
-             w = FT(p[2].y) - FT(p[0].y), d = x * w - y * u, inverse = FT(1) / (d * d);
-    xx_ = {w * (w - y) * inverse, w * y * inverse, y * (y - w) * inverse};
-    yy_ = {u * (u - x) * inverse, u * x * inverse, x * (x - u) * inverse};
-    const FT uw = u * w, xy = x * y, half = (u * y + x * w) * FT(0.5);
-    xy_ = {(half - uw) * inverse, -half * inverse, (half - xy) * inverse};
-  }
-  Symmetric_matrix<FT> operator()(const Side_values& q) const {
-    const auto entry = [&](const std::array<FT, 3>& c) {
-      return q[0] * c[0] + q[1] * c[1] + q[2] * c[2];
-    };
-    return {entry(xx_), entry(xy_), entry(yy_)};
-  }
+  explicit Form_of_sides(const Plane_triangle& p);
+  Enclosed_form operator()(const Side_values& q) const;
 
 private:
-  std::array<FT, 3> xx_, xy_, yy_; // factors of the values
+  template <class Number>
+  void measure(Number x, Number y, Number u, Number w);
+
+  std::array<Interval, 3> xx_, xy_, yy_; // factors of the values
 };
 
 inline double determinant(const Form& m) { return m.xx * m.yy - m.xy * m.xy; }
@@ -90,9 +80,8 @@ std::array<double, 2> factors(const Side_values& form, const Side_values& by);
 // Certainly `upper` minus `lower` is nowhere negative.
 bool is_proven_above(const Enclosed_form& upper, const Enclosed_form& lower);
 
-// The same for values on one triangle: factor times `upper`, and `lower`.
-bool is_proven_above(const Side_values& upper, const Interval& factor,
-                     const std::array<Interval, 3>& lower);
+// The same for values on one triangle.
+bool is_proven_above(const Side_values& upper, const std::array<Interval, 3>& lower);
 
 // Certainly the values are those of a form that is nowhere above the other one.
 bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& upper);
@@ -107,7 +96,7 @@ struct Proven_form {
 struct Measured_triangle {
   explicit Measured_triangle(const Plane_triangle& p) : points(p), matrix(p) {}
   Plane_triangle points;
-  Form_of_sides<Interval> matrix;
+  Form_of_sides matrix;
 };
 
 // A form that is proven to be above all given ones; nothing if the triangle has no area in

@@ -17,8 +17,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Removal_entry {
   double cost;
   std::uint32_t vertex;
+  std::uint32_t number; // on the fine surface
   bool operator>(const Removal_entry& e) const {
-    return cost != e.cost ? cost > e.cost : vertex > e.vertex;
+    return cost != e.cost ? cost > e.cost : number > e.number;
   }
 };
 
@@ -43,7 +44,7 @@ public:
   }
   // Gives the first entry another cost. Returns whether it still is the first one.
   bool change_top(double cost) {
-    const Removal_entry e{cost, heap_.front().vertex};
+    const Removal_entry e{cost, heap_.front().vertex, heap_.front().number};
     std::size_t at = 0;
     for (std::size_t child = 1; child < heap_.size(); child = 2 * at + 1) {
       if (child + 1 < heap_.size() && heap_[child] > heap_[child + 1]) ++child;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Intrinsic_simplification/simplification/Simplifier.h>
-#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <algorithm>
@@ -22,108 +21,31 @@ constexpr double negligible_spread = 1e-9;
 
 Simplifier::Simplifier(const Fine_surface& fine, const std::vector<char>& may_go,
                        const Simplify_options& options, Asked_cost& cost)
-    : fine_(fine), options_(options), mesh_(fine),
-      fate_(fine.gluing.number_of_vertices, Fate::open), is_cost_old_(fate_.size(), 0),
+    : fine_(fine), options_(options), mesh_(fine), vertices_(fine.gluing.number_of_vertices),
       candidates_(fine, cost) {
   if (candidates_.need_vectors()) mesh_.track_turns();
   find_copies();
   mark_kept(may_go);
   keep_copies();
   count_components();
-  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
     if (mesh_.outgoing(v) == Gluing::none) continue;
     ++number_left_;
     if (v == first_copy(v)) push(v);
   }
 }
 
-// Sorts vertices by their rows.
-void Simplifier::find_copies() {
-  std::vector<std::uint32_t> size(fine_.number_of_rows, 0);
-  for (const std::uint32_t row : fine_.row) ++size[row];
-  begin_.assign(1, 0);
-  for (const std::uint32_t n : size) begin_.push_back(begin_.back() + n);
-  copies_.resize(fine_.row.size());
-  std::vector<std::uint32_t> next = begin_;
-  for (std::uint32_t v = 0; v < fine_.row.size(); ++v) copies_[next[fine_.row[v]]++] = v;
-}
-
-// If one copy stays, all do.
-void Simplifier::keep_copies() {
-  for (std::uint32_t v = 0; v < fate_.size(); ++v)
-    if (fate_[v] == Fate::stays)
-      for (const std::uint32_t copy : copies(v)) fate_[copy] = Fate::stays;
-}
-
-void Simplifier::mark_kept(const std::vector<char>& may_go) {
-  std::vector<char> is_kept(fine_.number_of_rows, 0);
-  for (const std::uint32_t row : options_.kept_vertices) {
-    if (row >= fine_.number_of_rows)
-      throw Invalid_input::about(Element_kind::vertex, row, " shall stay, but does not exist");
-    is_kept[row] = 1;
-  }
-  for (std::uint32_t v = 0; v < fate_.size(); ++v)
-    if (mesh_.outgoing(v) == Gluing::none || is_kept[fine_.row[v]] != 0 ||
-        (!may_go.empty() && may_go[v] == 0))
-      fate_[v] = Fate::stays;
-  std::vector<std::uint32_t> edges = options_.kept_edges;
-  std::ranges::sort(edges);
-  if (!edges.empty() && edges.back() > *std::ranges::max_element(fine_.edge))
-    throw Invalid_input::about(Element_kind::edge, edges.back(), " shall stay, but does not exist");
-  for (std::uint32_t h = 0; h < fine_.edge.size() && !edges.empty(); ++h)
-    if (std::ranges::binary_search(edges, fine_.edge[h])) {
-      mesh_.keep_side(h);
-      fate_[fine_.gluing.origin[h]] = fate_[fine_.gluing.origin[Gluing::next(h)]] = Fate::stays;
-    }
-  // several fans of faces at one vertex
-  std::vector<std::uint32_t> corners(fate_.size(), 0);
-  for (const std::uint32_t v : fine_.gluing.origin) ++corners[v];
-  for (std::uint32_t v = 0; v < fate_.size(); ++v)
-    if (fate_[v] == Fate::open) {
-      star_.find(mesh_, v);
-      if (star_.size() != corners[v]) fate_[v] = Fate::stays;
-    }
-}
-
-// By Gauss and Bonnet, curvatures sum to 2 pi times the Euler characteristic of a component. They
-// are below 2 pi inside and below pi on the border: twice the vertices inside and those on the
-// border are more than twice the characteristic. A loop of the border needs a vertex, too.
-void Simplifier::count_components() {
-  const Gluing& g = fine_.gluing;
-  component_ = joined_sets(g.number_of_vertices, [&](const auto& join) {
-    for (std::uint32_t h = 0; h < g.origin.size(); ++h) join(g.origin[h], g.origin[g.next(h)]);
-  });
-  loop_ = joined_sets(g.number_of_vertices, [&](const auto& join) {
-    for (std::uint32_t h = 0; h < g.origin.size(); ++h)
-      if (g.glue[h] == Gluing::none) join(g.origin[h], g.origin[g.next(h)]);
-  });
-  is_on_border_.assign(fate_.size(), 0);
-  weight_.assign(fate_.size(), 0);
-  least_weight_.assign(fate_.size(), 0);
-  left_on_loop_.assign(fate_.size(), 0);
-  for (std::uint32_t h = 0; h < g.origin.size(); ++h) {
-    if (g.glue[h] == Gluing::none) is_on_border_[g.origin[h]] = 1;
-    // an edge between two faces has two sides
-    least_weight_[component_[g.origin[h]]] -=
-        (g.glue[h] == Gluing::none ? 2 : 1) - (h % 3 == 0 ? 2 : 0);
-  }
-  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
-    least_weight_[component_[v]] += 2;
-    weight_[component_[v]] += weight(v);
-    ++left_on_loop_[loop_[v]];
-  }
-  for (std::ptrdiff_t& w : least_weight_) w = std::max<std::ptrdiff_t>(w, 0) + 1;
-}
-
 bool Simplifier::is_last(std::uint32_t v) const {
-  return weight_[component_[v]] - weight(v) < least_weight_[component_[v]] ||
-         (is_on_border_[v] != 0 && left_on_loop_[loop_[v]] == 1);
+  const Vertex& of = vertices_[v];
+  return weight_[of.component] - weight(of) < least_weight_[of.component] ||
+         (of.is_on_border && left_on_loop_[of.loop] == 1);
 }
 
 // Notes that a vertex is gone, or is there again.
 void Simplifier::add_to_counts(std::uint32_t v, int sign) {
-  weight_[component_[v]] += sign * weight(v);
-  left_on_loop_[loop_[v]] += static_cast<std::size_t>(sign);
+  const Vertex& of = vertices_[v];
+  weight_[of.component] += sign * weight(of);
+  if (of.is_on_border) left_on_loop_[of.loop] += static_cast<std::size_t>(sign);
 }
 
 // Finds what it costs to remove a vertex, the most expensive one of its copies, and whether that is
@@ -136,21 +58,22 @@ bool Simplifier::find_cost(std::uint32_t v, double& cost) {
     if (!(other <= cost)) cost = other;
   }
   const bool is_allowed = std::isfinite(cost) && cost <= options_.cost;
-  for (const std::uint32_t copy : copies(v)) fate_[copy] = is_allowed ? Fate::open : Fate::bound;
-  is_cost_old_[v] = 0;
+  for (const std::uint32_t copy : copies(v))
+    vertices_[copy].fate = is_allowed ? Fate::open : Fate::bound;
+  vertices_[v].is_cost_old = false;
   return is_allowed;
 }
 
 void Simplifier::push(std::uint32_t v) {
-  if (fate_[v] == Fate::stays || fate_[v] == Fate::removed) return;
-  if (double cost = 0; find_cost(v, cost)) queue_.push({cost, v});
+  if (vertices_[v].fate == Fate::stays || vertices_[v].fate == Fate::removed) return;
+  if (double cost = 0; find_cost(v, cost)) queue_.push({cost, v, mesh_.number(v)});
 }
 
 // Takes the cheapest vertex out of the queue, or none; its star is in `star_` if it has no copies.
 Removal_entry Simplifier::pop() {
   while (!queue_.empty()) {
     Removal_entry e = queue_.top();
-    const bool is_old = is_cost_old_[e.vertex] != 0;
+    const bool is_old = vertices_[e.vertex].is_cost_old;
     if (!is_old)
       star_.find(mesh_, e.vertex);
     else if (!find_cost(e.vertex, e.cost)) {
@@ -163,7 +86,7 @@ Removal_entry Simplifier::pop() {
     queue_.pop();
     return e;
   }
-  return {0, Gluing::none};
+  return {0, Gluing::none, Gluing::none};
 }
 
 // Whether an edge from the vertex to itself must stay, such as the last one of a border.
@@ -212,9 +135,7 @@ bool Simplifier::open_loops(std::uint32_t v) {
 }
 
 void Simplifier::restore_delaunay() {
-  stack_.clear();
-  for (const std::uint32_t f : removal_.new_faces())
-    for (std::uint32_t h = 3 * f; h < 3 * f + 3; ++h) stack_.push_back(h);
+  removal_.list_edges(stack_);
   if (step_.flips > 0) // loops were flipped away
     for (const std::uint32_t f : mesh_.changed())
       if (!mesh_.face(f).is_removed)
@@ -257,9 +178,7 @@ bool Simplifier::is_within_bounds() {
 Simplifier::Fate Simplifier::replace_star(std::uint32_t v) {
   coming_.advance(mesh_);
   if (!open_loops(v)) return Fate::failed;
-  double before = 0;
-  for (const std::uint32_t h : star_.sides())
-    before = std::max<double>(before, mesh_.face(h / 3).spread);
+  const double before = star_.spread();
   if (!removal_.remove(mesh_, star_, v)) return Fate::failed;
   coming_.advance(mesh_);
   restore_delaunay();
@@ -291,7 +210,7 @@ Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   coming_.begin(mesh_, queue_);
   step_ = {};
   if (candidates_.remember())
-    candidates_.describe_all(mesh_, copies(v), [&](std::uint32_t copy) -> const Vertex_star& {
+    candidates_.describe_all(mesh_, copies(v), [&](std::uint32_t copy) -> Vertex_star& {
       if (copies(v).size() > 1) star_.find(mesh_, copy);
       return star_;
     });
@@ -319,8 +238,8 @@ void Simplifier::renew_costs() {
   for (const std::uint32_t f : touched_) {
     if (mesh_.face(f).is_removed) continue;
     for (const std::uint32_t corner : mesh_.face(f).origin)
-      if (const std::uint32_t v = first_copy(corner); fate_[v] == Fate::open)
-        is_cost_old_[v] = 1;
+      if (const std::uint32_t v = first_copy(corner); vertices_[v].fate == Fate::open)
+        vertices_[v].is_cost_old = true;
       else
         push(v);
   }
@@ -329,7 +248,7 @@ void Simplifier::renew_costs() {
 void Simplifier::run(std::size_t wanted) {
   status_ = number_left_ <= wanted ? Status::done : Status::stalled;
   while (number_left_ > wanted) {
-    const auto [expected, v] = pop();
+    const auto [expected, v, number] = pop();
     if (v == Gluing::none) return;
     if (++number_tried_ % 256 == 0 && options_.progress &&
         !options_.progress({number_removed_, number_left_})) {
@@ -337,8 +256,8 @@ void Simplifier::run(std::size_t wanted) {
       return;
     }
     const Fate fate = remove(v, expected);
-    for (const std::uint32_t copy : copies(v)) fate_[copy] = fate;
-    if (fate == Fate::open) queue_.push({step_.spread, v});
+    for (const std::uint32_t copy : copies(v)) vertices_[copy].fate = fate;
+    if (fate == Fate::open) queue_.push({step_.spread, v, number});
     if (fate != Fate::removed) continue;
     number_left_ -= copies(v).size();
     number_removed_ += copies(v).size();

@@ -43,16 +43,26 @@ private:
     double spread = 0; // the greatest one of the faces that have changed
   };
 
+  struct Vertex {
+    std::uint32_t first_copy = 0;
+    std::uint32_t component = 0; // by its number
+    std::uint32_t loop = 0;      // of the border, by its number
+    Fate fate = Fate::open;
+    bool is_on_border = false, is_alone = false; // without other copies
+    bool is_cost_old = false;                    // in the queue, and its star has changed
+  };
+
   void find_copies();
   std::span<const std::uint32_t> copies(std::uint32_t v) const {
-    const std::uint32_t row = fine_.row[v];
+    if (vertices_[v].is_alone) return {&vertices_[v].first_copy, 1};
+    const std::uint32_t row = fine_.row[mesh_.number(v)];
     return std::span(copies_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
   }
-  std::uint32_t first_copy(std::uint32_t v) const { return copies_[begin_[fine_.row[v]]]; }
+  std::uint32_t first_copy(std::uint32_t v) const { return vertices_[v].first_copy; }
   void mark_kept(const std::vector<char>& may_go);
   void keep_copies();
   void count_components();
-  std::ptrdiff_t weight(std::uint32_t v) const { return is_on_border_[v] != 0 ? 1 : 2; }
+  static std::ptrdiff_t weight(const Vertex& v) { return v.is_on_border ? 1 : 2; }
   bool is_last(std::uint32_t v) const;
   void add_to_counts(std::uint32_t v, int sign);
   bool find_cost(std::uint32_t v, double& cost);
@@ -80,11 +90,8 @@ private:
   const Fine_surface& fine_;
   const Simplify_options& options_;
   Coarse_mesh mesh_;
-  std::vector<Fate> fate_;
-  std::vector<std::uint32_t> copies_, begin_;   // vertices by rows, and where each row begins
-  std::vector<char> is_cost_old_;               // of each vertex in the queue: its star has changed
-  std::vector<std::uint32_t> component_, loop_; // of each vertex, and of the border
-  std::vector<char> is_on_border_;              // each vertex
+  std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> copies_, begin_;         // vertices by rows, where each row begins
   std::vector<std::ptrdiff_t> weight_, least_weight_; // of the vertices of each component
   std::vector<std::size_t> left_on_loop_;             // vertices of each loop of the border
   Removal_queue queue_;

@@ -121,7 +121,7 @@ bool Star_removal::find_forms(const Coarse_mesh& mesh, const Vertex_star& star) 
   below_.clear();
   covers_.clear();
   for (std::size_t k = 0; k < star.size(); ++k) {
-    const Form_of_sides<Interval> matrix(old_triangle(k));
+    const Form_of_sides matrix(old_triangle(k));
     const Face_forms& f = mesh.forms(star.side(k) / 3);
     old_above_.push_back(matrix(begun_at(f.above, star.side(k))));
     old_below_.push_back(matrix(begun_at(f.below, star.side(k))));
@@ -146,6 +146,14 @@ void Star_removal::glue_sides(Coarse_mesh& mesh) {
   for (std::size_t k = 0; k < outside_.size(); ++k)
     if (outside_[k] != Gluing::none) mesh.change_neighbour(outside_[k] / 3);
   for (std::size_t k = 0; k < outside_.size(); ++k) mesh.glue(side_of_rim_[k], outside_[k]);
+}
+
+void Star_removal::list_edges(std::vector<std::uint32_t>& sides) const {
+  sides.clear();
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (const Rim_side& s = triangles_[i].sides[k]; s.rim != Gluing::none || s.triangle < i)
+        sides.push_back(3 * new_faces_[i] + k);
 }
 
 // Finds the places of the points in the star, and takes its faces away.

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_STAR_REMOVAL_H
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
+#include <CGAL/Intrinsic_simplification/simplification/Least_value.h>
 #include <CGAL/Intrinsic_simplification/simplification/Quadratic_form.h>
 #include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
 
@@ -32,8 +33,8 @@ public:
   // those of triangles, and new forms bound the old ones. If not, some changes may have been made.
   bool remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
 
-  // The sides of the triangles that are new, after a removal; those of faces that stay.
-  const std::vector<std::uint32_t>& new_faces() const { return new_faces_; }
+  // The edges of the triangles that are new, after a removal: a side of each.
+  void list_edges(std::vector<std::uint32_t>& sides) const;
 
 private:
   struct Rim_side {         // of the polygon that is left
@@ -46,11 +47,6 @@ private:
   struct New_triangle {
     std::array<std::uint32_t, 3> corners; // points
     std::array<Rim_side, 3> sides;
-  };
-  struct Ear {
-    double rank;
-    std::uint32_t tip;
-    std::uint32_t version; // how many ears were cut beside the tip
   };
   struct Located {
     std::uint32_t triangle;
@@ -85,8 +81,8 @@ private:
   std::vector<Exact_point> points_;           // of the rim
   std::vector<std::uint32_t> before_, after_; // neighbours of points that are left
   std::vector<Rim_side> polygon_sides_;       // from each of them
-  std::vector<Ear> ears_, waiting_;           // a heap, and those that may be ears later
-  std::vector<std::uint32_t> cuts_;           // ears cut beside each point; none: it is gone
+  Least_value ears_;                          // the rank of each tip; infinite: it is none
+  std::vector<std::pair<std::uint32_t, double>> waiting_; // tips that may be ears later
   std::vector<New_triangle> triangles_;
   std::vector<std::uint32_t> new_faces_;
   std::vector<std::uint32_t> side_of_rim_, triangle_of_rim_; // new ones at each rim edge

@@ -18,36 +18,39 @@ namespace CGAL::Intrinsic_triangulations::internal {
 namespace {
 
 // Numbers that elements have when others are left out.
-std::vector<std::uint32_t> compacted(std::size_t size, const auto& stays) {
-  std::vector<std::uint32_t> result(size, Gluing::none);
+std::vector<std::uint32_t> compacted(const std::vector<std::uint32_t>& in_order,
+                                     const auto& stays) {
+  std::vector<std::uint32_t> result(in_order.size(), Gluing::none);
   std::uint32_t n = 0;
-  for (std::uint32_t i = 0; i < size; ++i)
+  for (const std::uint32_t i : in_order)
     if (stays(i)) result[i] = n++;
   return result;
+}
+
+std::array<Interval, 3> multiples(double factor, const Side_values& form) {
+  return {factor * Interval(form[0]), factor * Interval(form[1]), factor * Interval(form[2])};
 }
 
 // The factor, proven not to be greater than `form` by `by` anywhere.
 double proven_lower(const Side_values& form, const Side_values& above) {
   if (!std::ranges::all_of(above, [](double x) { return std::isfinite(x); })) return 0;
-  const std::array<Interval, 3> zero_above{above[0], above[1], above[2]};
   const double near = factors(form, above)[0];
   if (!(near > 0 && std::isfinite(near) && std::isfinite(4 / near))) return 0;
   for (double margin = 0x1p-51; margin < 1; margin *= 2) {
     // form - near / (1 + margin) above >= 0
     const double inverse = 1 / near * (1 + margin);
-    if (is_proven_above(form, Interval(inverse), zero_above))
+    if (is_proven_below(above, multiples(inverse, form)))
       return (Interval(1) / sqrt(Interval(inverse))).inf();
   }
   return 0;
 }
 
 double proven_upper(const Side_values& form, const Side_values& below) {
-  const std::array<Interval, 3> lower{form[0], form[1], form[2]};
   const double near = factors(form, below)[1]; // infinite if `below` is 0 somewhere
   if (!std::isfinite(4 * near)) return std::numeric_limits<double>::infinity();
   for (double margin = 0x1p-51; margin < 1; margin *= 2) {
     const double factor = near * (1 + margin);
-    if (is_proven_above(below, Interval(factor), lower)) return sqrt(Interval(factor)).sup();
+    if (is_proven_below(form, multiples(factor, below))) return sqrt(Interval(factor)).sup();
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -64,7 +67,7 @@ void find_stretch(Simplification& s, const Coarse_mesh& mesh, int scale_exponent
   const Protect_FPU_rounding<true> up;
   s.stretch = {std::numeric_limits<double>::infinity(), 0, 0, 0};
   double area = 0;
-  for (std::uint32_t f = 0; f < mesh.faces().size(); ++f) {
+  for (const std::uint32_t f : mesh.faces()) {
     const Coarse_face& face = mesh.face(f);
     if (face.is_removed) continue;
     const Side_values length = written_lengths(face, scale_exponent);
@@ -107,10 +110,10 @@ std::size_t wanted_vertices(const Simplify_options& options, std::size_t vertice
 }
 
 // Thin faces keep exact lengths while they are flipped, but not as part of the surface.
-// \param row the user's vertex of each vertex
-void expect_triangle(const Coarse_face& face, const std::vector<std::uint32_t>& row) {
+// \param row returns the user's vertex of a vertex
+void expect_triangle(const Coarse_face& face, const auto& row) {
   if (squares_satisfy_triangle_inequality(face.length[0], face.length[1], face.length[2])) return;
-  const auto name = [&](std::size_t k) { return std::to_string(row[face.origin[k % 3]]); };
+  const auto name = [&](std::size_t k) { return std::to_string(row(face.origin[k % 3])); };
   std::string kept;
   for (std::size_t k = 0; k < 3; ++k)
     if ((face.kept_sides >> k & 1U) != 0)
@@ -130,9 +133,10 @@ void Simplifier::write_surface(Simplification& s, const std::vector<std::uint32_
   Gluing g;
   g.number_of_vertices = static_cast<std::uint32_t>(number_left_);
   std::vector<double> length; // by sides
-  for (const Coarse_face& f : mesh_.faces()) {
+  for (const std::uint32_t place : mesh_.faces()) {
+    const Coarse_face& f = mesh_.face(place);
     if (f.is_removed) continue;
-    expect_triangle(f, fine_.row);
+    expect_triangle(f, [this](std::uint32_t v) { return fine_.row[mesh_.number(v)]; });
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t o = f.glue[k];
       g.origin.push_back(vertex[f.origin[k]]);
@@ -154,8 +158,8 @@ void Simplifier::write_places(Simplification& s, const std::vector<std::uint32_t
                               const std::vector<std::uint32_t>& face) const {
   s.places.resize(fine_.number_of_rows);
   std::vector<char> is_placed(fine_.number_of_rows, 0);
-  for (std::uint32_t v = 0; v < fate_.size(); ++v) {
-    const std::uint32_t row = fine_.row[v];
+  for (const std::uint32_t v : mesh_.vertices()) {
+    const std::uint32_t row = fine_.row[mesh_.number(v)];
     if (vertex[v] != Gluing::none) s.kept.push_back(row);
     if (is_placed[row] != 0) continue;
     is_placed[row] = 1;
@@ -170,13 +174,15 @@ void Simplifier::write_places(Simplification& s, const std::vector<std::uint32_t
 Simplification Simplifier::take_result() const {
   Simplification s;
   s.status = status_;
-  const auto vertex =
-      compacted(fate_.size(), [&](std::uint32_t v) { return mesh_.outgoing(v) != Gluing::none; });
+  const auto vertex = compacted(mesh_.vertices(),
+                                [&](std::uint32_t v) { return mesh_.outgoing(v) != Gluing::none; });
   const auto face =
-      compacted(mesh_.faces().size(), [&](std::uint32_t f) { return !mesh_.face(f).is_removed; });
+      compacted(mesh_.faces(), [&](std::uint32_t f) { return !mesh_.face(f).is_removed; });
   write_surface(s, vertex, face);
   write_places(s, vertex, face);
-  const auto count = [&](Fate f) { return static_cast<std::size_t>(std::ranges::count(fate_, f)); };
+  const auto count = [&](Fate f) {
+    return static_cast<std::size_t>(std::ranges::count(vertices_, f, &Vertex::fate));
+  };
   s.removed = number_removed_;
   s.blocked_by_border = count(Fate::blocked);
   s.not_flattened = count(Fate::failed);

@@ -90,7 +90,7 @@ bool Simplifier::bend_straight_face(const Vertex_star::Bound& bound, bool grows)
 Simplifier::Fate Simplifier::flatten(std::uint32_t v) {
   for (std::size_t events = 0; events < 1000; ++events) {
     if (events > 0 && !star_.find(mesh_, v)) return Fate::failed;
-    const Vertex_star::Angles angles = star_.angles(mesh_, 1);
+    const Vertex_star::Angles angles = star_.angles(mesh_);
     double rest = angles.sum - star_.flat_angle();
     if (std::abs(rest) <= angle_tolerance(star_)) return Fate::open;
     const bool grows = rest > 0;

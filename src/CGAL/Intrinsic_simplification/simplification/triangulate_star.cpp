@@ -88,40 +88,34 @@ void Star_removal::cut_ear(std::uint32_t tip, std::uint32_t face) {
   before_[c] = a;
 }
 
-// Ears are in a heap; those of points whose neighbours have changed since are passed over. An ear
-// about the centre may have other points in it, and waits until they are gone: few at a time do, as
-// their angles at the centre are above pi.
+// An ear about the centre may have other points in it, and waits until they are gone: few at a time
+// do, as their angles at the centre are above pi.
 bool Star_removal::cut_ears(const Vertex_star& star) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto n = static_cast<std::uint32_t>(points_.size());
-  const auto is_later = [](const Ear& x, const Ear& y) {
-    return x.rank != y.rank ? x.rank > y.rank : x.tip > y.tip;
+  const auto rank = [&](std::uint32_t tip) {
+    const double r = ear_rank(tip);
+    ears_.set(tip, r < infinity ? r : infinity);
   };
-  const auto push = [&](const Ear& ear) {
-    ears_.push_back(ear);
-    std::push_heap(ears_.begin(), ears_.end(), is_later);
-  };
-  ears_.clear();
+  ears_.start(n);
   waiting_.clear();
-  cuts_.assign(n, 0);
-  for (std::uint32_t tip = 0; tip < n; ++tip) ears_.push_back({ear_rank(tip), tip, 0});
-  std::make_heap(ears_.begin(), ears_.end(), is_later);
+  for (std::uint32_t tip = 0; tip < n; ++tip) rank(tip);
   while (triangles_.size() + 2 < n) {
-    if (ears_.empty()) return false;
-    std::pop_heap(ears_.begin(), ears_.end(), is_later);
-    const Ear ear = ears_.back();
-    ears_.pop_back();
-    if (ear.version != cuts_[ear.tip] || !(ear.rank < std::numeric_limits<double>::infinity()))
-      continue;
-    if (!is_ear(ear.tip)) {
-      waiting_.push_back(ear);
+    const std::uint32_t tip = ears_.least();
+    if (ears_.value(tip) == infinity) return false;
+    if (!is_ear(tip)) {
+      waiting_.emplace_back(tip, ears_.value(tip));
+      ears_.set(tip, infinity);
       continue;
     }
-    const std::uint32_t a = before_[ear.tip], c = after_[ear.tip];
-    cut_ear(ear.tip, star.side(triangles_.size()) / 3);
-    cuts_[ear.tip] = Gluing::none;
-    for (const std::uint32_t tip : {c, a}) push({ear_rank(tip), tip, ++cuts_[tip]});
-    for (const Ear& other : waiting_) push(other);
+    const std::uint32_t a = before_[tip], c = after_[tip];
+    cut_ear(tip, star.side(triangles_.size()) / 3);
+    if (triangles_.size() + 2 == n) break;
+    ears_.set(tip, infinity);
+    for (const auto& [other, old] : waiting_) ears_.set(other, old);
     waiting_.clear();
+    rank(c);
+    rank(a);
   }
   return true;
 }

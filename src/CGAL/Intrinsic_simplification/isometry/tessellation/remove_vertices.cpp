@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/remove_vertices.h>
+#include <CGAL/Intrinsic_simplification/simplification/flip_away.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/for_each_outgoing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
@@ -14,12 +15,12 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <random>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,54 +28,49 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-bool is_on_border(const Gluing_map& mesh, Gluing_map::Vertex v) {
-  return mesh.face(mesh.halfedge(v)).index == Gluing::none;
-}
-
-// Flips edges away from one vertex, and removes it.
-class One_vertex_remover {
+// The edges at a vertex, see `Flat_vertex_removal`. Ears of one plane go before: a vertex on a
+// crease leaves faces of planes, without new roots.
+class Moved_star {
 public:
   using Halfedge = Gluing_map::Halfedge;
   using Vertex = Gluing_map::Vertex;
 
-  One_vertex_remover(Moved_triangulation& t, Vertex v) : t_(t), mesh_(t.mesh()), v_(v) {}
+  Moved_star(Moved_triangulation& t, Vertex v)
+      : t_(t), mesh_(t.mesh()), v_(v),
+        is_on_border_(mesh_.face(mesh_.halfedge(v)).index == Gluing::none) {}
 
-  // \return whether the vertex is gone; otherwise other vertices have to be
-  // removed first
-  bool remove() {
-    const bool is_border = is_on_border(mesh_, v_);
-    find_edges();
-    const std::size_t most_flips = 8 * edges_.size() + 32;
-    for (std::size_t flips = 0; flips < most_flips; ++flips, find_edges()) {
-      if (edges_.size() == 3 && !has_loop()) {
-        if (is_border)
-          t_.remove_border_vertex(border_halfedge());
-        else
-          t_.remove_inner_vertex(mesh_.next(edges_.front()));
-        return true;
-      }
-      if (!flip_an_edge(edges_.size() == 4 && !is_border && !has_loop())) return false;
-    }
-    return false;
+  const std::vector<Halfedge>& find_edges() {
+    edges_.clear();
+    for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
+    return edges_;
+  }
+  std::array<bool, 3> are_here(Halfedge h) const {
+    const auto is_v = [this](Halfedge x) { return mesh_.target(x).index == v_.index; };
+    return {is_v(h), is_v(mesh_.next(h)), is_v(mesh_.next(Gluing_map::opposite(h)))};
+  }
+  bool is_in_two_faces(Halfedge h) const { return t_.has_diamond(h); }
+  Ear_rank rank(Halfedge h) const {
+    const Diamond_values<double> d = t_.approximate(h);
+    const double area = flipped(d).area_f;
+    return {t_.is_in_one_frame(h),
+            area > 0 ? -Delaunay_expression()(d) / area : -std::numeric_limits<double>::infinity()};
+  }
+  bool flip(Halfedge h, bool is_last) {
+    const auto d = t_.diamond(h);
+    if (t_.sign(d, Convexity_at_target_expression()) != POSITIVE) return false;
+    const Sign s = t_.sign(d, Convexity_at_source_expression());
+    if (s == NEGATIVE || (s == ZERO && (!is_last || is_on_border_))) return false;
+    t_.flip(h);
+    return true;
+  }
+  void take_out() {
+    if (is_on_border_)
+      t_.remove_border_vertex(border_halfedge());
+    else
+      t_.remove_inner_vertex(mesh_.next(edges_.front()));
   }
 
 private:
-  struct Candidate {
-    int gain;      // number of edge ends that leave the vertex
-    bool is_plane; // whether the faces beside it have one frame
-    double power;  // of the vertex with respect to the circle about the ear,
-                   // negative inside
-    Halfedge edge;
-  };
-
-  void find_edges() {
-    edges_.clear();
-    for_each_outgoing(v_, mesh_, [this](Halfedge h) { edges_.push_back(h); });
-  }
-  bool has_loop() const {
-    return std::any_of(edges_.begin(), edges_.end(),
-                       [this](Halfedge h) { return mesh_.target(h).index == v_.index; });
-  }
   // the halfedge of a face that ends at the vertex and runs along the border
   Halfedge border_halfedge() const {
     for (const Halfedge h : edges_)
@@ -82,50 +78,18 @@ private:
     return edges_.front();
   }
 
-  int gain(Halfedge h) const {
-    const auto is_v = [this](Halfedge x) { return mesh_.target(x).index == v_.index ? 1 : 0; };
-    return 1 + is_v(h) - is_v(mesh_.next(h)) - is_v(mesh_.next(Gluing_map::opposite(h)));
-  }
-
-  // Flips the edge whose ear has the circle that contains the vertex the least: where the faces
-  // about it are Delaunay, so are ears cut off in this order (Devillers 1999). Ears of one plane go
-  // before: a vertex on a crease leaves faces of planes, without new roots. Where edges from the
-  // vertex to itself block all ears, a flip that takes no end away changes the faces.
-  bool flip_an_edge(bool may_be_straight) {
-    std::vector<Candidate> candidates;
-    for (const Halfedge h : edges_) {
-      if (!t_.has_diamond(h) || gain(h) < 0) continue;
-      if (gain(h) == 0) { // only if there is nothing better, and never in a circle
-        candidates.push_back({0, false, static_cast<double>(random_()), h});
-        continue;
-      }
-      const Diamond_values<double> d = t_.approximate(h);
-      const double area = flipped(d).area_f;
-      candidates.push_back(
-          {gain(h), t_.is_in_one_frame(h),
-           area > 0 ? -Delaunay_expression()(d) / area : -std::numeric_limits<double>::infinity(),
-           h});
-    }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tuple(a.gain, a.is_plane, a.power) > std::tuple(b.gain, b.is_plane, b.power);
-    });
-    for (const Candidate& c : candidates) {
-      const auto d = t_.diamond(c.edge);
-      if (t_.sign(d, Convexity_at_target_expression()) != POSITIVE) continue;
-      const Sign s = t_.sign(d, Convexity_at_source_expression());
-      if (s == NEGATIVE || (s == ZERO && !may_be_straight)) continue;
-      t_.flip(c.edge);
-      return true;
-    }
-    return false;
-  }
-
   Moved_triangulation& t_;
   const Gluing_map& mesh_;
   Vertex v_;
-  std::minstd_rand random_;
+  bool is_on_border_;
   std::vector<Halfedge> edges_;
 };
+
+bool remove_vertex(Moved_triangulation& t, Gluing_map::Vertex v) {
+  expect_to_go_on();
+  Moved_star star(t, v);
+  return Flat_vertex_removal(star).run();
+}
 
 // Flips edges, given by their numbers, and those of the faces that this makes.
 // \throws Undecidable also if the triangulation has taken more than so many moves
@@ -169,16 +133,6 @@ std::vector<Gluing_map::Vertex> cluster_of(Gluing_map::Vertex v, const Gluing_ma
   return cluster;
 }
 
-// \return whether a vertex was removed
-bool remove_some(Moved_triangulation& t, std::vector<Gluing_map::Vertex>& vertices) {
-  const std::size_t before = vertices.size();
-  std::erase_if(vertices, [&](Gluing_map::Vertex v) {
-    expect_to_go_on();
-    return One_vertex_remover(t, v).remove();
-  });
-  return vertices.size() != before;
-}
-
 } // namespace
 
 // Vertices of one plane follow each other, so that few square roots are needed
@@ -189,25 +143,26 @@ void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_remove
   std::vector<char> are_left = are_removed;
   std::vector<Gluing_map::Vertex> others;
   std::mt19937 random;
+  const auto remove = [&](Gluing_map::Vertex v) { return remove_vertex(t, v); };
   for (std::uint32_t v = 0; v < are_left.size(); ++v) {
     if (are_left[v] == 0 || t.mesh().halfedge(Gluing_map::Vertex{v}).index == Gluing::none)
       continue;
     std::vector<Gluing_map::Vertex> cluster = cluster_of(Gluing_map::Vertex{v}, t.mesh(), are_left);
     std::shuffle(cluster.begin(), cluster.end(), random);
     const std::size_t first_move = t.moves().size();
-    while (!cluster.empty() && remove_some(t, cluster)) {
+    while (std::erase_if(cluster, remove) > 0) {
     }
     if (stays_delaunay) flip_to_delaunay(t, first_move);
     others.insert(others.end(), cluster.begin(), cluster.end());
   }
   // flips that failed may block others; those to Delaunay undo them
-  for (bool was_blocked = false; !others.empty();) {
-    const std::size_t first_move = t.moves().size();
-    const bool is_blocked = !remove_some(t, others);
-    if (is_blocked && was_blocked) throw Undecidable("flips could not remove a flat vertex");
-    was_blocked = is_blocked;
+  std::size_t first_move = t.moves().size();
+  const auto restore = [&] {
     flip_to_delaunay(t, first_move);
-  }
+    first_move = t.moves().size();
+  };
+  if (!remove_in_rounds(others, remove, restore))
+    throw Undecidable("flips could not remove a flat vertex");
 }
 
 void make_delaunay(Moved_triangulation& t, std::size_t most_moves) {

@@ -12,15 +12,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Moved_triangulation;
 
 /*
-Removes vertices by flips until they have three edges, or one inner edge on the border. A Delaunay
-triangulation may stay one; another one is not flipped across creases without need.
-
-The faces around a flat vertex develop into a polygon that is star-shaped about
-it. A triangulation of the polygon without the vertex has two ears at least, of
-which one does not contain the vertex: the edge to its tip can be flipped. Edges
-from the vertex to itself go first: they lower the degree by two. Where other
-vertices have to go first, the vertex is tried again after them. \throws
-Undecidable
+Removes flat vertices by flips, see `Flat_vertex_removal`. A Delaunay triangulation may stay one;
+another one is not flipped across creases without need. Where other vertices have to go first, the
+vertex is tried again after them. \throws Undecidable
 */
 void remove_vertices(Moved_triangulation& t, const std::vector<char>& are_removed,
                      bool stays_delaunay);
