@@ -22,6 +22,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Chart_grid.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.cpp>

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <random>
 #include <set>
@@ -218,6 +219,39 @@ TEST(FindIsometries, comparesFlatToriByTheirLattices) {
   EXPECT_EQ(square.note(), "translations of a flat torus");
   EXPECT_EQ(IT::find_isometries(torus({1, 0}, {0, 4}, 1), torus({2, 0}, {0, 2}, 1)).answer(),
             Isometry_answer::not_isometric);
+}
+
+// Lagrange and Gauss reduce a basis: the sides of the Delaunay tessellation of a torus are its two
+// vectors, and their shorter sum unless they are orthogonal.
+TEST(FindIsometries, reducesLatticesAsGaussDoes) {
+  using Vector = std::array<int, 2>;
+  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; };
+  std::mt19937 random(11);
+  const auto number = [&] { return static_cast<int>(random() % 19) - 9; };
+  for (std::uint32_t n = 3; n < 15; ++n) {
+    Vector a{}, b{};
+    while (a[0] * b[1] - a[1] * b[0] == 0) {
+      a = {number(), number()};
+      b = {number(), number()};
+    }
+    std::multiset<double> expected;
+    Vector u = a, v = b;
+    for (;;) {
+      if (dot(u, u) > dot(v, v)) std::swap(u, v);
+      if (2 * std::abs(dot(u, v)) <= dot(u, u)) break;
+      const int k = dot(u, v) > 0 ? 1 : -1;
+      v = {v[0] - k * u[0], v[1] - k * u[1]};
+    }
+    const int sign = dot(u, v) > 0 ? -1 : 1, squared = static_cast<int>(n * n);
+    std::vector<Vector> sides{u, v};
+    if (dot(u, v) != 0) sides.push_back({u[0] + sign * v[0], u[1] + sign * v[1]});
+    for (const Vector& s : sides)
+      for (int k = 0; k < 2; ++k) expected.insert(squared * dot(s, s));
+    const IT::Canonical_form form = IT::canonical_form(torus(a, b, n));
+    std::multiset<double> found;
+    for (std::uint32_t d = 0; d < form.number_of_darts(); ++d) found.insert(form.squared_length(d));
+    EXPECT_EQ(found, expected) << n << form.note();
+  }
 }
 
 TEST(FindIsometries, comparesSizesWhereBordersHaveNoCorner) {

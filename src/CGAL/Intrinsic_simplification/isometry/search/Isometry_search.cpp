@@ -280,14 +280,14 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
 
 // The faces of a polygon in the plane, where the first side of the first one is
 // on an axis.
-std::vector<Moved_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
+std::vector<Plane_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
                                                  std::uint32_t halfedge) const {
-  std::vector<Moved_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};
+  std::vector<Plane_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Moved_face f = all[i];
+    const Plane_face f = all[i];
     for (std::size_t k = i == 0 ? 0 : 1; k < 3; ++k) {
       if (t.ties[f.sides[k] / 2] == 0) continue;
-      Moved_face g =
+      Plane_face g =
           s.triangulation().lay_out(Gluing_map::opposite(Gluing_map::Halfedge{f.sides[k]}));
       const Plane_vector<double> from = f.corners[(k + 1) % 3], to = f.corners[k];
       const double length = g.corners[1].x;
@@ -300,16 +300,16 @@ std::vector<Moved_face> Isometry_search::polygon(const Singular_surface& s, cons
 
 Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p) const {
   const Tessellation& second = a_ == b_ ? *first_ : *second_;
-  for (const Moved_face& f : polygon(*a_, *first_, p.halfedge)) {
+  for (const Plane_face& f : polygon(*a_, *first_, p.halfedge)) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t dart = first_->darts.dart[f.sides[k]];
       if (dart == Dart_complex::none) continue;
       // where the point is relative to the dart
       const Plane_vector<double> side = f.corners[(k + 1) % 3] - f.corners[k];
-      const Moved_face own = a_->triangulation().lay_out(Gluing_map::Halfedge{p.halfedge});
+      const Plane_face own = a_->triangulation().lay_out(Gluing_map::Halfedge{p.halfedge});
       Plane_vector<double> z = in_frame(side, own.place(p) - f.corners[k]) / dot(side, side);
       if (map.is_mirrored(dart)) z.x = 1 - z.x;
-      const std::vector<Moved_face> faces =
+      const std::vector<Plane_face> faces =
           polygon(*b_, second, second.darts.halfedge[map.image_of_dart(dart)]);
       return point_at(faces, faces.front().corners[1].x * z);
     }

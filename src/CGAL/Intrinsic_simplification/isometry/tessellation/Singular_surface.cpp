@@ -58,17 +58,21 @@ std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
 // Takes points through moves.
 template <class Moves, class Before, class After>
 void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size_t faces,
-           const Moves& moves, const Before& before, const After& after) {
+           const Moved_triangulation& t, const Moves& moves, const Before& before,
+           const After& after) {
   if (moves.empty()) return;
   std::vector<std::vector<std::size_t>> in_face(faces);
   for (std::size_t i = 0; i < points.size(); ++i)
     in_face[mesh.face(Gluing_map::Halfedge{points[i].halfedge}).index].push_back(i);
   for (const Repartition& move : moves) {
+    const auto is_empty = [&](const Moved_face& f) { return in_face[f.face].empty(); };
+    if (std::all_of(before(move).begin(), before(move).end(), is_empty)) continue;
+    const std::vector<Plane_face> to = t.lay_out(move, after(move));
     std::vector<std::pair<std::uint32_t, std::size_t>> moved;
-    for (const Moved_face& f : before(move)) {
+    for (const Plane_face& f : t.lay_out(move, before(move))) {
       for (const std::size_t i : in_face[f.face]) {
         std::uint32_t face = 0;
-        points[i] = point_at(after(move), f.place(points[i]), &face);
+        points[i] = point_at(to, f.place(points[i]), &face);
         moved.emplace_back(face, i);
       }
       in_face[f.face].clear();
@@ -256,7 +260,7 @@ Singular_surface::from_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;
   for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(*start_, p).value());
   carry(
-      result, start_->mesh(), start_->mesh().number_of_faces(), moved_->moves(),
+      result, start_->mesh(), start_->mesh().number_of_faces(), *moved_, moved_->moves(),
       [](const Repartition& m) -> const auto& { return m.before; },
       [](const Repartition& m) -> const auto& { return m.after; });
   return result;
@@ -272,7 +276,7 @@ std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_po
   };
   const Backwards back{moved_->moves()};
   carry(
-      result, moved_->mesh(), start_->mesh().number_of_faces(), back,
+      result, moved_->mesh(), start_->mesh().number_of_faces(), *moved_, back,
       [](const Repartition& m) -> const auto& { return m.after; },
       [](const Repartition& m) -> const auto& { return m.before; });
   for (Surface_point& p : result) p = locate_on_input(*start_, p).value();
