@@ -466,6 +466,23 @@ TEST(FindIsometries, decidesPolygonsWithABorder) {
   EXPECT_EQ(isometries(square, bent), 8);
 }
 
+// A rhombus with the middle of a diagonal as a corner of a face without area.
+TEST(FindIsometries, removesFacesWithoutArea) {
+  const std::array<double, 2> points[] = {{0, 0}, {2, 0}, {1, 0}, {1, 2}, {1, -2}};
+  const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {0, 4, 1}};
+  IT::Gluing_map mesh(IT::gluing_from_triangles(5, faces));
+  std::vector<double> lengths;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e};
+    const auto &p = points[mesh.source(h).index], &q = points[mesh.target(h).index];
+    lengths.push_back((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]));
+  }
+  const Triangulation t(
+      IT::Intrinsic_input(std::move(mesh), std::move(lengths), IT::Mollification::none));
+  EXPECT_EQ(IT::canonical_form(t).number_of_flat_vertices(), 1U);
+  EXPECT_EQ(symmetries(t), 4);
+}
+
 // ---- translation surfaces -----------------------------------------------------------------------
 
 using Matrix = std::array<std::array<double, 2>, 2>;

@@ -80,6 +80,7 @@ bool Plane_charts::start_chart(const Gluing_map& mesh, Halfedge first) {
   const std::optional<Sides> s = sides_of(mesh, first);
   if (!s) return false;
   const Rational_triangle t = triangle_with(*s);
+  if (t.squared_area == 0) return false; // no unit across its first side
   const std::uint32_t face = mesh.face(first).index;
   chart_[face] = face;
   charts_[face] = {t.squared_area, most_bits(t.lengths), Chart_grid(t)};
