@@ -494,7 +494,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-constexpr double a = 1.8019377358048383; // 2 cos(pi / 7), a^3 - a^2 - 2 a + 1 = 0
+constexpr double cubic = 1.8019377358048383; // a = 2 cos(pi / 7), a^3 - a^2 - 2 a + 1 = 0
 
 // Rectangles, glued along their sides (bottom, right, top, left: 0 to 3), under a linear map.
 struct Rectangles {
@@ -536,6 +536,7 @@ struct Rectangles {
 
 // The surface of issue 325 of sage-flatsurf, with sides in Q(a).
 Triangulation five_rectangles(const Matrix& m) {
+  constexpr double a = cubic;
   const Rectangles r{
       {{1, 1}, {1, a - 1}, {a - 1, 1}, {a * a - a - 1, a - 1}, {a - 1, a * a - a - 1}},
       {{0, 0, 1, 2},
@@ -554,6 +555,7 @@ Triangulation five_rectangles(const Matrix& m) {
 // The matrix belongs to the Veech group of the surface: cut and glued again, the image is the
 // surface. Its sides get longer and longer.
 TEST(FindIsometries, findsVeechGroups) {
+  constexpr double a = cubic;
   const Matrix shears{{{1, a}, {a, a * a + 1}}};
   const IT::Canonical_form form = IT::canonical_form(five_rectangles({{{1, 0}, {0, 1}}}));
   Matrix m{{{1, 0}, {0, 1}}};
@@ -574,6 +576,7 @@ TEST(FindIsometries, findsVeechGroups) {
 // Surfaces of the shapes of L and Z with random sides in Q(a), cut along any diagonals: all corners
 // of a rectangle are cocircular, but for the rounding of lengths.
 TEST(FindIsometries, decidesSurfacesOfCubicRectanglesUpToRounding) {
+  constexpr double a = cubic;
   std::mt19937 random(13);
   const auto side = [&] {
     const auto digit = [&] { return static_cast<double>(random() % 5) - 1; };

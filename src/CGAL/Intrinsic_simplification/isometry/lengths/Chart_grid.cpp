@@ -77,8 +77,8 @@ std::optional<Grid_point> Chart_grid::point(const Plane_number& coordinates) con
 }
 
 // If differences from the first corner are below 2^b, those of two other corners are below 2^(b+1),
-// and with coefficients below 2^w, squared lengths are below 3 2^(2b+2+w), a sum of two of them less
-// a third one below 2^(2b+5+w), determinants below 2^(2b+3), and a sum of two products below
+// and with coefficients below 2^w, squared lengths are below 3 2^(2b+2+w), a sum of two of them
+// less a third one below 2^(2b+5+w), determinants below 2^(2b+3), and a sum of two products below
 // 2^(4b+9+w).
 bool Chart_grid::fits(const Grid_diamond& d) const {
   std::uint64_t differences = 0, coefficients = 0;

@@ -191,20 +191,6 @@ Developed_faces::Point Developed_faces::image(Frame_maps::Map map, Point p) {
   return result;
 }
 
-std::optional<Grid_point> Developed_faces::grid_point(Point p) const {
-  if (p >= number_of_halfedges()) return images_[p - number_of_halfedges()].grid_point;
-  return charts_.grid_point(charts_.number_of_point(p));
-}
-
-std::optional<Grid_point> Developed_faces::grid_point(const Image& i) const {
-  const Plane_motion* m = maps_.is_at_start(i.map) ? nullptr : maps_.motion_of(i.map);
-  const Chart_grid* grid = m == nullptr ? nullptr : charts_.grid(m->chart);
-  if (grid == nullptr) return std::nullopt;
-  const Plane_number& z = charts_.point(charts_.number_of_point(i.start));
-  const Plane_number w = product(m->turn, z, charts_.squared_area(m->chart)) + m->shift;
-  return grid->point(grid->coordinates(w));
-}
-
 // A corner on the first edge that its map crosses is a corner beyond it, too.
 std::optional<Developed_faces::Image> Developed_faces::across_first_edge(const Image& i) {
   const Gluing_map& mesh = recipes_.triangulation().mesh();

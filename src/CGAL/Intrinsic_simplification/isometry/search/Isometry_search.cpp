@@ -306,24 +306,11 @@ std::vector<Plane_face> Isometry_search::polygon(const Singular_surface& s, cons
   return all;
 }
 
-// Of a cylinder with a face, always the same side on its border: where vertices lie on the other
-// border is arbitrary.
-std::uint32_t Isometry_search::border_of_cylinder(std::uint32_t halfedge) const {
-  using Halfedge = Gluing_map::Halfedge;
-  const Gluing_map& mesh = a_->triangulation().mesh();
-  const auto on_border = [&](Halfedge h) {
-    while (a_->crosses_cylinder(h.index / 2)) h = mesh.next(h);
-    return h;
-  };
-  const Halfedge own = on_border(Halfedge{halfedge});
-  return std::min(own.index, on_border(Gluing_map::opposite(mesh.next(own))).index);
-}
-
 Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p) const {
   const Gluing_map::Halfedge h{p.halfedge};
   const bool is_on_cylinder = a_->is_on_cylinder(h);
   const std::vector<Plane_face> own_faces =
-      polygon(*a_, *first_, is_on_cylinder ? border_of_cylinder(p.halfedge) : p.halfedge);
+      polygon(*a_, *first_, is_on_cylinder ? a_->border_of_cylinder(p.halfedge) : p.halfedge);
   const auto own = std::find_if(own_faces.begin(), own_faces.end(), [&](const Plane_face& f) {
     return f.face == a_->triangulation().mesh().face(h).index;
   });

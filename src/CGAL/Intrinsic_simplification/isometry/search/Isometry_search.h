@@ -73,7 +73,6 @@ private:
                          std::vector<std::uint32_t>& image) const;
   std::vector<Plane_face> polygon(const Singular_surface& s, const Tessellation& t,
                                   std::uint32_t halfedge) const;
-  std::uint32_t border_of_cylinder(std::uint32_t halfedge) const;
   Surface_point image(const Isometry& map, const Surface_point& p) const;
 
   Surface a_, b_;

@@ -70,8 +70,8 @@ inline Surface_point point_at(std::span<const Plane_face> faces, const Plane_vec
   return result;
 }
 
-// A move: some faces of the plane become others, on the same region; three become one at most. Moves
-// are many, and few of them are ever laid out.
+// A move: some faces of the plane become others, on the same region; at most three become one.
+// Moves are many, and few of them are ever laid out.
 struct Repartition {
   using Faces = boost::container::static_vector<Moved_face, 3>;
   Faces before, after;

@@ -274,6 +274,17 @@ std::vector<char> Singular_surface::ties_within(double error) const {
   return result;
 }
 
+std::uint32_t Singular_surface::border_of_cylinder(std::uint32_t halfedge) const {
+  using Halfedge = Gluing_map::Halfedge;
+  const Gluing_map& mesh = moved_->mesh();
+  const auto on_border = [&](Halfedge h) {
+    while (crosses_cylinder(h.index / 2)) h = mesh.next(h);
+    return h;
+  };
+  const Halfedge own = on_border(Halfedge{halfedge});
+  return std::min(own.index, on_border(Gluing_map::opposite(mesh.next(own))).index);
+}
+
 std::vector<Surface_point>
 Singular_surface::from_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;

@@ -94,6 +94,9 @@ public:
     const Gluing_map::Halfedge h{2 * edge};
     return moved_->has_diamond(h) && is_on_cylinder(h);
   }
+  // A side on the border of a cylinder that has a face with this side: always the same one, since
+  // where vertices lie on the other border is arbitrary.
+  std::uint32_t border_of_cylinder(std::uint32_t halfedge) const;
   // edges whose faces are cocircular up to a relative error: the weight is at
   // most so far from zero
   std::vector<char> ties_within(double error) const;
