@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A point (x e + y f) / scale of a chart, where e and f are the first and the last side of its first
-// face, from their common corner.
+// A point (x e + y f) / scale of a chart, where e and f are the first and the last side of its
+// first face, from their common corner.
 struct Grid_point {
   std::int32_t x, y;
 };
