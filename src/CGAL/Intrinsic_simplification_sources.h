@@ -22,6 +22,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/embedding/doubly_covered_polygon.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.cpp>
 #include <CGAL/Intrinsic_simplification/embedding/remove_flat.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Chart_grid.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.cpp>
@@ -29,6 +30,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Strip_names.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/chains_of_lengths.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/grid_points.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Canonical_form.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Dart_matching.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/Isometry_search.cpp>

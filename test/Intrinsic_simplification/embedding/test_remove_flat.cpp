@@ -127,4 +127,18 @@ TEST(EmbedFlatVertices, findsFacesThatAreHardlyBent) {
   }
 }
 
+// Derivatives are so nearly singular that a proof takes more than 64 bits.
+TEST(EmbedFlatVertices, provesFacesWithTheLeastBends) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Mesh mesh = bent_box(20, 1e-7, seed);
+    IT::Embed_options options;
+    options.flat_within = 1e-15;
+    const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 4), options);
+    ASSERT_EQ(p.status, IT::Status::done) << IT::reason_without_points(p);
+    EXPECT_LT(error_of_distances(p.points, mesh), 1e-7);
+    EXPECT_TRUE(p.certificate.is_proven) << seed;
+    EXPECT_LT(p.certificate.within, 1e-14);
+  }
+}
+
 } // namespace

@@ -18,9 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <set>
 #include <string>
@@ -220,6 +223,39 @@ TEST(FindIsometries, comparesFlatToriByTheirLattices) {
             Isometry_answer::not_isometric);
 }
 
+// Lagrange and Gauss reduce a basis: the sides of the Delaunay tessellation of a torus are its two
+// vectors, and their shorter sum unless they are orthogonal.
+TEST(FindIsometries, reducesLatticesAsGaussDoes) {
+  using Vector = std::array<int, 2>;
+  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; };
+  std::mt19937 random(11);
+  const auto number = [&] { return static_cast<int>(random() % 19) - 9; };
+  for (std::uint32_t n = 3; n < 15; ++n) {
+    Vector a{}, b{};
+    while (a[0] * b[1] - a[1] * b[0] == 0) {
+      a = {number(), number()};
+      b = {number(), number()};
+    }
+    std::multiset<double> expected;
+    Vector u = a, v = b;
+    for (;;) {
+      if (dot(u, u) > dot(v, v)) std::swap(u, v);
+      if (2 * std::abs(dot(u, v)) <= dot(u, u)) break;
+      const int k = dot(u, v) > 0 ? 1 : -1;
+      v = {v[0] - k * u[0], v[1] - k * u[1]};
+    }
+    const int sign = dot(u, v) > 0 ? -1 : 1, squared = static_cast<int>(n * n);
+    std::vector<Vector> sides{u, v};
+    if (dot(u, v) != 0) sides.push_back({u[0] + sign * v[0], u[1] + sign * v[1]});
+    for (const Vector& s : sides)
+      for (int k = 0; k < 2; ++k) expected.insert(squared * dot(s, s));
+    const IT::Canonical_form form = IT::canonical_form(torus(a, b, n));
+    std::multiset<double> found;
+    for (std::uint32_t d = 0; d < form.number_of_darts(); ++d) found.insert(form.squared_length(d));
+    EXPECT_EQ(found, expected) << n << form.note();
+  }
+}
+
 TEST(FindIsometries, comparesSizesWhereBordersHaveNoCorner) {
   Triangles ring; // a prism without its ends: a flat cylinder
   for (const double z : {0., 1.})
@@ -250,13 +286,128 @@ TEST(FindIsometries, comparesSizesWhereBordersHaveNoCorner) {
     EXPECT_EQ(found.answer(), Isometry_answer::isometric) << seed << found.note();
     EXPECT_FALSE(found.note().empty());
   }
-  // other vertices on the border
-  const IT::Isometries found =
-      IT::find_isometries(ring.triangulation(), ring.divided(9, 2).triangulation());
-  EXPECT_NE(found.answer(), Isometry_answer::not_isometric);
-  EXPECT_FALSE(found.note().empty());
   EXPECT_EQ(IT::canonical_form(ring.triangulation()).hash(),
             IT::canonical_form(ring.renumbered(4).triangulation()).hash());
+}
+
+// A rectangle that is glued to a cylinder, along sides that are moved against each other by whole
+// numbers. Both borders have points at distances that sum to the width.
+struct Cylinder {
+  Triangulation surface;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::array<std::complex<double>, 3>> places; // of their corners, unrolled
+
+  std::complex<double> place(const IT::Surface_point& p) const {
+    std::complex<double> sum = 0;
+    std::uint32_t h = p.halfedge;
+    const std::uint32_t f = surface.input().face(h);
+    for (std::size_t k = 0; k < 3; ++k, h = surface.input().next(h))
+      for (std::size_t c = 0; c < 3; ++c)
+        if (faces[f][c] == surface.input().source(h)) sum += p.weights[k] * places[f][c];
+    return sum;
+  }
+};
+
+Cylinder unrolled_cylinder(const std::vector<int>& lower, const std::vector<int>& upper, int height,
+                           int shift) {
+  const auto n = static_cast<std::uint32_t>(lower.size()),
+             m = static_cast<std::uint32_t>(upper.size());
+  std::vector<int> x(1, 0), y(1, shift);
+  for (const int d : lower) x.push_back(x.back() + d);
+  for (const int d : upper) y.push_back(y.back() + d);
+  const auto at = [](int a, int b) { return std::complex<double>(a, b); };
+  const auto squared = [](int a, int b) { return static_cast<double>(a * a + b * b); };
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::array<double, 3>> sides;
+  std::vector<std::array<std::complex<double>, 3>> places;
+  std::uint32_t i = 0, j = 0;
+  while (i < n || j < m) { // the next triangle has a side on the border that is behind
+    const double across = squared(x[i] - y[j], height);
+    const std::uint32_t a = i % n, b = n + j % m;
+    if (j == m || (i < n && x[i] - x[0] <= y[j] - y[0])) {
+      faces.push_back({a, (i + 1) % n, b});
+      sides.push_back({squared(lower[i], 0), squared(x[i + 1] - y[j], height), across});
+      places.push_back({at(x[i], 0), at(x[i + 1], 0), at(y[j], height)});
+      ++i;
+    } else {
+      faces.push_back({a, n + (j + 1) % m, b});
+      sides.push_back({squared(x[i] - y[j + 1], height), squared(upper[j], 0), across});
+      places.push_back({at(x[i], 0), at(y[j + 1], height), at(y[j], height)});
+      ++j;
+    }
+  }
+  IT::Gluing_map mesh(IT::gluing_from_triangles(n + m, faces));
+  std::vector<double> lengths(mesh.number_of_edges(), 0);
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (const IT::Gluing_map::Halfedge h : mesh.sides({f}))
+      for (std::size_t k = 0; k < 3; ++k)
+        if (mesh.source(h).index == faces[f][k] && mesh.target(h).index == faces[f][(k + 1) % 3])
+          lengths[h.index / 2] = sides[f][k];
+  return {Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths))), faces, places};
+}
+
+Triangulation cylinder(const std::vector<int>& lower, const std::vector<int>& upper, int height,
+                       int shift) {
+  return unrolled_cylinder(lower, upper, height, shift).surface;
+}
+
+TEST(FindIsometries, decidesFlatCylindersByWidthAndHeight) {
+  const std::vector<std::vector<int>> borders{
+      {10, 10, 10}, {4, 9, 17}, {1, 2, 3, 4, 5, 15}, {7, 7, 7, 9}};
+  const IT::Canonical_form form = IT::canonical_form(cylinder(borders[0], borders[0], 12, 0));
+  EXPECT_FALSE(form.is_unique());
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    for (const int shift : {0, 1, 4, 11, 15}) {
+      const IT::Canonical_form other =
+          IT::canonical_form(cylinder(borders[k], borders[(k + 1) % borders.size()], 12, shift));
+      const IT::Isometries found = IT::find_isometries(form, other);
+      EXPECT_EQ(found.answer(), Isometry_answer::isometric) << k << ", " << shift << found.note();
+      EXPECT_EQ(found.count(), 4); // reflections across and along
+      EXPECT_EQ(found.note(), "rotations of a flat cylinder");
+      EXPECT_EQ(other.hash(), form.hash());
+    }
+  // the same area, and the same boundary
+  for (const auto& [lower, height] : {std::pair<std::vector<int>, int>{{10, 10, 16}, 10},
+                                      {{10, 10, 10}, 13},
+                                      {{10, 10, 4}, 12},
+                                      {{10, 7, 7}, 15}}) {
+    const IT::Canonical_form other = IT::canonical_form(cylinder(lower, lower, height, 3));
+    EXPECT_EQ(IT::find_isometries(form, other).answer(), Isometry_answer::not_isometric);
+    EXPECT_NE(other.hash(), form.hash());
+  }
+}
+
+// In the plane, each isometry is a reflection or none along either axis, and a translation along the
+// borders.
+TEST(FindIsometries, mapsPointsOfFlatCylinders) {
+  constexpr double width = 30, height = 12;
+  const Cylinder s = unrolled_cylinder({10, 10, 10}, {4, 9, 17}, 12, 3),
+                 t = unrolled_cylinder({7, 7, 7, 9}, {1, 2, 3, 4, 5, 15}, 12, 11);
+  const IT::Isometries found = IT::find_isometries(s.surface, t.surface);
+  ASSERT_EQ(found.size(), 4U);
+  std::vector<IT::Surface_point> points;
+  for (std::uint32_t f = 0; f < s.faces.size(); ++f)
+    for (const double w : {0.2, 0.5})
+      points.push_back({s.surface.input().halfedge_of_face(f), {w, 0.3, 0.7 - w}});
+  const auto turn = [](double x) { return std::polar(1., 2 * std::numbers::pi * x / width); };
+  std::set<std::pair<int, int>> kinds;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::vector<IT::Surface_point> images = found[i].images_of(points);
+    for (const int x : {-1, 1})
+      for (const int y : {-1, 1}) {
+        double error = 0;
+        const std::complex<double> p = s.place(points[0]), q = t.place(images[0]);
+        const std::complex<double> shift = turn(q.real()) / turn(x * p.real());
+        for (std::size_t n = 0; n < points.size(); ++n) {
+          const std::complex<double> from = s.place(points[n]), to = t.place(images[n]);
+          const double z = y > 0 ? from.imag() : height - from.imag();
+          error = std::max(error, std::abs(to.imag() - z));
+          error = std::max(error, std::abs(turn(to.real()) - shift * turn(x * from.real())));
+        }
+        if (error < 1e-9) kinds.insert({x, y});
+      }
+  }
+  EXPECT_EQ(kinds.size(), 4U);
 }
 
 // A rectangle that is rolled to a prism of many sides, whose widths are roots that do not depend on
@@ -315,6 +466,23 @@ TEST(FindIsometries, decidesPolygonsWithABorder) {
   EXPECT_EQ(isometries(square, bent), 8);
 }
 
+// A rhombus with the middle of a diagonal as a corner of a face without area.
+TEST(FindIsometries, removesFacesWithoutArea) {
+  const std::array<double, 2> points[] = {{0, 0}, {2, 0}, {1, 0}, {1, 2}, {1, -2}};
+  const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {0, 4, 1}};
+  IT::Gluing_map mesh(IT::gluing_from_triangles(5, faces));
+  std::vector<double> lengths;
+  for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
+    const IT::Gluing_map::Halfedge h{2 * e};
+    const auto &p = points[mesh.source(h).index], &q = points[mesh.target(h).index];
+    lengths.push_back((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]));
+  }
+  const Triangulation t(
+      IT::Intrinsic_input(std::move(mesh), std::move(lengths), IT::Mollification::none));
+  EXPECT_EQ(IT::canonical_form(t).number_of_flat_vertices(), 1U);
+  EXPECT_EQ(symmetries(t), 4);
+}
+
 // ---- translation surfaces -----------------------------------------------------------------------
 
 using Matrix = std::array<std::array<double, 2>, 2>;
@@ -326,42 +494,68 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-// Five rectangles with sides in Q(a), a^3 - a^2 - 2 a + 1 = 0, under a linear map: the surface of
-// issue 325 of sage-flatsurf. Each is cut into two triangles.
-Triangulation five_rectangles(const Matrix& m) {
-  constexpr double a = 1.8019377358048383; // 2 cos(pi / 7)
-  const double sides[5][2] = {
-      {1, 1}, {1, a - 1}, {a - 1, 1}, {a * a - a - 1, a - 1}, {a - 1, a * a - a - 1}};
-  // of the rectangles: bottom, right, top, left
-  const std::uint32_t side[] = {0, 1, 4, 5};
-  const auto number = [&](std::uint32_t rectangle, std::uint32_t s) {
-    return 6 * rectangle + side[s];
-  };
-  std::vector<gallery::Glued> pairs;
-  for (std::uint32_t r = 0; r < 5; ++r) pairs.push_back({6 * r + 2, 6 * r + 3});
-  const std::uint32_t glued[][4] = {{0, 0, 1, 2}, {0, 1, 2, 3}, {0, 2, 1, 0}, {0, 3, 2, 1},
-                                    {1, 1, 3, 3}, {1, 3, 3, 1}, {2, 0, 4, 2}, {2, 2, 4, 0},
-                                    {3, 0, 3, 2}, {4, 1, 4, 3}};
-  for (const auto& [r, s, q, t] : glued) pairs.push_back({number(r, s), number(q, t)});
-  gallery::Surface surface = gallery::abstract("rectangles", gallery::glue(10, pairs), {});
-  surface.squared_length_of_side.clear();
-  for (const auto& [width, height] : sides) {
-    const auto squared = [&m](double x, double y) {
-      const double u = m[0][0] * x + m[0][1] * y, v = m[1][0] * x + m[1][1] * y;
-      return u * u + v * v;
+constexpr double cubic = 1.8019377358048383; // a = 2 cos(pi / 7), a^3 - a^2 - 2 a + 1 = 0
+
+// Rectangles, glued along their sides (bottom, right, top, left: 0 to 3), under a linear map.
+struct Rectangles {
+  std::vector<std::array<double, 2>> sizes;
+  // rectangle, side, rectangle, side
+  std::vector<std::array<std::uint32_t, 4>> glued;
+
+  // \param falls which diagonals run from the upper left to the lower right corner, as bits
+  Triangulation surface(const Matrix& m, std::uint32_t falls = 0) const {
+    const auto number = [&](std::uint32_t r, std::uint32_t s) {
+      return 6 * r + std::array{0U, 1U, 4U, 5U, 0U, 3U, 4U, 2U}[s + 4 * ((falls >> r) & 1U)];
     };
-    const double right = squared(width, 0), up = squared(0, height),
-                 across = squared(width, height);
-    for (const double l : {right, up, across, across, right, up})
-      surface.squared_length_of_side.push_back(l);
+    std::vector<gallery::Glued> pairs;
+    for (std::uint32_t r = 0; r < sizes.size(); ++r) {
+      const std::uint32_t diagonal = (falls >> r) & 1U;
+      pairs.push_back({6 * r + 2 - diagonal, 6 * r + 3 + 2 * diagonal});
+    }
+    for (const auto& [r, s, q, t] : glued) pairs.push_back({number(r, s), number(q, t)});
+    const auto faces = static_cast<std::uint32_t>(2 * sizes.size());
+    gallery::Surface result = gallery::abstract("rectangles", gallery::glue(faces, pairs), {});
+    result.squared_length_of_side.clear();
+    for (std::uint32_t r = 0; r < sizes.size(); ++r) {
+      const auto squared = [&m](double x, double y) {
+        const double u = m[0][0] * x + m[0][1] * y, v = m[1][0] * x + m[1][1] * y;
+        return u * u + v * v;
+      };
+      const auto [width, height] = sizes[r];
+      const double right = squared(width, 0), up = squared(0, height),
+                   rises = squared(width, height), falling = squared(width, -height);
+      const std::array<double, 6> rising{right, up, rises, rises, right, up},
+          other{right, falling, up, up, right, falling};
+      const auto& all = ((falls >> r) & 1U) != 0 ? other : rising;
+      result.squared_length_of_side.insert(result.squared_length_of_side.end(), all.begin(),
+                                           all.end());
+    }
+    return Triangulation(gallery::input(result));
   }
-  return Triangulation(gallery::input(surface));
+};
+
+// The surface of issue 325 of sage-flatsurf, with sides in Q(a).
+Triangulation five_rectangles(const Matrix& m) {
+  constexpr double a = cubic;
+  const Rectangles r{
+      {{1, 1}, {1, a - 1}, {a - 1, 1}, {a * a - a - 1, a - 1}, {a - 1, a * a - a - 1}},
+      {{0, 0, 1, 2},
+       {0, 1, 2, 3},
+       {0, 2, 1, 0},
+       {0, 3, 2, 1},
+       {1, 1, 3, 3},
+       {1, 3, 3, 1},
+       {2, 0, 4, 2},
+       {2, 2, 4, 0},
+       {3, 0, 3, 2},
+       {4, 1, 4, 3}}};
+  return r.surface(m);
 }
 
 // The matrix belongs to the Veech group of the surface: cut and glued again, the image is the
 // surface. Its sides get longer and longer.
 TEST(FindIsometries, findsVeechGroups) {
-  constexpr double a = 1.8019377358048383;
+  constexpr double a = cubic;
   const Matrix shears{{{1, a}, {a, a * a + 1}}};
   const IT::Canonical_form form = IT::canonical_form(five_rectangles({{{1, 0}, {0, 1}}}));
   Matrix m{{{1, 0}, {0, 1}}};
@@ -377,6 +571,51 @@ TEST(FindIsometries, findsVeechGroups) {
   const Matrix other{{{1, 1}, {0, 1}}};
   EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(five_rectangles(other))).answer(),
             Isometry_answer::not_isometric);
+}
+
+// Surfaces of the shapes of L and Z with random sides in Q(a), cut along any diagonals: all corners
+// of a rectangle are cocircular, but for the rounding of lengths.
+TEST(FindIsometries, decidesSurfacesOfCubicRectanglesUpToRounding) {
+  constexpr double a = cubic;
+  std::mt19937 random(13);
+  const auto side = [&] {
+    const auto digit = [&] { return static_cast<double>(random() % 5) - 1; };
+    for (;;)
+      if (const double x = digit() + digit() * a + digit() * a * a; x > 0.3) return x;
+  };
+  const Matrix maps[] = {{{{1, 0}, {0, 1}}}, {{{1, a}, {a, a * a + 1}}}};
+  for (std::uint32_t n = 0; n < 12; ++n) {
+    const double w = side(), x = side(), y = side(), h = side(), k = side();
+    Rectangles s;
+    if (n % 2 == 0) // L: the lower row has two rectangles
+      s = {{{w, h}, {x, h}, {w, k}},
+           {{0, 1, 1, 3}, {1, 1, 0, 3}, {0, 2, 2, 0}, {2, 2, 0, 0}, {1, 2, 1, 0}, {2, 1, 2, 3}}};
+    else // Z: two rows of two, which share the middle
+      s = {{{w, h}, {x, h}, {x, k}, {y, k}},
+           {{0, 1, 1, 3},
+            {1, 1, 0, 3},
+            {1, 2, 2, 0},
+            {2, 2, 1, 0},
+            {2, 1, 3, 3},
+            {3, 1, 2, 3},
+            {0, 2, 0, 0},
+            {3, 2, 3, 0}}};
+    Rectangles other = s;
+    other.sizes[0] = {w, h * 1.01};
+    other.sizes[1] = {x, h * 1.01};
+    for (const Matrix& m : maps) {
+      const IT::Canonical_form form = IT::canonical_form(s.surface(m));
+      const IT::Isometries found =
+          IT::find_isometries(form, IT::canonical_form(s.surface(m, random() % 16)));
+      EXPECT_TRUE(found.answer() == Isometry_answer::isometric ||
+                  found.answer() == Isometry_answer::isometric_within)
+          << n << IT::name_of(found.answer()) << found.note();
+      EXPECT_LT(found.largest_difference(), 1e-10) << n;
+      EXPECT_EQ(IT::find_isometries(form, IT::canonical_form(other.surface(m))).answer(),
+                Isometry_answer::not_isometric)
+          << n;
+    }
+  }
 }
 
 // ---- several components, many candidates --------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/Metric_triangles.h>
 #include <CGAL/Intrinsic_simplification/embedding/Polyhedron_points.h>
 #include <CGAL/Intrinsic_simplification/embedding/Precise_points.h>
+#include <CGAL/Intrinsic_simplification/embedding/Precise_real.h>
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
@@ -20,7 +21,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -67,6 +67,12 @@ Eigen::SparseMatrix<Real> pinned_gradients(const Metric_triangles& t,
   Eigen::SparseMatrix<Real> pinned(n, n);
   pinned.setFromTriplets(entries.begin(), entries.end());
   return pinned;
+}
+
+// At least the relative error of an operation.
+template <class Real>
+Real rounding_of() {
+  return Eigen::NumTraits<Real>::epsilon() / Real(2);
 }
 
 template <class Real>
@@ -120,7 +126,7 @@ Real least_eigenvalue_bound(const Eigen::SparseMatrix<Real>& p, Embedding_run& r
   Eigen::SparseMatrix<Real> a = p * columns;
   if (!run.goes_on()) return 0;
   const Real shift = half_of_least_eigenvalue(a);
-  if (!(shift > 0) || !run.goes_on()) return 0;
+  if (!(shift > Real(0)) || !run.goes_on()) return 0;
   for (int i = 0; i < a.cols(); ++i) a.coeffRef(i, i) -= shift;
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<Real>> shifted(a);
   if (shifted.info() != Eigen::Success) return 0;
@@ -131,7 +137,7 @@ Real least_eigenvalue_bound(const Eigen::SparseMatrix<Real>& p, Embedding_run& r
   int products = 16;
   for (int i = 0; i < columns.cols(); ++i)
     products = std::max(products, 6 + entries_of(columns, i));
-  constexpr Real unit = std::numeric_limits<Real>::epsilon() / 2;
+  const Real unit = rounding_of<Real>();
   const Real rounding =
       unit * Real(1 + 0x1p-20) * (sums.maxCoeff() + Real(products) * greatest_row_sum(p));
   return std::max(shift - rounding, Real(0));
@@ -143,10 +149,11 @@ template <class Real>
 std::optional<double> inverse_bound(const Metric_triangles& t, const Precise_points& points,
                                     Embedding_run& run) {
   const Eigen::SparseMatrix<Real> p = pinned_gradients<Real>(t, points);
-  const Real least = std::sqrt(least_eigenvalue_bound(p, run)) * Real(1 - 0x1p-20) -
-                     2 * std::numeric_limits<Real>::epsilon() * std::sqrt(greatest_row_sum(p));
-  if (!(least > 0)) return {};
-  return static_cast<double>(1 / least) * (1 + 0x1p-20);
+  using std::sqrt;
+  const Real least = sqrt(least_eigenvalue_bound(p, run)) * Real(1 - 0x1p-20) -
+                     Real(4) * rounding_of<Real>() * sqrt(greatest_row_sum(p));
+  if (!(least > Real(0))) return {};
+  return static_cast<double>(Real(1) / least) * (1 + 0x1p-20);
 }
 
 // Kantorovich: where the inverse of the derivative is at most b, its Lipschitz constant is K, and
@@ -170,7 +177,7 @@ std::optional<double> distance_to_solution(const Metric_triangles& t, const Prec
       2 * std::sqrt(*std::max_element(around.begin(), around.end())) * rounding;
   std::optional<double> b = inverse_bound<double>(t, points, run);
   if (!b && !run.is_cancelled())
-    b = inverse_bound<long double>(t, points, run); // hardly bent faces
+    b = inverse_bound<Precise_real>(t, points, run); // hardly bent faces
   if (!b || !(2 * *b * *b * lipschitz * r <= 1)) return {};
   return 2 * *b * r * rounding;
 }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <unordered_map>
@@ -195,6 +196,51 @@ bool is_flat(Exact_faces& faces, std::span<const std::uint32_t> sides, unsigned 
          std::ranges::all_of(classes, [](Corners_of_class& c) { return c.is_root_of_unity(); });
 }
 
+// What is known of vertices by the lengths of their faces, if these are doubles: on grids, most
+// vertices have the same ones.
+class Known_vertices {
+public:
+  explicit Known_vertices(const Input_metric& metric) : metric_(metric) {}
+
+  // The answer of a function for this vertex, or for one with the same corners.
+  template <class Decide>
+  bool operator()(std::span<const std::uint32_t> sides, unsigned half_turns, const Decide& decide) {
+    if (!find_key(sides, half_turns)) return decide();
+    if (const auto known = known_.find(key_); known != known_.end()) return known->second;
+    const bool result = decide();
+    if (known_.size() < most_known) known_.emplace(key_, result);
+    return result;
+  }
+
+private:
+  // Of a corner: the squared lengths of both sides, and of the opposite one.
+  using Corner = std::array<double, 3>;
+  // Where vertices differ, keys are in vain: they stay few.
+  static constexpr std::size_t most_known = 256;
+
+  // \return whether all lengths are doubles
+  bool find_key(std::span<const std::uint32_t> sides, unsigned half_turns) {
+    const Protect_FPU_rounding<true> up;
+    key_.clear();
+    for (const std::uint32_t h : sides) {
+      Corner c{};
+      for (const std::uint32_t k : {0U, 1U, 2U}) {
+        const Interval_nt<false> l = metric_.squared_length<Interval_nt<false>>(h / 3, (h + k) % 3);
+        if (l.inf() != l.sup()) return false;
+        c[k] = l.inf();
+      }
+      key_.push_back({std::min(c[0], c[2]), std::max(c[0], c[2]), c[1]});
+    }
+    std::ranges::sort(key_);
+    key_.push_back({static_cast<double>(half_turns), 0, 0});
+    return true;
+  }
+
+  const Input_metric& metric_;
+  std::vector<Corner> key_;
+  std::map<std::vector<Corner>, bool> known_;
+};
+
 } // namespace
 
 std::vector<char> flat_vertices(const Input_metric& metric, std::span<const std::uint32_t> corners,
@@ -213,10 +259,12 @@ std::vector<char> flat_vertices(const Input_metric& metric, std::span<const std:
   std::vector<char> result(half_turns.size(), 0);
   std::vector<std::uint32_t> sides;
   Exact_faces faces(metric);
+  Known_vertices known(metric);
   for (auto at = open.begin(); at != open.end();) {
     const std::uint32_t v = at->first;
     for (sides.clear(); at != open.end() && at->first == v; ++at) sides.push_back(at->second);
-    result[v] = is_flat(faces, sides, half_turns[v]) ? 1 : 0;
+    const auto decide = [&] { return is_flat(faces, sides, half_turns[v]); };
+    result[v] = known(sides, half_turns[v], decide) ? 1 : 0;
   }
   return result;
 }

@@ -185,7 +185,7 @@ Developed_faces::Point Developed_faces::image(Frame_maps::Map map, Point p) {
     result = image(nearer->map, nearer->start);
   } else {
     result = number_of_halfedges() + static_cast<Point>(images_.size());
-    images_.push_back({map, p});
+    images_.push_back({map, p, grid_point(Image{map, p})});
   }
   known_images_.emplace(key, result);
   return result;

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_DEVELOPED_FACES_H
 
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Chart_grid.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Frame_maps.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Length_chain.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
@@ -63,6 +64,13 @@ public:
   Point source(Halfedge h) const { return point_[h.index]; }
   // whether the faces at an edge lie in one plane of coordinates
   bool is_in_one_frame(Halfedge h) const { return map_[h.index] == Frame_maps::identity; }
+  // The frame of the face of a halfedge, whose unit is the square root of a length with a name.
+  std::uint32_t frame(Halfedge h) const { return frame_[h.index]; }
+  Value unit(std::uint32_t frame) const { return recipes_.length_of_edge(first_side_[frame] / 2); }
+  // The grid of a frame, or null.
+  const Chart_grid* grid(std::uint32_t frame) const { return charts_.grid(frame); }
+  // Where a point of a frame is on its grid; nothing if it is not on it. \pre it has one
+  std::optional<Grid_point> grid_point(Point p) const;
   // Names the squared length of a side of a face, and the area of a face, from now on.
   Value name_length(const Gluing_map& mesh, Halfedge h);
   Value name_area(const Gluing_map& mesh, Halfedge h);
@@ -85,10 +93,10 @@ private:
   struct Image {
     Frame_maps::Map map;
     Point start;
+    std::optional<Grid_point> grid_point = std::nullopt;
   };
 
   std::uint32_t number_of_halfedges() const { return static_cast<std::uint32_t>(face_.size()); }
-  Value unit(std::uint32_t frame) const { return recipes_.length_of_edge(first_side_[frame] / 2); }
   void start();
   // Maps the face of a halfedge to another frame.
   void apply(const Gluing_map& mesh, Halfedge h, Frame_maps::Map map, std::uint32_t frame);
@@ -102,6 +110,7 @@ private:
   }
   Point image(Frame_maps::Map map, Point p);
   std::optional<Image> across_first_edge(const Image& i);
+  std::optional<Grid_point> grid_point(const Image& i) const;
   Value add(const Quantity& q);
   // A frame with rational lengths: `square` is that of the quadruple area of its first face.
   struct Rational_frame {

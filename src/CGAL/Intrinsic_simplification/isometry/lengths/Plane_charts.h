@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_PLANE_CHARTS_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_PLANE_CHARTS_H
 
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Chart_grid.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -43,8 +45,9 @@ class Plane_charts {
 public:
   using Halfedge = Gluing_map::Halfedge;
   static constexpr std::uint32_t none = Gluing::none;
-  // The squared length of an edge if it is rational, and easy to find.
-  using Squared_length = std::function<const std::optional<Gmpq>&(std::uint32_t edge)>;
+  // The squared length of an edge if it is rational, and easy to find, else null. Equal lengths
+  // should be one object: then much that follows from them is found once.
+  using Squared_length = std::function<const Gmpq*(std::uint32_t edge)>;
 
   // no charts
   Plane_charts() = default;
@@ -57,8 +60,15 @@ public:
   // The number of the point where a halfedge starts, in the chart of its face.
   std::uint32_t number_of_point(std::uint32_t halfedge) const { return point_[halfedge]; }
   const Plane_number& point(std::uint32_t number) const { return points_[number]; }
+  // The grid of a chart; null if points of the chart are not on one, or if there is no such chart.
+  const Chart_grid* grid(std::uint32_t chart) const {
+    const auto known = charts_.find(chart);
+    return known == charts_.end() || !known->second.grid.exists() ? nullptr : &known->second.grid;
+  }
+  // \pre its chart has a grid
+  const Grid_point& grid_point(std::uint32_t number) const { return grid_points_[number]; }
   // that of the quadruple area of its first face
-  const Gmpq& squared_area(std::uint32_t chart) const { return squared_area_[chart]; }
+  const Gmpq& squared_area(std::uint32_t chart) const { return charts_.at(chart).squared_area; }
 
   // The motion that takes the chart of the face across a halfedge to that of its own face, which is
   // the same chart; nothing if it is the identity. \pre the mesh is that of the constructor
@@ -71,18 +81,35 @@ public:
   }
 
 private:
-  std::optional<Rational_triangle> triangle(const Gluing_map& mesh, Halfedge h) const;
+  struct Chart {
+    Gmpq squared_area;
+    std::size_t bits; // of the lengths of its first face
+    Chart_grid grid;
+  };
+  using Sides = std::array<const Gmpq*, 3>; // squared lengths
+  // A face with its first side from 0 to 1, in the numbers of a chart.
+  struct Placed_triangle {
+    Sides sides{};
+    std::uint32_t chart = none;
+    std::optional<Plane_number> apex; // nothing if it does not belong to the chart
+    std::size_t bits = 0;             // of its lengths
+  };
+  // nothing if the face has no rational lengths
+  std::optional<Sides> sides_of(const Gluing_map& mesh, Halfedge h) const;
+  const Placed_triangle& placed(const Sides& sides, std::uint32_t chart);
   bool start_chart(const Gluing_map& mesh, Halfedge first);
   bool place_across(const Gluing_map& mesh, Halfedge h);
   std::uint32_t number(const Gluing_map& mesh, Halfedge o, const Plane_number& apex);
+  void find_grids(const Gluing_map& mesh);
   const Plane_number& source(Halfedge h) const { return points_[point_[h.index]]; }
 
   const Squared_length* squared_length_ = nullptr; // while charts are made
   std::vector<std::uint32_t> chart_;               // of each face
   std::vector<std::uint32_t> point_;               // of each halfedge
   std::vector<Plane_number> points_;
-  std::vector<Gmpq> squared_area_; // of charts, by their faces
-  std::vector<std::size_t> bits_;  // of the lengths of these faces
+  std::vector<Grid_point> grid_points_;             // of each point, if its chart has a grid
+  std::unordered_map<std::uint32_t, Chart> charts_; // by their first faces
+  std::vector<Placed_triangle> placed_;             // the last ones, while charts are made
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

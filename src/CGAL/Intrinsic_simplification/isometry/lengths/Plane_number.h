@@ -5,10 +5,17 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_PLANE_NUMBER_H
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
+#include <cstddef>
+#include <functional>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+struct Hash_of_rational {
+  std::size_t operator()(const Gmpq& x) const { return std::hash<double>()(CGAL::to_double(x)); }
+};
 
 // The number x + y sqrt(-q), where a chart or a triangle knows q.
 struct Plane_number {

@@ -4,17 +4,16 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_STRIP_NAMES_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_LENGTHS_STRIP_NAMES_H
 
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.h>
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 
 #include <CGAL/Gmpq.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -37,9 +36,6 @@ public:
   std::optional<Name> name(const Value_recipes& recipes, std::uint32_t edge, int exponent);
 
 private:
-  struct Hash {
-    std::size_t operator()(const Gmpq& x) const { return std::hash<double>()(CGAL::to_double(x)); }
-  };
   // A strip: for the first and the last triangle the sides on the left and on
   // the right; for those between, on which side the path turns, and the side
   // that it does not cross; crossed sides.
@@ -52,7 +48,7 @@ private:
   std::uint32_t name_of_length(const Input_metric& m, Face_side s, int exponent);
   std::optional<Row> row(const Input_metric& m, const Unfolded_diamond& strip, int exponent);
 
-  std::unordered_map<Gmpq, std::uint32_t, Hash> lengths_;
+  std::unordered_map<Gmpq, std::uint32_t, Hash_of_rational> lengths_;
   std::map<std::vector<std::uint32_t>, Name> names_;
 };
 

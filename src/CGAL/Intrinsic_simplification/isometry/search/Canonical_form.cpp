@@ -58,8 +58,11 @@ Status Canonical_form::status() const {
   return parts_->is_ended() ? Status::cancelled : Status::done;
 }
 
-bool Canonical_form::is_unique() const { return parts_->is_proven() && parts_->choice().empty(); }
-std::string Canonical_form::note() const { return parts_->choice(); }
+bool Canonical_form::is_unique() const { return parts_->is_proven() && note().empty(); }
+std::string Canonical_form::note() const {
+  if (!parts_->choice().empty() || !parts_->has_cylinder()) return parts_->choice();
+  return "the vertices on the borders of a flat cylinder are arbitrary";
+}
 const Input& Canonical_form::input() const { return parts_->start().input(); }
 std::uint32_t Canonical_form::number_of_flat_vertices() const {
   return parts_->number_of_flat_vertices();

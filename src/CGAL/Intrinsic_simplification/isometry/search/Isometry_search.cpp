@@ -201,6 +201,7 @@ bool Isometry_search::respects_vertices(const Isometry& map) const {
   };
   std::vector<std::uint32_t> from(b_->start().input().number_of_vertices(), Dart_complex::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
+    if (a_->is_on_cylinder(Gluing_map::Halfedge{first_->darts.halfedge[d]})) continue;
     const std::uint32_t e = map.image_of_dart(d), v = source(*a_, first_->darts.halfedge[d]),
                         w = source(*b_, to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
     if (map.image_of_vertex(v) != w || (from[w] != Dart_complex::none && from[w] != v))
@@ -214,12 +215,15 @@ double Isometry_search::difference_of(const Isometry& map) const {
   double largest = 0;
   const double factor = std::ldexp(1.0, exponent_to_units_of(*b_, *a_));
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
-    const auto squared = [](const Singular_surface& s, std::uint32_t halfedge) {
-      return s.triangulation().approximate(s.triangulation().length(halfedge / 2));
+    const auto measure = [](const Singular_surface& s, std::uint32_t halfedge) {
+      return s.triangulation().approximate(s.measure(halfedge / 2));
     };
-    const double x = squared(*a_, first_->darts.halfedge[d]),
-                 y = squared(*b_, second_->darts.halfedge[map.image_of_dart(d)]) * factor;
-    largest = std::max(largest, std::abs(std::sqrt(y / x) - 1));
+    const std::uint32_t h = first_->darts.halfedge[d];
+    const double x = measure(*a_, h),
+                 y = measure(*b_, second_->darts.halfedge[map.image_of_dart(d)]) * factor;
+    // a height is an area by a length of the border: its error has those of both
+    const double errors = a_->crosses_cylinder(h / 2) ? 3 : 1;
+    largest = std::max(largest, errors * std::abs(std::sqrt(y / x) - 1));
   }
   return largest + 0x1p-50; // more than rounding here
 }
@@ -270,6 +274,7 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     const std::uint32_t e = image[d] - shift;
     result.image_.push_back(e);
+    if (a_->is_on_cylinder(Gluing_map::Halfedge{first_->darts.halfedge[d]})) continue;
     const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
       return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
     };
@@ -279,15 +284,18 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
 }
 
 // The faces of a polygon in the plane, where the first side of the first one is
-// on an axis.
-std::vector<Moved_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
+// on an axis. From a side on the border of a flat cylinder: faces that cover the rectangle over it.
+// By symmetry both angles opposite an edge across the cylinder are the same, and at most a right
+// one, since faces are Delaunay: the first face lies over its side, and the other one completes the
+// rectangle on both sides of it.
+std::vector<Plane_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
                                                  std::uint32_t halfedge) const {
-  std::vector<Moved_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};
+  std::vector<Plane_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Moved_face f = all[i];
+    const Plane_face f = all[i];
     for (std::size_t k = i == 0 ? 0 : 1; k < 3; ++k) {
-      if (t.ties[f.sides[k] / 2] == 0) continue;
-      Moved_face g =
+      if (s.crosses_cylinder(f.sides[k] / 2) ? i > 0 : t.ties[f.sides[k] / 2] == 0) continue;
+      Plane_face g =
           s.triangulation().lay_out(Gluing_map::opposite(Gluing_map::Halfedge{f.sides[k]}));
       const Plane_vector<double> from = f.corners[(k + 1) % 3], to = f.corners[k];
       const double length = g.corners[1].x;
@@ -299,17 +307,24 @@ std::vector<Moved_face> Isometry_search::polygon(const Singular_surface& s, cons
 }
 
 Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p) const {
-  const Tessellation& second = a_ == b_ ? *first_ : *second_;
-  for (const Moved_face& f : polygon(*a_, *first_, p.halfedge)) {
+  const Gluing_map::Halfedge h{p.halfedge};
+  const bool is_on_cylinder = a_->is_on_cylinder(h);
+  const std::vector<Plane_face> own_faces =
+      polygon(*a_, *first_, is_on_cylinder ? a_->border_of_cylinder(p.halfedge) : p.halfedge);
+  const auto own = std::find_if(own_faces.begin(), own_faces.end(), [&](const Plane_face& f) {
+    return f.face == a_->triangulation().mesh().face(h).index;
+  });
+  for (const Plane_face& f : own_faces) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t dart = first_->darts.dart[f.sides[k]];
       if (dart == Dart_complex::none) continue;
       // where the point is relative to the dart
       const Plane_vector<double> side = f.corners[(k + 1) % 3] - f.corners[k];
-      const Moved_face own = a_->triangulation().lay_out(Gluing_map::Halfedge{p.halfedge});
-      Plane_vector<double> z = in_frame(side, own.place(p) - f.corners[k]) / dot(side, side);
+      Plane_vector<double> z = in_frame(side, own->place(p) - f.corners[k]) / dot(side, side);
       if (map.is_mirrored(dart)) z.x = 1 - z.x;
-      const std::vector<Moved_face> faces =
+      if (is_on_cylinder) z.x -= std::floor(z.x);
+      const Tessellation& second = a_ == b_ ? *first_ : *second_;
+      const std::vector<Plane_face> faces =
           polygon(*b_, second, second.darts.halfedge[map.image_of_dart(dart)]);
       return point_at(faces, faces.front().corners[1].x * z);
     }

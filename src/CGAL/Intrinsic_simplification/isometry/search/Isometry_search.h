@@ -71,7 +71,7 @@ private:
   Directed_dart composed(const Dart_matching::Group& g, const Directed_dart& first,
                          const Directed_dart& second, const Directed_dart& symmetry,
                          std::vector<std::uint32_t>& image) const;
-  std::vector<Moved_face> polygon(const Singular_surface& s, const Tessellation& t,
+  std::vector<Plane_face> polygon(const Singular_surface& s, const Tessellation& t,
                                   std::uint32_t halfedge) const;
   Surface_point image(const Isometry& map, const Surface_point& p) const;
 

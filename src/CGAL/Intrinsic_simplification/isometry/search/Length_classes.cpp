@@ -37,7 +37,7 @@ int exponent_to_units_of(const Singular_surface& from, const Singular_surface& t
 
 namespace {
 
-// A squared length, in the units of the first surface.
+// A squared length, or another measure of an edge, in the units of the first surface.
 struct Length {
   std::uint32_t surface;
   Value_recipes::Id id;
@@ -55,6 +55,7 @@ public:
   }
 
   Equality operator()(const Length& x, const Length& y) {
+    if (x.surface == y.surface && x.id == y.id) return Equality::equal;
     if (const auto n = name(x); n && n == name(y)) return Equality::equal;
     if (have_identical_chains(x, y)) return Equality::equal;
     for (int attempt = 0; attempt < 2 && words_left_ > 0; ++attempt) {
@@ -165,7 +166,7 @@ std::vector<Length> sorted_lengths(std::span<const Singular_surface* const> surf
     for (std::uint32_t d = 0; d < darts.size(); ++d) {
       if (darts.opposite[d] < d) continue; // its edge was added
       expect_to_go_on();
-      const Value_recipes::Id id = surfaces[s]->triangulation().length(darts.halfedge[d] / 2);
+      const Value_recipes::Id id = surfaces[s]->measure(darts.halfedge[d] / 2);
       all.push_back({s, id, surfaces[s]->triangulation().narrow_enclosure(id) * factor});
     }
   }
@@ -208,7 +209,7 @@ Length_classes classes_of_darts(std::span<const Singular_surface* const> surface
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     std::vector<std::uint32_t>& of_dart = result.of_dart.emplace_back();
     for (const std::uint32_t h : complexes[s]->halfedge)
-      of_dart.push_back(by_id[s].at(surfaces[s]->triangulation().length(h / 2)));
+      of_dart.push_back(by_id[s].at(surfaces[s]->measure(h / 2)));
   }
   return result;
 }

@@ -69,15 +69,23 @@ private:
 
 } // namespace
 
-double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
+namespace {
+
+// The nearest double to a squared length or an area, in the units of the user.
+double rounded(const Singular_surface& s, Value_recipes::Id id) {
   try {
     expect_to_go_on();
-    return std::ldexp(s.triangulation().nearest(s.length(dart)),
-                      -2 * s.start().input().scale_exponent());
+    return std::ldexp(s.triangulation().nearest(id), -2 * s.start().input().scale_exponent());
   } catch (const Undecidable& e) {
     throw Invalid_input(Element_kind::none, 0,
                         std::string("a length cannot be rounded correctly: ") + e.what());
   }
+}
+
+} // namespace
+
+double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
+  return rounded(s, s.length(dart));
 }
 
 std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run) {
@@ -98,7 +106,8 @@ std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run) {
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {
     const std::uint32_t o = darts.opposite[d];
-    lengths[d] = o < d ? lengths[o] : std::bit_cast<std::uint64_t>(rounded_squared_length(s, d));
+    lengths[d] = o < d ? lengths[o]
+                       : std::bit_cast<std::uint64_t>(rounded(s, s.measure(darts.halfedge[d] / 2)));
   }
   const std::vector<std::uint64_t> sums = Dart_colours(darts, lengths, false).sums(),
                                    mirrored = Dart_colours(darts, lengths, true).sums();

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_charts.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Plane_number.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Moved_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Repartition.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
@@ -19,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -56,7 +58,8 @@ std::vector<char> faces_at_flat_vertices(const std::vector<char>& is_flat, const
 } // namespace
 
 void Moved_triangulation::lay_out_planes(const std::vector<char>& is_flat) {
-  std::vector<std::optional<std::optional<Gmpq>>> known(mesh().number_of_edges());
+  std::unordered_set<Gmpq, Hash_of_rational> lengths; // each once
+  std::vector<std::optional<const Gmpq*>> known(mesh().number_of_edges());
   const auto find = [&](std::uint32_t edge) -> std::optional<Gmpq> {
     if (recipes_.is_along_input(edge)) {
       const Face_side s = recipes_.input_side_of(edge);
@@ -70,8 +73,11 @@ void Moved_triangulation::lay_out_planes(const std::vector<char>& is_flat) {
     }
     return x && x->is_rational() ? std::optional(x->coefficient(0)) : std::nullopt;
   };
-  const auto squared_length = [&](std::uint32_t edge) -> const std::optional<Gmpq>& {
-    if (!known[edge]) known[edge] = find(edge);
+  const auto squared_length = [&](std::uint32_t edge) {
+    if (!known[edge]) {
+      const std::optional<Gmpq> x = find(edge);
+      known[edge] = x ? &*lengths.insert(*x).first : nullptr;
+    }
     return *known[edge];
   };
   developed_.set_charts(Plane_charts(mesh(), developed_.first_sides(),
@@ -116,21 +122,41 @@ double Moved_triangulation::nearest(Id id) const {
   throw Undecidable("enclosures of a length stay too wide");
 }
 
-Value_recipes::Diamond_ids Moved_triangulation::diamond(Halfedge h) const {
+Moved_triangulation::Moved_diamond Moved_triangulation::diamond(Halfedge h) const {
   const Gluing_map& m = mesh();
-  const Halfedge o = Gluing_map::opposite(h), jk = m.next(h), im = m.next(o);
-  return {length_[h.index / 2],  length_[jk.index / 2],         length_[m.next(jk).index / 2],
-          length_[im.index / 2], length_[m.next(im).index / 2], area_[m.face(h).index],
-          area_[m.face(o).index]};
+  const Halfedge o = Gluing_map::opposite(h), jk = m.next(h), ki = m.next(jk), im = m.next(o),
+                 mj = m.next(im);
+  Moved_diamond result{{length_[h.index / 2], length_[jk.index / 2], length_[ki.index / 2],
+                        length_[im.index / 2], length_[mj.index / 2], area_[m.face(h).index],
+                        area_[m.face(o).index]},
+                       is_in_one_frame(h) ? developed_.grid(developed_.frame(h)) : nullptr,
+                       {}};
+  if (result.grid == nullptr) return result;
+  const std::array<Halfedge, 4> corners{h, jk, ki, mj};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::optional<Grid_point> p = developed_.grid_point(developed_.source(corners[k]));
+    if (!p) {
+      result.grid = nullptr;
+      break;
+    }
+    result.corners[k] = *p;
+  }
+  return result;
 }
 
 Diamond_values<double> Moved_triangulation::approximate(Halfedge h) const {
-  const Diamond_ids d = diamond(h);
-  const auto at = [&](std::size_t k) { return approximate(d[k]); };
+  const Moved_diamond d = diamond(h);
+  if (d.grid != nullptr) {
+    const std::uint32_t frame = developed_.frame(h);
+    if (const auto v = d.grid->approximate(d.corners, approximate(developed_.unit(frame)),
+                                           approximate(recipes_.area_of_face(frame))))
+      return *v;
+  }
+  const auto at = [&](std::size_t k) { return approximate(d.ids[k]); };
   return {at(0), at(1), at(2), at(3), at(4), at(5), at(6)};
 }
 
-Moved_face Moved_triangulation::lay_out(Halfedge h) const {
+Plane_face Moved_triangulation::lay_out(Halfedge h) const {
   const Gluing_map& m = mesh();
   const Halfedge n = m.next(h), l = m.next(n);
   const auto squared = [&](Halfedge x) { return approximate(length_[x.index / 2]); };
@@ -156,10 +182,22 @@ Plane_vector<double> Moved_triangulation::approximate_vector(Developed_faces::Po
   return v;
 }
 
-Moved_face Moved_triangulation::in_frame(Halfedge h, Developed_faces::Point origin) const {
+Moved_face Moved_triangulation::face_at(Halfedge h) const {
   const Halfedge n = mesh().next(h), l = mesh().next(n);
-  const auto corner = [&](Halfedge x) { return approximate_vector(origin, developed_.source(x)); };
-  return {mesh().face(h).index, {h.index, n.index, l.index}, {{corner(h), corner(n), corner(l)}}};
+  return {mesh().face(h).index,
+          {h.index, n.index, l.index},
+          {developed_.source(h), developed_.source(n), developed_.source(l)}};
+}
+
+std::vector<Plane_face> Moved_triangulation::lay_out(const Repartition& move,
+                                                     const Repartition::Faces& faces) const {
+  const Developed_faces::Point origin = move.before.front().corners.front();
+  std::vector<Plane_face> result;
+  for (const Moved_face& f : faces) {
+    const auto corner = [&](std::size_t k) { return approximate_vector(origin, f.corners[k]); };
+    result.push_back({f.face, f.sides, {{corner(0), corner(1), corner(2)}}});
+  }
+  return result;
 }
 
 void Moved_triangulation::name_areas(std::initializer_list<Halfedge> faces) {
@@ -173,11 +211,11 @@ void Moved_triangulation::flip(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge o = Gluing_map::opposite(h);
   developed_.bring_across(m, h);
-  const Developed_faces::Point origin = developed_.source(h);
-  std::vector<Moved_face> before{in_frame(h, origin), in_frame(o, origin)};
+  Repartition move{{face_at(h), face_at(o)}, {}};
   developed_.flip(m, h);
   CGAL::Euler::flip_edge(h, m);
-  moves_.push_back({std::move(before), {in_frame(h, origin), in_frame(o, origin)}});
+  move.after = {face_at(h), face_at(o)};
+  moves_.push_back(move);
   name_areas({h, o});
   length_[h.index / 2] = developed_.name_length(m, h);
 }
@@ -186,12 +224,12 @@ void Moved_triangulation::remove_inner_vertex(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge jp = m.next(h), pi = m.next(jp);
   for (const Halfedge x : {jp, pi}) developed_.bring_across(m, x);
-  const Developed_faces::Point origin = developed_.source(h);
-  std::vector<Moved_face> before{in_frame(h, origin),
-                                 in_frame(m.next(Gluing_map::opposite(jp)), origin),
-                                 in_frame(m.next(m.next(Gluing_map::opposite(pi))), origin)};
+  Repartition move{{face_at(h), face_at(m.next(Gluing_map::opposite(jp))),
+                    face_at(m.next(m.next(Gluing_map::opposite(pi))))},
+                   {}};
   remove_degree_3_vertex(h, m, numbered_.numbers);
-  moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  move.after = {face_at(h)};
+  moves_.push_back(move);
   name_areas({h});
 }
 
@@ -199,10 +237,10 @@ void Moved_triangulation::remove_border_vertex(Halfedge h) {
   Gluing_map& m = numbered_.mesh;
   const Halfedge pk = m.next(h), kp = Gluing_map::opposite(pk);
   developed_.bring_across(m, pk);
-  const Developed_faces::Point origin = developed_.source(h);
-  std::vector<Moved_face> before{in_frame(pk, origin), in_frame(kp, origin)};
+  Repartition move{{face_at(pk), face_at(kp)}, {}};
   Intrinsic_triangulations::remove_border_vertex(h, m, numbered_.numbers);
-  moves_.push_back({std::move(before), {in_frame(h, origin)}});
+  move.after = {face_at(h)};
+  moves_.push_back(move);
   name_areas({h});
   length_[h.index / 2] = developed_.name_length(m, h);
 }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Chart_grid.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Value_recipes.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Repartition.h>
@@ -35,7 +36,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 /*
 A triangulation of which vertices of the input can be removed: connectivity, and names for the
 values of its elements. It starts as a triangulation of the input and decides signs exactly: by
-enclosures of 106 bits, then in the field of the square roots, then in more bits.
+small integers where faces are on a grid, by enclosures of 106 bits, then in the field of the
+square roots, then in more bits.
 */
 class Moved_triangulation {
 public:
@@ -72,7 +74,9 @@ public:
   // Gives faces at flat vertices that lie in planes common coordinates. \pre no move was made
   void lay_out_planes(const std::vector<char>& is_flat);
   // the face, with its first side on an axis, in doubles
-  Moved_face lay_out(Halfedge h) const;
+  Plane_face lay_out(Halfedge h) const;
+  // faces before or after a move, in doubles; the origin is the same for both
+  std::vector<Plane_face> lay_out(const Repartition& move, const Repartition::Faces& faces) const;
   // whether both sides of the edge have faces, not the same one
   bool has_diamond(Halfedge h) const {
     const Gluing_map& m = mesh();
@@ -80,14 +84,22 @@ public:
     return f.index != Gluing::none && g.index != Gluing::none && f.index != g.index;
   }
   bool is_in_one_frame(Halfedge h) const { return developed_.is_in_one_frame(h); }
-  Diamond_ids diamond(Halfedge h) const;
+  // A diamond: names of its values, and its corners if they are on a grid.
+  struct Moved_diamond {
+    Diamond_ids ids;
+    const Chart_grid* grid; // or null
+    Grid_diamond corners;
+  };
+  Moved_diamond diamond(Halfedge h) const;
   Diamond_values<double> approximate(Halfedge h) const;
 
   // \throws Undecidable
   template <class Expression>
-  Sign sign(const Diamond_ids& d, const Expression& expression) const {
-    const Uncertain<Sign> quick = expression(short_(d)).sign();
-    return is_certain(quick) ? get_certain(quick) : exact_sign(d, expression);
+  Sign sign(const Moved_diamond& d, const Expression& expression) const {
+    if (d.grid != nullptr)
+      if (const std::optional<Sign> s = d.grid->sign(d.corners, expression)) return *s;
+    const Uncertain<Sign> quick = expression(short_(d.ids)).sign();
+    return is_certain(quick) ? get_certain(quick) : exact_sign(d.ids, expression);
   }
 
   // \pre it has a diamond, whose new faces have areas; that of the source of
@@ -149,7 +161,7 @@ private:
   void start_field() const;
   Plane_vector<double> approximate_vector(Developed_faces::Point from,
                                           Developed_faces::Point to) const;
-  Moved_face in_frame(Halfedge h, Developed_faces::Point origin) const;
+  Moved_face face_at(Halfedge h) const;
   // names the areas of faces that a move has made, and chooses their frames
   void name_areas(std::initializer_list<Halfedge> faces);
 

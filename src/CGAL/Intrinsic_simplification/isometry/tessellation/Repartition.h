@@ -4,20 +4,29 @@
 #ifndef CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REPARTITION_H
 #define CGAL_INTRINSIC_SIMPLIFICATION_ISOMETRY_TESSELLATION_REPARTITION_H
 
+#include <CGAL/Intrinsic_simplification/isometry/lengths/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face, laid out in the plane.
+// A face before or after a move, with points of one frame for both.
 struct Moved_face {
+  std::uint32_t face;
+  std::array<std::uint32_t, 3> sides; // its halfedges
+  std::array<Developed_faces::Point, 3> corners;
+};
+
+// A face, laid out in the plane.
+struct Plane_face {
   std::uint32_t face;
   std::array<std::uint32_t, 3> sides;          // its halfedges
   std::array<Plane_vector<double>, 3> corners; // where each of them starts
@@ -41,12 +50,12 @@ struct Moved_face {
 
 // The point of the faces at a place in the plane; of the face that contains it
 // best.
-inline Surface_point point_at(std::span<const Moved_face> faces, const Plane_vector<double>& z,
+inline Surface_point point_at(std::span<const Plane_face> faces, const Plane_vector<double>& z,
                               std::uint32_t* its_face = nullptr) {
   double best = -1;
   Surface_point result;
   bool is_first = true;
-  for (const Moved_face& f : faces) {
+  for (const Plane_face& f : faces) {
     std::array<double, 3> w = f.weights(z);
     const double least = *std::min_element(w.begin(), w.end());
     if (!is_first && !(least > best)) continue;
@@ -61,9 +70,11 @@ inline Surface_point point_at(std::span<const Moved_face> faces, const Plane_vec
   return result;
 }
 
-// A move: some faces of the plane become others, on the same region.
+// A move: some faces of the plane become others, on the same region; at most three become one.
+// Moves are many, and few of them are ever laid out.
 struct Repartition {
-  std::vector<Moved_face> before, after;
+  using Faces = boost::container::static_vector<Moved_face, 3>;
+  Faces before, after;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -58,17 +58,21 @@ std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
 // Takes points through moves.
 template <class Moves, class Before, class After>
 void carry(std::vector<Surface_point>& points, const Gluing_map& mesh, std::size_t faces,
-           const Moves& moves, const Before& before, const After& after) {
+           const Moved_triangulation& t, const Moves& moves, const Before& before,
+           const After& after) {
   if (moves.empty()) return;
   std::vector<std::vector<std::size_t>> in_face(faces);
   for (std::size_t i = 0; i < points.size(); ++i)
     in_face[mesh.face(Gluing_map::Halfedge{points[i].halfedge}).index].push_back(i);
   for (const Repartition& move : moves) {
+    const auto is_empty = [&](const Moved_face& f) { return in_face[f.face].empty(); };
+    if (std::all_of(before(move).begin(), before(move).end(), is_empty)) continue;
+    const std::vector<Plane_face> to = t.lay_out(move, after(move));
     std::vector<std::pair<std::uint32_t, std::size_t>> moved;
-    for (const Moved_face& f : before(move)) {
+    for (const Plane_face& f : t.lay_out(move, before(move))) {
       for (const std::size_t i : in_face[f.face]) {
         std::uint32_t face = 0;
-        points[i] = point_at(after(move), f.place(points[i]), &face);
+        points[i] = point_at(to, f.place(points[i]), &face);
         moved.emplace_back(face, i);
       }
       in_face[f.face].clear();
@@ -150,7 +154,8 @@ bool Singular_surface::have_chains() const {
   for (std::uint32_t e = 0; e < mesh.number_of_edges(); ++e) {
     expect_to_go_on();
     const Value_recipes::Id length = moved_->length(e);
-    if (mesh.is_removed(Gluing_map::Halfedge{2 * e}) || ties_[e] != 0) continue;
+    if (mesh.is_removed(Gluing_map::Halfedge{2 * e}) || ties_[e] != 0 || crosses_cylinder(e))
+      continue;
     if (!moved_->recipes().is_length_of_edge(length) && !moved_->developed().chain(length))
       return false;
   }
@@ -176,6 +181,31 @@ void Singular_surface::make_from(Start start, const std::vector<char>& are_remov
 // A component needs a vertex, and so does a loop of its border.
 void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
   const Gluing_map& mesh = start_->mesh();
+  const std::vector<std::uint32_t> component = components_of_vertices(mesh);
+  std::vector<char> has_vertex(are_removed.size(), 0), is_cylinder = has_vertex;
+  for (std::uint32_t v = 0; v < are_removed.size(); ++v)
+    if (are_removed[v] == 0) has_vertex[component[v]] = 1;
+  choose_on_border(component, has_vertex, are_removed, is_cylinder);
+  for (std::uint32_t v = 0; v < are_removed.size(); ++v) {
+    is_on_cylinder_.push_back(is_cylinder[component[v]]);
+    if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none) continue;
+    if (std::exchange(has_vertex[component[v]], 1) == 0 && is_on_cylinder_[v] == 0) {
+      are_removed[v] = 0;
+      continuous_part_ = "translations of a flat torus";
+    }
+    number_of_flat_vertices_ += are_removed[v] != 0 ? 1 : 0;
+  }
+  if (std::find(is_cylinder.begin(), is_cylinder.end(), 1) != is_cylinder.end())
+    continuous_part_ += continuous_part_.empty() ? "rotations of a flat cylinder"
+                                                 : ", rotations of a flat cylinder";
+}
+
+// \param has_vertex whether a component has a vertex with curvature, or a corner
+void Singular_surface::choose_on_border(const std::vector<std::uint32_t>& component,
+                                        const std::vector<char>& has_vertex,
+                                        std::vector<char>& are_removed,
+                                        std::vector<char>& is_cylinder) {
+  const Gluing_map& mesh = start_->mesh();
   std::vector<char> is_done(mesh.number_of_halfedges(), 0);
   for (std::uint32_t first = 0; first < is_done.size(); ++first) {
     if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
@@ -188,20 +218,12 @@ void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
       h = mesh.next(h);
     } while (h.index != first);
     if (has_corner) continue;
-    are_removed[mesh.target(h).index] = 0;
-    choice_ = "a loop of the border has no corner";
-  }
-  const std::vector<std::uint32_t> component = components_of_vertices(mesh);
-  std::vector<char> has_vertex(are_removed.size(), 0);
-  for (std::uint32_t v = 0; v < are_removed.size(); ++v)
-    if (are_removed[v] == 0) has_vertex[component[v]] = 1;
-  for (std::uint32_t v = 0; v < are_removed.size(); ++v) {
-    if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none) continue;
-    if (std::exchange(has_vertex[component[v]], 1) == 0) {
-      are_removed[v] = 0;
-      continuous_part_ = "translations of a flat torus";
-    }
-    number_of_flat_vertices_ += are_removed[v] != 0 ? 1 : 0;
+    const std::uint32_t v = mesh.target(h).index;
+    are_removed[v] = 0;
+    if (has_vertex[component[v]] != 0)
+      choice_ = "a loop of the border has no corner";
+    else
+      is_cylinder[component[v]] = 1;
   }
 }
 
@@ -213,7 +235,7 @@ void Singular_surface::find_ties() {
     const Corresponding_triangulation::Const_session session(*start_);
     for (std::uint32_t e = 0; e < ties_.size(); ++e) {
       const Gluing_map::Halfedge h{2 * e};
-      if (mesh.is_removed(h) || !moved_->has_diamond(h)) continue;
+      if (mesh.is_removed(h) || !moved_->has_diamond(h) || is_on_cylinder(h)) continue;
       expect_to_go_on();
       if (moved_->is_original(mesh.face(h).index) &&
           moved_->is_original(mesh.face(Gluing_map::opposite(h)).index))
@@ -242,7 +264,8 @@ std::vector<char> Singular_surface::ties_within(double error) const {
     if (result[e] != 0) join(Gluing_map::Halfedge{2 * e});
   for (std::uint32_t e = 0; e < result.size(); ++e) {
     const Gluing_map::Halfedge h{2 * e};
-    if (result[e] != 0 || mesh.is_removed(h) || !moved_->has_diamond(h)) continue;
+    if (result[e] != 0 || mesh.is_removed(h) || !moved_->has_diamond(h) || is_on_cylinder(h))
+      continue;
     const Diamond_values<double> d = moved_->approximate(h);
     const double size = std::abs(left_cotangent_numerator(d)) * d.area_g +
                         std::abs(right_cotangent_numerator(d)) * d.area_f + d.area_f * d.area_g;
@@ -251,12 +274,23 @@ std::vector<char> Singular_surface::ties_within(double error) const {
   return result;
 }
 
+std::uint32_t Singular_surface::border_of_cylinder(std::uint32_t halfedge) const {
+  using Halfedge = Gluing_map::Halfedge;
+  const Gluing_map& mesh = moved_->mesh();
+  const auto on_border = [&](Halfedge h) {
+    while (crosses_cylinder(h.index / 2)) h = mesh.next(h);
+    return h;
+  };
+  const Halfedge own = on_border(Halfedge{halfedge});
+  return std::min(own.index, on_border(Gluing_map::opposite(mesh.next(own))).index);
+}
+
 std::vector<Surface_point>
 Singular_surface::from_input(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;
   for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(*start_, p).value());
   carry(
-      result, start_->mesh(), start_->mesh().number_of_faces(), moved_->moves(),
+      result, start_->mesh(), start_->mesh().number_of_faces(), *moved_, moved_->moves(),
       [](const Repartition& m) -> const auto& { return m.before; },
       [](const Repartition& m) -> const auto& { return m.after; });
   return result;
@@ -272,7 +306,7 @@ std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_po
   };
   const Backwards back{moved_->moves()};
   carry(
-      result, moved_->mesh(), start_->mesh().number_of_faces(), back,
+      result, moved_->mesh(), start_->mesh().number_of_faces(), *moved_, back,
       [](const Repartition& m) -> const auto& { return m.after; },
       [](const Repartition& m) -> const auto& { return m.before; });
   for (Surface_point& p : result) p = locate_on_input(*start_, p).value();

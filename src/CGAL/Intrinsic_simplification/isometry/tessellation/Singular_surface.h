@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,11 @@ triangulation run across creases, where lengths have roots of both sides. Flips 
 about as long as removals. Few flat vertices are removed from the Delaunay triangulation, which is
 fast to find; if lengths of edges that moves have made depend on irrational ones then, the input is
 tried, too, unless that takes many moves. What one way cannot decide, the other one may.
+
+A component with a border and no curvature, not even corners, is a flat cylinder, by Gauss and
+Bonnet. Each of its two borders keeps a vertex, which may be any. So it has two faces, with one side
+on the border each, and no ties; what lengths of the other two edges are is arbitrary, but the areas
+of both faces are half of the area: with the length of the border, they tell cylinders apart.
 */
 class Singular_surface {
 public:
@@ -67,6 +73,30 @@ public:
   Value_recipes::Id length(std::uint32_t dart) const {
     return moved_->length(darts_->halfedge[dart] / 2);
   }
+  // Whether a vertex lies on a flat cylinder, see above.
+  bool is_on_cylinder(std::uint32_t vertex) const {
+    return !is_on_cylinder_.empty() && is_on_cylinder_[vertex] != 0;
+  }
+  bool has_cylinder() const {
+    return std::find(is_on_cylinder_.begin(), is_on_cylinder_.end(), 1) != is_on_cylinder_.end();
+  }
+  bool is_on_cylinder(Gluing_map::Halfedge h) const {
+    return is_on_cylinder(moved_->mesh().source(h).index);
+  }
+  // The number that isometric surfaces have in common at an edge: its squared length, or the
+  // quadruple area of a face where the edge crosses a cylinder.
+  Value_recipes::Id measure(std::uint32_t edge) const {
+    return crosses_cylinder(edge)
+               ? moved_->area(moved_->mesh().face(Gluing_map::Halfedge{2 * edge}).index)
+               : moved_->length(edge);
+  }
+  bool crosses_cylinder(std::uint32_t edge) const {
+    const Gluing_map::Halfedge h{2 * edge};
+    return moved_->has_diamond(h) && is_on_cylinder(h);
+  }
+  // A side on the border of a cylinder that has a face with this side: always the same one, since
+  // where vertices lie on the other border is arbitrary.
+  std::uint32_t border_of_cylinder(std::uint32_t halfedge) const;
   // edges whose faces are cocircular up to a relative error: the weight is at
   // most so far from zero
   std::vector<char> ties_within(double error) const;
@@ -79,6 +109,9 @@ private:
   enum class Start { input, delaunay };
 
   void choose_vertices(std::vector<char>& are_removed);
+  void choose_on_border(const std::vector<std::uint32_t>& component,
+                        const std::vector<char>& has_vertex, std::vector<char>& are_removed,
+                        std::vector<char>& is_cylinder);
   void make(const std::vector<char>& are_removed, Isometry_run& run);
   // \throws Undecidable also if flips from the input are more than `most_moves`
   void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run,
@@ -92,7 +125,8 @@ private:
   std::shared_ptr<const Input> input_;
   std::unique_ptr<Corresponding_triangulation> start_;
   std::unique_ptr<Moved_triangulation> moved_;
-  std::vector<char> ties_; // by edge
+  std::vector<char> ties_;           // by edge
+  std::vector<char> is_on_cylinder_; // by vertex; empty if all vertices stay
   std::optional<Dart_complex> darts_;
   std::uint32_t number_of_flat_vertices_ = 0;
   std::string choice_, continuous_part_;
