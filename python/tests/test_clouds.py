@@ -159,6 +159,22 @@ class Few_points(unittest.TestCase):
                     np.testing.assert_array_equal(known, known.T)
                     np.testing.assert_allclose(D[known], D.T[known], atol=1e-12)
 
+    def test_distances_are_those_on_its_faces(self):
+        """The same triangles, given as faces. In a cloud each comes from the star of a point."""
+        for seed in range(10):
+            rng = np.random.default_rng(seed)
+            P = rng.random((rng.integers(20, 60), 3))
+            s = it.points(P)
+            faces = it.Surface(P, np.unique(np.sort(s.faces, axis=1), axis=0))
+            d = s.distance(0)
+            np.testing.assert_allclose(d, faces.distance(0), rtol=1e-12)
+            for v in np.flatnonzero(np.isfinite(d))[1:6]:
+                with self.subTest(seed=seed, target=v):
+                    path = s.path(0, int(v))
+                    self.assertEqual(path.status, "done")
+                    pieces = np.linalg.norm(np.diff(path.points, axis=0), axis=1)
+                    self.assertAlmostEqual(pieces.sum(), d[v], delta=1e-9)
+
 
 class As_the_program(unittest.TestCase):
     def test_vectors_and_functions(self):

@@ -51,6 +51,18 @@ class Signatures(unittest.TestCase):
             with self.subTest(path.name):
                 self.assertEqual(used - known, set())
 
+    def test_no_class_hides_a_name_of_another(self):
+        """A surface has many bases: a helper of one must not take the place of another's."""
+        classes = [intrinsic.Surface]
+        for c in classes:
+            classes += c.__subclasses__()
+            first = {}
+            for base in c.__mro__[:-1]:
+                for name in vars(base):
+                    if not name.startswith("__"):
+                        with self.subTest(c.__name__, name=name):
+                            self.assertIs(first.setdefault(name, base), base)
+
 
 if __name__ == "__main__":
     unittest.main()

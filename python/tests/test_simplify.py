@@ -145,6 +145,10 @@ class Coarse(unittest.TestCase):
         self.assertEqual(u.stretch, t.stretch)
         np.testing.assert_array_equal(u.lengths, t.lengths)
         np.testing.assert_array_equal(u.vector_prolongation.data, t.vector_prolongation.data)
+        path, distance = t.path(0, 30), t.distance(0, targets=30)
+        self.assertAlmostEqual(path.length, distance, delta=1e-12 * distance)
+        self.assertGreaterEqual(t.path(0, 30, method="flips").length, distance * (1 - 1e-12))
+        self.assertTrue(t.loop([0, 20, 40]).length > 0)
 
     def test_bad_arguments_are_refused(self):
         s = it.Surface(*torus())
