@@ -135,8 +135,8 @@ private:
     add_corner(p);
   }
 
-  // Vertices are numbered in the order in which they first occur. The hash holds zeros of both signs
-  // for one number, as == does.
+  // Vertices are numbered in the order in which they first occur. Zeros of both signs are one
+  // number for the hash, as for ==.
   void merge() {
     out_.line = 0;
     std::unordered_map<Point, std::int64_t, boost::hash<Point>> vertices;
