@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -102,8 +103,8 @@ std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const std::vecto
       double& known = length[sides[side].index / 2];
       if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
         refuse("lengths[" + std::to_string(f) + ", " + std::to_string(side) + "] is " +
-               std::to_string(l) + ", but the other side of that edge has the length " +
-               std::to_string(known) + "; give both sides of an edge one length");
+               IT::shortest_text(l) + ", but the other side of that edge has the length " +
+               IT::shortest_text(known) + "; give both sides of an edge one length");
       if (known < 0) known = l;
     }
   }

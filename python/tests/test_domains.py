@@ -3,6 +3,7 @@
 """Surfaces of lengths alone are covered as surfaces in space are, by every `domain`."""
 
 import itertools
+import re
 import unittest
 
 import numpy as np
@@ -105,9 +106,12 @@ class Lengths(unittest.TestCase):
 
     def test_that_disagree_are_refused(self):
         lengths = sides(*BOOK)
-        lengths[2, 0] *= 1.01
-        with self.assertRaisesRegex(ValueError, r"lengths\[2, 0\].*sides of an edge one length"):
+        lengths[2, 0] *= 1 + 3e-9
+        with self.assertRaisesRegex(ValueError, r"lengths\[2, 0\].*sides of an edge one length"
+                                    ) as refused:
             it.Surface(None, BOOK[1], lengths=lengths)
+        here, there = re.search(r"is (\S+), .* the length (\S+);", str(refused.exception)).groups()
+        self.assertNotEqual(here, there)
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ bool are_classes(const Eigen::VectorXd& values) {
   constexpr std::size_t most = 64;
   std::set<double> different;
   for (const double x : values) {
-    if (x != std::floor(x)) return false;
+    if (x != std::floor(x) || std::isinf(x)) return false;
     different.insert(x);
     if (different.size() > most) return false;
   }
@@ -80,7 +80,7 @@ void add_values(const std::string& path, const Triangulation& t, std::size_t fac
                 const IT::Common_subdivision& s, const Options& options, Shown& shown) {
   const std::size_t mine = t.number_of_vertices(), rows = t.input().number_of_rows();
   const std::string what = "vertices or faces of " + options.input;
-  const Number_table table = read_numbers(path, std::max(mine, faces), what);
+  const Number_table table = read_numbers(path, std::max(mine, faces), what, Infinity::taken);
   const std::size_t n = table.rows();
   const bool is_on_faces = n == faces && n != mine && n != rows;
   if (n != mine && !is_on_faces) table.expect_rows(rows, "vertices of " + options.input);

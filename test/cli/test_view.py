@@ -4,6 +4,7 @@
 
 import base64
 import json
+import math
 import os
 import re
 import struct
@@ -188,6 +189,24 @@ class Files(View_test):
         for name in ("cut.vtp", "cut.ply"):
             self.run_program("cut", mesh, "--path", "0,24", "-o", self.path(name))
             self.assert_fails(self.run_program("view", mesh, self.path(name)), name, "surface")
+
+    def test_shows_distances_that_are_infinite(self):
+        points, faces = grid(4)
+        mesh = self.write_off("two.off", points + [(x, y, 9) for x, y, _ in points],
+                              faces + [tuple(v + 25 for v in f) for f in faces])
+        written = self.run_program("distance", mesh, "--source", "0", "-o", self.path("d.txt"))
+        self.assertEqual(written.code, 0, written.err)
+        with open(self.path("d.txt"), encoding="utf-8") as file:
+            self.assertIn("inf", file.read())
+        run = self.run_program("view", mesh, self.path("d.txt"), "-o", self.path("view.html"))
+        self.assertEqual((run.code, run.err), (0, ""))
+        with open(self.path("view.html"), encoding="utf-8") as file:
+            values = self.data(file.read(), "field-0", "f")
+        self.assertEqual(sum(map(math.isinf, values)), 25)
+        self.assertEqual(sum(map(math.isnan, values)), 0)
+        lines = self.stats("cut", mesh, "--values", self.path("d.txt"), "--levels", "2",
+                           "-o", self.path("c.ply"))["isolines"]
+        self.assertEqual(len(lines["levels"]), 2)
 
     def test_shows_values_of_faces(self):
         mesh = self.write_off("grid.off", *grid(4))

@@ -37,7 +37,7 @@ std::vector<double> values_of_rows(Triangulation& t, const Loaded<Triangulation>
   const std::size_t rows = t.input().number_of_rows();
   if (!options.field.empty()) {
     const std::string what = "vertices of " + options.input;
-    const Number_table table = read_numbers(options.field, rows, what);
+    const Number_table table = read_numbers(options.field, rows, what, Infinity::taken);
     if (table.columns != 1) table.refuse(0, "give one number on each line");
     table.expect_rows(rows, what);
     return table.values;

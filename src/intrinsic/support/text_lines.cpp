@@ -47,10 +47,12 @@ std::uint32_t Text_lines::element(std::size_t word, const char* kind, std::size_
   return i;
 }
 
-double Text_lines::number(std::size_t word) const {
+double Text_lines::number(std::size_t word, Infinity infinity) const {
+  const bool takes = infinity == Infinity::taken;
   double x = 0;
-  if (!text::parse_number(words_[word], x) || !std::isfinite(x))
-    refuse(std::string("\"") + text::shown(words_[word]) + "\" is not a finite number; correct it");
+  if (!text::parse_number(words_[word], x) || std::isnan(x) || (std::isinf(x) && !takes))
+    refuse(std::string("\"") + text::shown(words_[word]) + "\" is not a " +
+           (takes ? "number" : "finite number") + "; correct it");
   return x;
 }
 
@@ -74,7 +76,8 @@ void Number_table::refuse(std::size_t row, const std::string& what) const {
   throw std::runtime_error(path + ":" + std::to_string(lines[row]) + ": " + what);
 }
 
-Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what) {
+Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what,
+                          Infinity infinity) {
   constexpr std::size_t most_columns = 10000; // more is a file without line ends
   Text_lines lines(path);
   Number_table table;
@@ -91,7 +94,7 @@ Number_table read_numbers(const std::string& path, std::size_t count, const std:
     if (n != table.columns)
       lines.refuse("there are " + std::to_string(n) + " numbers, and " +
                    std::to_string(table.columns) + " on the first line; give as many on each line");
-    for (std::size_t k = 0; k < n; ++k) table.values.push_back(lines.number(k));
+    for (std::size_t k = 0; k < n; ++k) table.values.push_back(lines.number(k, infinity));
     table.lines.push_back(lines.line());
   }
   if (table.columns == 0)

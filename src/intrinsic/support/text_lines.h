@@ -15,6 +15,9 @@
 
 namespace program {
 
+/// Whether a file may have the word inf, as distances have where no path leads.
+enum class Infinity { refused, taken };
+
 /*!
 \brief reads a text file of numbers: a record per line, words separated by spaces. A comment begins
 with `#`; lines without words do not count. Errors name file and line.
@@ -30,8 +33,8 @@ public:
   const std::vector<std::string_view>& words() const { return words_; }
   /// returns a word as the number of an element, of which there are `count`.
   std::uint32_t element(std::size_t word, const char* kind, std::size_t count) const;
-  /// returns a word as a finite number.
-  double number(std::size_t word) const;
+  /// returns a word as a finite number, or infinity where that is taken.
+  double number(std::size_t word, Infinity infinity = Infinity::refused) const;
   /// returns the number of the line, from 1.
   std::size_t line() const { return in_.line_number(); }
   /// checks the number of words. \param what what belongs on a line
@@ -72,7 +75,8 @@ std::vector<std::uint32_t> vertex_numbers(const Number_table& table, std::size_t
 \param what what each line is for, in the plural
 \throws std::runtime_error naming file and line
 */
-Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what);
+Number_table read_numbers(const std::string& path, std::size_t count, const std::string& what,
+                          Infinity infinity = Infinity::refused);
 
 } // namespace program
 

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/domains/tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
+#include <CGAL/Intrinsic_triangulations/support/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -214,9 +215,9 @@ std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
       if (const double l = length(s); std::abs(l - known) > 1e-9 * std::max(l, known))
         throw Invalid_input(Element_kind::face, s.halfedge / 3,
                             "lengths[" + std::to_string(s.halfedge / 3) + ", " +
-                                std::to_string(s.halfedge % 3) + "] is " + std::to_string(l) +
+                                std::to_string(s.halfedge % 3) + "] is " + shortest_text(l) +
                                 ", but the other side of that edge has the length " +
-                                std::to_string(known) + "; give both sides of an edge one length");
+                                shortest_text(known) + "; give both sides of an edge one length");
     result.push_back(known * known);
   }
   return result;
