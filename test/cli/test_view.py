@@ -202,8 +202,7 @@ class Files(View_test):
         self.assertEqual((run.code, run.err), (0, ""))
         with open(self.path("view.html"), encoding="utf-8") as file:
             values = self.data(file.read(), "field-0", "f")
-        self.assertEqual(sum(map(math.isinf, values)), 25)
-        self.assertEqual(sum(map(math.isnan, values)), 0)
+        self.assertEqual(len(values) - sum(map(math.isfinite, values)), 25)
         lines = self.stats("cut", mesh, "--values", self.path("d.txt"), "--levels", "2",
                            "-o", self.path("c.ply"))["isolines"]
         self.assertEqual(len(lines["levels"]), 2)
