@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
+#include "polyhedra.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,11 +35,8 @@ namespace convex_polyhedra {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Point = std::array<double, 3>;
-
-inline double distance(const Point& p, const Point& q) {
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
+using polyhedra::distance;
+using polyhedra::Point;
 
 inline Mesh hull_of(const std::vector<Point>& points) {
   std::vector<Kernel::Point_3> all;

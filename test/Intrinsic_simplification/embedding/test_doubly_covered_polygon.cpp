@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -58,7 +57,6 @@ TEST(EmbedPolygons, provesNoPolygonForAThinPolyhedronWithoutStretch) {
 // A triangulation by a fan, and its copy in a mirror, glued along the border.
 IT::Intrinsic_input two_copies(const std::vector<std::array<double, 2>>& corners) {
   const auto n = static_cast<std::uint32_t>(corners.size());
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> side;
   IT::Gluing g;
   g.number_of_vertices = n;
   const auto add = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {

@@ -21,7 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -30,14 +29,13 @@
 #include <span>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The numbers of places that are equal, for each of the different ones.
+// The numbers of the places, those of equal places together.
 std::vector<std::vector<std::size_t>> equal_places(const std::vector<Place>& places);
 
 } // namespace internal

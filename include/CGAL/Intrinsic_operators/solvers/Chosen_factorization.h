@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_OPERATORS_SOLVERS_CHOSEN_FACTORIZATION_H
 
 #include <CGAL/Intrinsic_operators/solvers/Cholesky_factorization.h>
-#include <CGAL/Intrinsic_operators/solvers/Laplacian_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/Linear_solver.h>
 #include <CGAL/Intrinsic_operators/solvers/Multigrid_factorization.h>
 #include <CGAL/Intrinsic_operators/solvers/matrix_rows.h>

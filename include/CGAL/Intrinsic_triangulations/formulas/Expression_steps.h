@@ -12,7 +12,6 @@
 #include <span>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {

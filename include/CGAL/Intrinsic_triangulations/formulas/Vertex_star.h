@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Plane_vector.h>
 #include <CGAL/Intrinsic_triangulations/formulas/apex.h>
 #include <CGAL/Intrinsic_triangulations/formulas/concepts.h>
-#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
 #include <cstddef>

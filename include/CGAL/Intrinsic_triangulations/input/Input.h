@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/input/Element_names.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
-#include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <cstddef>
 #include <cstdint>

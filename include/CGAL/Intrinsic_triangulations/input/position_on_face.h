@@ -6,7 +6,6 @@
 
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/input/Planar_polygons.h>
-#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <array>
 #include <cstddef>

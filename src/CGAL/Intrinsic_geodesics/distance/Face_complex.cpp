@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -72,8 +73,8 @@ Path_place Face_complex::place(const Surface_point& p) const {
   return {s, {p.weights[1], p.weights[0], p.weights[2]}};
 }
 
-// In a cloud, the cover joins the triangles of one star only; but those of all stars that have two
-// points in common meet along the segment between them, as other faces do.
+// In a cloud, the cover joins triangles of one star only. Here the triangles of all stars that have
+// two points in common meet along the segment between them, as faces of meshes do.
 Face_complex::Side_on_edge Face_complex::on_edge(std::uint32_t side) const {
   const std::uint32_t h = halfedges_[side];
   if (input_.names().is_cloud()) {
@@ -92,12 +93,13 @@ std::vector<Branched_side> Face_complex::sides_at_edges() const {
   std::vector<Branched_side> result(all.size());
   for (std::size_t from = 0, to = 0; from < all.size(); from = to) {
     while (to < all.size() && all[to].edge == all[from].edge) ++to;
-    for (std::size_t i = from; i < to; ++i) {
-      result[all[i].number].side = all[i].number;
-      for (std::size_t j = from; j < to; ++j)
-        if (j != i)
-          result[all[i].number].others.push_back(
-              {all[j].number, all[i].is_along == all[j].is_along});
+    const std::span<const Side_on_edge> sides(all.data() + from, all.data() + to);
+    for (const Side_on_edge& s : sides) {
+      Branched_side& branch = result[s.number];
+      branch.side = s.number;
+      for (const Side_on_edge& other : sides)
+        if (other.number != s.number)
+          branch.others.push_back({other.number, other.is_along == s.is_along});
     }
   }
   return result;

@@ -5,7 +5,6 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_EMBEDDING_PRECISE_REAL_H
 
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
 
@@ -18,7 +17,6 @@ class Precise_real {
 public:
   Precise_real() = default;
   Precise_real(double x) : value_(x) {} // NOLINT(google-explicit-constructor)
-  Precise_real(int x) : value_(x) {}    // NOLINT(google-explicit-constructor)
   explicit Precise_real(const Double_double& x) : value_(x) {}
   explicit operator double() const { return value_.to_double(); }
 

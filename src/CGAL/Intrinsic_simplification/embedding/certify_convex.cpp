@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_simplification/embedding/embed_convex.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
+#include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>

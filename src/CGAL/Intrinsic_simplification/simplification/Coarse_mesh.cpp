@@ -138,7 +138,7 @@ Exact_point place_in(const Plane_triangle& p, const std::array<double, 3>& weigh
   return result;
 }
 
-// From a face on, breadth-first; vertices as they are met.
+// Faces breadth-first, and vertices in the order in which faces meet them.
 Near_order::Near_order(const Gluing& g)
     : vertex(g.number_of_vertices, Gluing::none), face(g.number_of_faces(), Gluing::none) {
   std::vector<std::uint32_t> found;

@@ -53,7 +53,7 @@ struct Turned_side {
 // read and write small regions anywhere.
 struct Near_order {
   explicit Near_order(const Gluing& g);
-  std::vector<std::uint32_t> vertex, face; // of the surface: where they are here
+  std::vector<std::uint32_t> vertex, face; // places, by numbers on the surface
 };
 
 // The triangulation while vertices are removed. Changes are recorded, and can be taken back.
@@ -64,12 +64,12 @@ public:
   static std::uint32_t next(std::uint32_t h) { return Gluing::next(h); }
   static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-  // Vertices and faces in the order of the fine surface.
+  // The vertices and faces here, in the order of the fine surface.
   const std::vector<std::uint32_t>& vertices() const { return order_.vertex; }
   const std::vector<std::uint32_t>& faces() const { return order_.face; }
   // The number of a vertex on the fine surface.
   std::uint32_t number(std::uint32_t v) const { return number_[v]; }
-  // The side that was one of the fine surface.
+  // The side here of a side of the fine surface.
   std::uint32_t side(std::uint32_t h) const {
     return h == Gluing::none ? h : 3 * order_.face[h / 3] + h % 3;
   }

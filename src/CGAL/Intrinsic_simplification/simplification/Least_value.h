@@ -25,7 +25,7 @@ public:
       winner_[i] = i < size_ ? winner_[2 * i] : static_cast<std::uint32_t>(i - size_);
   }
   double value(std::uint32_t i) const { return values_[i]; }
-  // Of equal values, that with the least number.
+  // The number of the least value; of equal ones, the first.
   std::uint32_t least() const { return winner_[1]; }
   void set(std::uint32_t i, double value) {
     values_[i] = value;
@@ -38,7 +38,7 @@ public:
 private:
   std::size_t size_ = 0;
   std::vector<double> values_;
-  std::vector<std::uint32_t> winner_; // below each node, from the root, number 1
+  std::vector<std::uint32_t> winner_; // the best number below each node; node 1 is the root
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

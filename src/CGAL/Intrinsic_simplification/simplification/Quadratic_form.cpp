@@ -43,7 +43,7 @@ struct Comparison_of_forms {
 Side_values times(double c, const Side_values& q) { return {c * q[0], c * q[1], c * q[2]}; }
 
 // Products of finite numbers, each equal to `Interval(a) * Interval(b)`. That tries all pairs of
-// bounds, which would be most of the time of a proof.
+// bounds, which would take most of the time of a proof.
 Interval exact_product(double a, double b) { return {-CGAL_IA_MUL(-a, b), CGAL_IA_MUL(a, b)}; }
 Interval exact_product(double a, const Interval& b) {
   return {-std::max(CGAL_IA_MUL(-a, b.inf()), CGAL_IA_MUL(-a, b.sup())),
@@ -66,8 +66,8 @@ Interval positive_product(double a, const Interval& b) { return a * b; }
 Interval positive_product(const Interval& a, const Interval& b) { return a * b; }
 #endif
 
-// Certainly a product of numbers that are not negative is at least the square of a number between
-// the bounds.
+// Certainly a b is at least the square of every number between the bounds. \pre a and b are not
+// negative
 bool is_proven_at_least_square(double a, double b, const Interval& root) {
   const double least = -CGAL_IA_MUL(-a, b);
   return CGAL_IA_MUL(root.inf(), root.inf()) <= least &&

@@ -48,8 +48,9 @@ private:
     std::uint32_t component = 0; // by its number
     std::uint32_t loop = 0;      // of the border, by its number
     Fate fate = Fate::open;
-    bool is_on_border = false, is_alone = false; // without other copies
-    bool is_cost_old = false;                    // in the queue, and its star has changed
+    bool is_on_border = false;
+    bool is_alone = false;    // it has no other copies
+    bool is_cost_old = false; // it is in the queue, and its star has changed
   };
 
   void find_copies();

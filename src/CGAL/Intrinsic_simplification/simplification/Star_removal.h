@@ -33,7 +33,7 @@ public:
   // those of triangles, and new forms bound the old ones. If not, some changes may have been made.
   bool remove(Coarse_mesh& mesh, const Vertex_star& star, std::uint32_t v);
 
-  // The edges of the triangles that are new, after a removal: a side of each.
+  // After a removal: one side of each edge of the new triangles.
   void list_edges(std::vector<std::uint32_t>& sides) const;
 
 private:

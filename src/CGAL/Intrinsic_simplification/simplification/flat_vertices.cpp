@@ -196,8 +196,8 @@ bool is_flat(Exact_faces& faces, std::span<const std::uint32_t> sides, unsigned 
          std::ranges::all_of(classes, [](Corners_of_class& c) { return c.is_root_of_unity(); });
 }
 
-// What is known of vertices by the lengths of their faces, if these are doubles: on grids, most
-// vertices have the same ones.
+// Answers for vertices, by the lengths of their faces if these are doubles: on grids, most vertices
+// have the same lengths.
 class Known_vertices {
 public:
   explicit Known_vertices(const Input_metric& metric) : metric_(metric) {}
@@ -215,7 +215,7 @@ public:
 private:
   // Of a corner: the squared lengths of both sides, and of the opposite one.
   using Corner = std::array<double, 3>;
-  // Where vertices differ, keys are in vain: they stay few.
+  // Where all vertices differ, no key is found again: only few are kept.
   static constexpr std::size_t most_known = 256;
 
   // \return whether all lengths are doubles

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <random>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 /*!
@@ -22,7 +21,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Which ears are cut off first: those with the greatest rank.
 struct Ear_rank {
   bool is_preferred; // comes before all others
-  double power;      // of the vertex by the circle about the ear, negative inside
+  double power;      // of the vertex with respect to the circle about the ear: negative inside
 };
 
 /*
@@ -53,8 +52,8 @@ public:
   // \return whether the vertex is gone; otherwise others have to be removed first
   bool run() {
     const std::vector<Halfedge>* edges = &star_.find_edges();
-    const std::size_t most_flips =
-        8 * edges->size() + 32; // those that take no end away could cycle
+    // flips that take no end away could go round in a circle
+    const std::size_t most_flips = 8 * edges->size() + 32;
     for (std::size_t flips = 0; flips < most_flips; ++flips, edges = &star_.find_edges()) {
       const bool has_loop = std::any_of(edges->begin(), edges->end(),
                                         [this](Halfedge h) { return star_.are_here(h)[0]; });

@@ -18,14 +18,15 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
+#include <boost/container_hash/hash.hpp>
 #include <boost/iterator/counting_iterator.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -219,14 +220,14 @@ private:
 
 std::vector<std::uint32_t>
 first_points_at_places(const std::vector<std::array<double, 3>>& points) {
-  std::vector<std::uint32_t> order(points.size()), first(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
-    return std::pair(points[i], i) < std::pair(points[j], j);
-  });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] =
-        i > 0 && points[order[i]] == points[order[i - 1]] ? first[order[i - 1]] : order[i];
+  using Place = std::array<double, 3>;
+  // Zeros of both signs are one number for the hash, as for ==.
+  std::unordered_map<Place, std::uint32_t, boost::hash<Place>> found;
+  found.reserve(points.size());
+  std::vector<std::uint32_t> first;
+  first.reserve(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    first.push_back(found.try_emplace(points[i], i).first->second);
   return first;
 }
 

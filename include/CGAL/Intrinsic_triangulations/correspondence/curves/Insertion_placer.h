@@ -84,19 +84,6 @@ public:
   /// Number type of values.
   using FT = Interval_nt<false>;
 
-  /// has placed no vertex yet.
-  Insertion_placer();
-  /// copies.
-  Insertion_placer(const Insertion_placer& other);
-  /// moves.
-  Insertion_placer(Insertion_placer&& other);
-  /// copies.
-  Insertion_placer& operator=(const Insertion_placer& other);
-  /// moves.
-  Insertion_placer& operator=(Insertion_placer&& other) noexcept;
-  /// destructs.
-  ~Insertion_placer();
-
   /*!
   \brief places a vertex.
   \param t the triangulation; if its metric is exact, its scope is live

@@ -18,10 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <queue>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -35,19 +33,6 @@ A face that changes is pushed again, or removed; its old entry is then skipped.
 */
 class Face_queue {
 public:
-  /// has no faces yet.
-  Face_queue();
-  /// copies.
-  Face_queue(const Face_queue& other);
-  /// moves.
-  Face_queue(Face_queue&& other) noexcept;
-  /// copies.
-  Face_queue& operator=(const Face_queue& other);
-  /// moves.
-  Face_queue& operator=(Face_queue&& other) noexcept;
-  /// destructs.
-  ~Face_queue();
-
   /// pushes a face, whether it waits or not. \complexity logarithmic
   void push(std::uint32_t face, double priority);
 

@@ -11,7 +11,6 @@
 #include <CGAL/enum.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -27,11 +26,11 @@ struct Grid_point {
 using Grid_diamond = std::array<Grid_point, 4>;
 
 /*
-The grid of a chart whose points have a small common denominator for these coordinates, as drawings
-by integers have, and lattices of all shapes. Signs of diamonds are computed in words from grid
-points, exactly and without memory: squared lengths are values of a quadratic form with integer
-coefficients, up to one positive factor, and areas are determinants, up to another one. Expressions
-of a diamond are linear in areas, so that factors do not matter.
+The grid of a chart, if the coordinates x and y of its points have a small common denominator: they
+do in drawings by integers, and in lattices of all shapes. Signs of diamonds are computed from grid
+points by integers of 128 bits, exactly and without allocation: squared lengths are values of a
+quadratic form with integer coefficients, up to one positive factor, and areas are determinants, up
+to another one. Expressions of a diamond are linear in areas, so that factors do not matter.
 */
 class Chart_grid {
 public:
@@ -48,9 +47,11 @@ public:
     const Gmpq y = z.y / f.y;
     return {z.x - y * f.x, y};
   }
-  // Takes the denominators of such coordinates in. Too large ones drop the grid.
+  // Makes the scale a multiple of the denominators of such coordinates. Drops the grid if it gets
+  // too large.
   void include(const Plane_number& coordinates);
-  // After that; nothing if the point is not on the grid, or far away. \pre there is a grid
+  // The point with such coordinates, once all are included; nothing if it is not on the grid, or
+  // far away. \pre there is a grid
   std::optional<Grid_point> point(const Plane_number& coordinates) const;
 
   // The sign of an expression of `Diamond_values`; nothing if numbers may not fit.

@@ -69,7 +69,7 @@ public:
   Value unit(std::uint32_t frame) const { return recipes_.length_of_edge(first_side_[frame] / 2); }
   // The grid of a frame, or null.
   const Chart_grid* grid(std::uint32_t frame) const { return charts_.grid(frame); }
-  // Where a point of a frame is on its grid; nothing if it is not on it. \pre it has one
+  // The place of a point on the grid of its frame; nothing if it is elsewhere. \pre there is a grid
   std::optional<Grid_point> grid_point(Point p) const;
   // Names the squared length of a side of a face, and the area of a face, from now on.
   Value name_length(const Gluing_map& mesh, Halfedge h);

@@ -47,6 +47,10 @@ public:
   const Plane_motion* motion_of(Map m) const {
     return node(m).motion == none ? nullptr : &motions_[node(m).motion];
   }
+  // The same for any map; null also at the start.
+  const Plane_motion* motion_or_null(Map m) const {
+    return is_at_start(m) ? nullptr : motion_of(m);
+  }
   const std::vector<Map>& letters(Map word) const { return node(word).letters; }
   std::size_t number_of_letters(Map m) const {
     return m == identity ? 0 : is_at_start(m) || motion_of(m) != nullptr ? 1 : letters(m).size();
@@ -63,9 +67,6 @@ private:
     std::vector<Map> letters;
   };
   const Node& node(Map m) const { return nodes_[m - 1 - number_at_start_]; }
-  const Plane_motion* motion_or_null(Map m) const {
-    return is_at_start(m) ? nullptr : motion_of(m);
-  }
   Map add(Node n) {
     nodes_.push_back(std::move(n));
     return number_at_start_ + static_cast<Map>(nodes_.size());

@@ -12,7 +12,6 @@
 
 #include <CGAL/Gmpq.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>

@@ -16,7 +16,7 @@ std::optional<Grid_point> Developed_faces::grid_point(Point p) const {
 }
 
 std::optional<Grid_point> Developed_faces::grid_point(const Image& i) const {
-  const Plane_motion* m = maps_.is_at_start(i.map) ? nullptr : maps_.motion_of(i.map);
+  const Plane_motion* m = maps_.motion_or_null(i.map);
   const Chart_grid* grid = m == nullptr ? nullptr : charts_.grid(m->chart);
   if (grid == nullptr) return std::nullopt;
   const Plane_number& z = charts_.point(charts_.number_of_point(i.start));

@@ -221,7 +221,7 @@ double Isometry_search::difference_of(const Isometry& map) const {
     const std::uint32_t h = first_->darts.halfedge[d];
     const double x = measure(*a_, h),
                  y = measure(*b_, second_->darts.halfedge[map.image_of_dart(d)]) * factor;
-    // a height is an area by a length of the border: its error has those of both
+    // a height is an area divided by a length of the border: its error adds up from both
     const double errors = a_->crosses_cylinder(h / 2) ? 3 : 1;
     largest = std::max(largest, errors * std::abs(std::sqrt(y / x) - 1));
   }
@@ -285,9 +285,9 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
 
 // The faces of a polygon in the plane, where the first side of the first one is
 // on an axis. From a side on the border of a flat cylinder: faces that cover the rectangle over it.
-// By symmetry both angles opposite an edge across the cylinder are the same, and at most a right
-// one, since faces are Delaunay: the first face lies over its side, and the other one completes the
-// rectangle on both sides of it.
+// By symmetry, the two angles opposite an edge across the cylinder are equal; since faces are
+// Delaunay, they are at most right angles. So the first face lies over its side, and copies of the
+// other one complete the rectangle on both sides of it.
 std::vector<Plane_face> Isometry_search::polygon(const Singular_surface& s, const Tessellation& t,
                                                  std::uint32_t halfedge) const {
   std::vector<Plane_face> all{s.triangulation().lay_out(Gluing_map::Halfedge{halfedge})};

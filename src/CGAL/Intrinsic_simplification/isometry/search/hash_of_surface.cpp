@@ -67,10 +67,6 @@ private:
   std::vector<std::uint64_t> colour_;
 };
 
-} // namespace
-
-namespace {
-
 // The nearest double to a squared length or an area, in the units of the user.
 double rounded(const Singular_surface& s, Value_recipes::Id id) {
   try {

@@ -195,9 +195,9 @@ void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
     }
     number_of_flat_vertices_ += are_removed[v] != 0 ? 1 : 0;
   }
-  if (std::find(is_cylinder.begin(), is_cylinder.end(), 1) != is_cylinder.end())
-    continuous_part_ += continuous_part_.empty() ? "rotations of a flat cylinder"
-                                                 : ", rotations of a flat cylinder";
+  if (!has_cylinder()) return;
+  if (!continuous_part_.empty()) continuous_part_ += ", ";
+  continuous_part_ += "rotations of a flat cylinder";
 }
 
 // \param has_vertex whether a component has a vertex with curvature, or a corner

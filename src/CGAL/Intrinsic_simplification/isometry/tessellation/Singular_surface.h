@@ -40,9 +40,9 @@ fast to find; if lengths of edges that moves have made depend on irrational ones
 tried, too, unless that takes many moves. What one way cannot decide, the other one may.
 
 A component with a border and no curvature, not even corners, is a flat cylinder, by Gauss and
-Bonnet. Each of its two borders keeps a vertex, which may be any. So it has two faces, with one side
-on the border each, and no ties; what lengths of the other two edges are is arbitrary, but the areas
-of both faces are half of the area: with the length of the border, they tell cylinders apart.
+Bonnet. Each of its two borders keeps a vertex, which may be any. So it has two faces, each with one
+side on the border, and no ties. The lengths of the other two edges are arbitrary, but each face has
+half of the area: that and the length of the border tell cylinders apart.
 */
 class Singular_surface {
 public:
@@ -94,8 +94,8 @@ public:
     const Gluing_map::Halfedge h{2 * edge};
     return moved_->has_diamond(h) && is_on_cylinder(h);
   }
-  // A side on the border of a cylinder that has a face with this side: always the same one, since
-  // where vertices lie on the other border is arbitrary.
+  // Of the two sides of a cylinder on its border, the same one for each halfedge of its faces:
+  // points are mapped relative to it, since where the vertex of the other border lies is arbitrary.
   std::uint32_t border_of_cylinder(std::uint32_t halfedge) const;
   // edges whose faces are cocircular up to a relative error: the weight is at
   // most so far from zero

@@ -3,10 +3,9 @@
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/scan.h>
 #include <CGAL/Intrinsic_triangulations/IO/support/Buffered_input.h>
+#include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
-
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +15,6 @@
 #include <istream>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -135,18 +133,19 @@ private:
     add_corner(p);
   }
 
-  // Vertices are numbered in the order in which they first occur. Zeros of both signs are one
-  // number for the hash, as for ==.
+  // Vertices are numbered in the order in which they first occur.
   void merge() {
     out_.line = 0;
-    std::unordered_map<Point, std::int64_t, boost::hash<Point>> vertices;
-    vertices.reserve(corners_.size() / 6); // the degree of most vertices of a closed surface
+    std::vector<std::uint32_t> vertex = first_points_at_places(corners_);
     std::vector<std::int64_t> face;
-    for (const Point& p : corners_) {
-      const auto next = static_cast<std::int64_t>(out_.number_of_vertices());
-      const auto [vertex, is_new] = vertices.try_emplace(p, next);
-      if (is_new) out_.add_vertex(p[0], p[1], p[2]);
-      face.push_back(vertex->second);
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      if (vertex[c] == c) {
+        vertex[c] = static_cast<std::uint32_t>(out_.number_of_vertices());
+        out_.add_vertex(corners_[c][0], corners_[c][1], corners_[c][2]);
+      } else {
+        vertex[c] = vertex[vertex[c]]; // an earlier corner, whose entry is its vertex by now
+      }
+      face.push_back(vertex[c]);
       if (face.size() < 3) continue;
       out_.add_face(face);
       face.clear();

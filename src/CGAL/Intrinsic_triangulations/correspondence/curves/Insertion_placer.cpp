@@ -24,13 +24,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-Insertion_placer::Insertion_placer() = default;
-Insertion_placer::Insertion_placer(const Insertion_placer& other) = default;
-Insertion_placer::Insertion_placer(Insertion_placer&& other) = default;
-Insertion_placer& Insertion_placer::operator=(const Insertion_placer& other) = default;
-Insertion_placer& Insertion_placer::operator=(Insertion_placer&& other) noexcept = default;
-Insertion_placer::~Insertion_placer() = default;
-
 void Insertion_placer::forget_unfolded() {
   short_.is_unfolded = false;
   for (auto& [bits, numbers] : long_) numbers.is_unfolded = false;

@@ -3,6 +3,7 @@
 
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/ideal_crossings.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Development.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Penner_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/metric/nearest_lengths.h>
 

@@ -11,13 +11,6 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-Face_queue::Face_queue() = default;
-Face_queue::Face_queue(const Face_queue& other) = default;
-Face_queue::Face_queue(Face_queue&& other) noexcept = default;
-Face_queue& Face_queue::operator=(const Face_queue& other) = default;
-Face_queue& Face_queue::operator=(Face_queue&& other) noexcept = default;
-Face_queue::~Face_queue() = default;
-
 void Face_queue::push(std::uint32_t face, double priority) {
   resize(face);
   if (ticket_[face] == 0) ++waiting_;
