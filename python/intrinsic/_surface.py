@@ -118,9 +118,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         Parameters:
             keep: edges that are not flipped: pairs of vertices, of shape (k, 2); or a number:
                 edges at which faces are folded by more degrees.
-            progress: called about ten times in a second with what is being done, how far that is,
-                and how far it will be or None, such as ("flipping to Delaunay", 1234, None). What
-                it raises ends the work, as Ctrl-C does.
+            progress: called at the first step, and then about ten times in a second, with what is
+                being done, how far that is, and how far it will be or None, such as
+                ("flipping to Delaunay", 1234, None). What it raises ends the work, as Ctrl-C does.
         """
         return Surface._of(_core.delaunay(self._core, *self._kept(keep), progress))
 

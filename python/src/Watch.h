@@ -19,7 +19,8 @@ namespace python {
 
 /*!
 \brief watches long work, which runs without the interpreter's lock: ten times in a second it lets
-Python handle signals, so that Ctrl-C ends the work, and calls the user's function.
+Python handle signals, so that Ctrl-C ends the work, and calls the user's function, which hears of
+the first step, too, however short the work is.
 
 Visitors of the library call it and end the work if it returns false. After that, `rethrow()` throws
 what Python raised: `with_triangulation()` does so.
@@ -28,7 +29,8 @@ class Watch {
 public:
   /// \param progress called with the name of a stage, how far that is, a whole number, and how far
   ///   it will be, a whole number or `None`; or `None` in place of a function
-  explicit Watch(pybind11::object progress = pybind11::none()) : progress_(std::move(progress)) {}
+  explicit Watch(pybind11::object progress = pybind11::none())
+      : progress_(std::move(progress)), is_new_(!progress_.is_none()) {}
 
   /*!
   \brief returns whether to go on. It is called without the interpreter's lock.
@@ -39,7 +41,8 @@ public:
   bool operator()(const char* stage, std::uint64_t count = 0, std::uint64_t total = 0) {
     if (error_) return false;
     const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return true;
+    if (!is_new_ && now - last_ < std::chrono::milliseconds(100)) return true;
+    is_new_ = false;
     const pybind11::gil_scoped_acquire lock;
     try {
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
@@ -99,6 +102,7 @@ private:
   }
 
   pybind11::object progress_;
+  bool is_new_; // whether the user's function has heard of nothing yet
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
   std::exception_ptr error_;
   std::vector<std::string> warnings_;

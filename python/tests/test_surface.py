@@ -119,6 +119,9 @@ class Work(With_folder):
                  progress=lambda stage, count, total: calls.append((stage, count)))
         self.assertTrue(calls)
         self.assertTrue(all(isinstance(n, int) for _, n in calls))
+        del calls[:]
+        it.Surface(*bumpy(3)).delaunay(progress=lambda *a: calls.append(a[0]))
+        self.assertTrue(calls)  # of the first step, however short the work is
 
         def stop(stage, count, total):
             raise LookupError("enough")
