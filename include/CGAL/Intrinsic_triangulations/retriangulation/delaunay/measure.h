@@ -23,8 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -67,7 +65,6 @@ namespace internal {
 // on signs that were decided before; to test independently of these, see `certify_delaunay()`.
 template <class Triangulation, class Constrained, class Visit>
 class Edge_tester {
-  using Edge = typename Triangulation::edge_descriptor;
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Session = typename Triangulation::Const_session;
 
@@ -80,13 +77,14 @@ public:
       : t_(t), constrained_(constrained), sums_(sums), quality_(quality), visit_(visit) {}
 
   Tested_edges operator()() {
-    const std::uint64_t before = t_.metric().statistics().probable_zero;
-    for (const Edge e : edges(t_.mesh())) {
+    const std::uint64_t& zeros = t_.metric().statistics().probable_zero;
+    const std::uint64_t before = zeros;
+    for (const typename Triangulation::edge_descriptor e : edges(t_.mesh())) {
       add(e);
       if (size_ == block_.size()) finish();
     }
     finish();
-    result_.probable_zero = t_.metric().statistics().probable_zero - before;
+    result_.probable_zero = zeros - before;
     return result_;
   }
 
@@ -95,24 +93,19 @@ private:
     Halfedge h;
     double weight = 0;
     Sign sign = POSITIVE; // of pi minus the angles opposite the edge, if it can be flipped
-    bool has_faces = false;
-    bool can_be_flipped = false;
+    bool has_faces = false, can_be_flipped = false;
   };
 
-  void add(Edge e) {
+  void add(typename Triangulation::edge_descriptor e) {
     const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
     const Halfedge h = halfedge(e, t_.mesh());
     const auto f = face(h, t_.mesh()), g = face(opposite(h, t_.mesh()), t_.mesh());
-    Tested& x = block_[size_];
-    x = {h};
+    Tested& x = block_[size_] = {h};
     x.has_faces = f != null && g != null;
     x.can_be_flipped = x.has_faces && f != g;
-    const auto w = x.can_be_flipped ? sums_.certain(t_.index(e), statistics_tolerance)
-                                    : std::optional<double>();
-    if (w)
-      set_weight(x, *w);
-    else
-      open_[number_of_open_++] = size_;
+    std::optional<double> w;
+    if (x.can_be_flipped) w = sums_.certain(t_.index(e), statistics_tolerance);
+    w ? set_weight(x, *w) : void(open_[number_of_open_++] = size_);
     ++size_;
   }
 
