@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/constrained_input_edges.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/has_accurate_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/optimization/odt_optimize.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/refinement/adaptive_refine.h>
@@ -163,7 +164,8 @@ private:
     refined.counts = result.counts;
     refined.points = t_.number_of_vertices() - t_.input().number_of_rows();
     refined.minimum_angle = least_angle({});
-    refined.satisfied_minimum_angle = least_angle(result.unsatisfied);
+    refined.satisfied_minimum_angle =
+        result.unsatisfied.empty() ? refined.minimum_angle : least_angle(result.unsatisfied);
     for (const auto& u : result.unsatisfied) ++refined.unsatisfied[std::size_t(u.reason)];
     if constexpr (Triangulation::has_correspondence)
       if (!visitor.lengths.empty()) {
@@ -274,7 +276,8 @@ Improvement improve(Triangulation& t, const Improve_options& options = {}) {
   prefix Improvement improve(__VA_ARGS__&, const Improve_options&,                                 \
                              const Marked_edges<__VA_ARGS__, std::uint32_t>&);                     \
   prefix Measurements measure(__VA_ARGS__&, const Marked_edges<__VA_ARGS__, std::uint32_t>&,       \
-                              const std::vector<std::array<double, 3>>&)
+                              const std::vector<std::array<double, 3>>&);                          \
+  prefix bool has_accurate_values(const __VA_ARGS__&)
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 CGAL_INTRINSIC_TRIANGULATIONS_FOR_EXACT(CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS, extern template);
 CGAL_INTRINSIC_TRIANGULATIONS_FOR_ROUNDED(CGAL_INTRINSIC_OPERATORS_IMPROVEMENTS, extern template);

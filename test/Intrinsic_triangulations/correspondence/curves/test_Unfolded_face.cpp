@@ -413,4 +413,32 @@ TYPED_TEST(Unfolded_face, tells_the_sides_of_an_edge_apart_that_one_triangle_has
   EXPECT_GT(glued, 100);
 }
 
+// Strips leave the first triangle over any side, then turn to both sides, in turns of many faces.
+TEST(Development, strips_are_what_single_steps_add) {
+  std::mt19937 random(11);
+  for (const meshes::Mesh& m : {meshes::rough_grid(5, 1), meshes::potato(2, 3)}) {
+    const Exact<IT::Integer_coordinates> t(subdivision_oracle::input(m));
+    const IT::Input& input = t.input();
+    for (int round = 0; round < 300; ++round) {
+      std::uint32_t h = input.halfedge_of_face(random() % input.number_of_faces());
+      IT::Development<> steps, strip;
+      for (auto* d : {&steps, &strip}) d->start(h);
+      std::vector<std::uint32_t> entered;
+      std::uint32_t exit = std::array{h, input.next(h), input.next(input.next(h))}[random() % 3];
+      while (!input.is_border(exit ^ 1U) && entered.size() < 50) {
+        entered.push_back(h = exit ^ 1U);
+        steps.enter(input, steps.last(), h);
+        exit = random() % 8 < 6 ? input.next(h) : input.next(input.next(h));
+      }
+      strip.enter_strip(input, 0, entered.size(), [&](std::size_t i) { return entered[i]; });
+      ASSERT_EQ(strip.size(), steps.size());
+      for (std::size_t n = 0; n < steps.size(); ++n) {
+        EXPECT_EQ(strip[n].side, steps[n].side);
+        EXPECT_EQ(strip[n].point, steps[n].point);
+        EXPECT_EQ(strip[n].beyond, steps[n].beyond);
+      }
+    }
+  }
+}
+
 } // namespace

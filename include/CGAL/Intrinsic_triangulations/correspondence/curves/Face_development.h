@@ -72,15 +72,15 @@ public:
     triangles_.start(corners[first_].halfedge);
     steps_ +=
         internal::find_entered_from_face(complex, coordinates, sides_[first_], entered_, stack_);
-    for (const std::uint32_t x : entered_) triangles_.enter(input, last(), x);
+    triangles_.enter_strip(input, last(), entered_.size(),
+                           [&](std::size_t i) { return entered_[i]; });
     if (fan_ == 3) {
       const unsigned third = (first_ + 2) % 3;
       entered_.resize(static_cast<std::size_t>(curves_.cutting[third]));
       steps_ += internal::find_entered(complex, coordinates, sides_[third], 0,
                                        curves_.cutting[third], entered_, stack_);
-      std::uint32_t parent = region_at(first_, curves_.cutting[first_]);
-      for (std::size_t i = entered_.size(); i-- > 0; parent = last())
-        triangles_.enter(input, parent, entered_[i] ^ 1U);
+      triangles_.enter_strip(input, region_at(first_, curves_.cutting[first_]), entered_.size(),
+                             [&](std::size_t i) { return entered_[entered_.size() - 1 - i] ^ 1U; });
     }
     for (unsigned k = 0; k < 3; ++k) {
       const std::uint32_t t = region_at(k, 0);

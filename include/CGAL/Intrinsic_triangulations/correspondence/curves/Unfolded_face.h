@@ -55,18 +55,20 @@ public:
   void unfold(const Complex& complex, const Coordinates& coordinates, std::uint32_t h,
               Values values) {
     face_.unfold(complex, coordinates, h);
+    other_ = nullptr;
     z_.develop(face_.triangles(), coordinates.input(), coordinates.fans(), std::move(values));
   }
-  /// unfolds a face that was unfolded in other numbers.
+  /// unfolds a face that was unfolded in other numbers, which must live unchanged as long as points
+  /// are placed: its triangles, which may be thousands, are not copied.
   template <FieldNumber Other>
   void unfold(const Unfolded_face<Other>& face, Values values) {
-    face_ = face.development();
-    z_.develop(face_.triangles(), face.positions().input(), face.positions().fans(),
+    other_ = &face.development();
+    z_.develop(development().triangles(), face.positions().input(), face.positions().fans(),
                std::move(values));
   }
 
   /// returns the triangles under the face, and how they were found.
-  const Face_development& development() const { return face_; }
+  const Face_development& development() const { return other_ != nullptr ? *other_ : face_; }
   /// returns where the points of these triangles are.
   const internal::Turned_positions<FT>& positions() const { return z_; }
 
@@ -132,8 +134,10 @@ private:
   using Corner = Face_development::Corner;
   using Rounded = Plane_vector<double>;
 
-  std::uint32_t halfedge(std::uint32_t t) const { return face_.triangles()[t].side; }
-  Point point(std::uint32_t t, std::size_t k) const { return z_[face_.triangles()[t].point[k]]; }
+  std::uint32_t halfedge(std::uint32_t t) const { return development().triangles()[t].side; }
+  Point point(std::uint32_t t, std::size_t k) const {
+    return z_[development().triangles()[t].point[k]];
+  }
   static Rounded approximate(const Point& p);
   Rounded rounded_point(std::uint32_t t, std::size_t k) const { return approximate(point(t, k)); }
 
@@ -166,6 +170,7 @@ private:
                     Place& result) const;
 
   Face_development face_;
+  const Face_development* other_ = nullptr; // in place of that
   internal::Turned_positions<FT> z_;
 };
 

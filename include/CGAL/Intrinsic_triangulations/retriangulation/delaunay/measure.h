@@ -23,8 +23,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -62,88 +60,101 @@ struct Measurements {
 
 namespace internal {
 
-// The sign of pi minus the angles opposite an edge between two faces, and its weight. Where stored
-// values prove the weight to be accurate, they prove its sign, too, which is the same: so each edge
-// is tested once. What they leave open was mostly decided by flips, and is remembered.
-template <class Triangulation>
-std::pair<Sign, double> tested_weight(const Triangulation& t,
-                                      const typename Triangulation::Const_session& session,
-                                      const Summed_weights<Triangulation>& sums,
-                                      typename Triangulation::edge_descriptor e) {
-  const auto h = halfedge(e, t.mesh());
-  if constexpr (Has_enclosures<typename Triangulation::Metric>) {
-    if (const auto w = sums.certain(t.index(e), statistics_tolerance)) return {CGAL::sign(*w), *w};
-    if (const auto w = t.metric().stored_weight(t.diamond(h), statistics_tolerance))
-      return {CGAL::sign(*w), *w};
-  }
-  const Sign s = session.delaunay_sign(h);
-  return {s, s == ZERO ? 0 : session.cotangent_weight(e, statistics_tolerance)};
-}
-
-// Calls a function with halfedges and weights that a session finds, some hundred at a time, in the
-// default floating point environment.
-template <class Triangulation, class Visit>
-class Suspended_visits {
+// Tests every edge, and finds its cotangent weight, see `statistics_tolerance`; that of a tie is 0.
+// With exact traits the test is exact. It relies on enclosures of the values that are stored, and
+// on signs that were decided before; to test independently of these, see `certify_delaunay()`.
+template <class Triangulation, class Constrained, class Visit>
+class Edge_tester {
   using Halfedge = typename Triangulation::halfedge_descriptor;
   using Session = typename Triangulation::Const_session;
 
 public:
-  Suspended_visits(const Session& session, const Visit& visit) : session_(session), visit_(visit) {}
+  // \param sums of all faces
+  // \param quality gets the weights
+  // \param visit called with a halfedge of each edge, and the weight
+  Edge_tester(const Triangulation& t, const Constrained& constrained,
+              const Summed_weights<Triangulation>& sums, Quality& quality, const Visit& visit)
+      : t_(t), constrained_(constrained), sums_(sums), quality_(quality), visit_(visit) {}
 
-  void add(Halfedge h, double weight) {
-    waiting_[size_++] = {h, weight};
-    if (size_ == waiting_.size()) visit_all();
-  }
-  void visit_all() {
-    session_.suspended([this] {
-      for (std::size_t i = 0; i < size_; ++i) visit_(waiting_[i].first, waiting_[i].second);
-    });
-    size_ = 0;
+  Tested_edges operator()() {
+    const std::uint64_t& zeros = t_.metric().statistics().probable_zero;
+    const std::uint64_t before = zeros;
+    for (const typename Triangulation::edge_descriptor e : edges(t_.mesh())) {
+      add(e);
+      if (size_ == block_.size()) finish();
+    }
+    finish();
+    result_.probable_zero = zeros - before;
+    return result_;
   }
 
 private:
-  const Session& session_;
-  const Visit& visit_;
-  std::array<std::pair<Halfedge, double>, 256> waiting_{}; // a change of rounding takes long
-  std::size_t size_ = 0;
-};
-
-// Tests every edge, and finds its cotangent weight, see `statistics_tolerance`; that of a tie is 0.
-// With exact traits the test is exact. It relies on enclosures of the values that are stored, and
-// on signs that were decided before; to test independently of these, see `certify_delaunay()`.
-// \param sums of all faces
-// \param quality gets the weights
-// \param visit called with a halfedge of each edge, and the weight
-template <class Triangulation, class Constrained, class Visit>
-Tested_edges test_edges(const Triangulation& t, const Constrained& constrained,
-                        const Summed_weights<Triangulation>& sums, Quality& quality,
-                        const Visit& visit) {
-  const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
-  const auto& mesh = t.mesh();
-  const std::uint64_t before = t.metric().statistics().probable_zero;
-  Tested_edges result;
-  const typename Triangulation::Const_session session(t);
-  Suspended_visits<Triangulation, Visit> visits(session, visit);
-  for (const typename Triangulation::edge_descriptor e : edges(mesh)) {
-    const auto h = halfedge(e, mesh);
-    const auto f = face(h, mesh), g = face(opposite(h, mesh), mesh);
-    Sign s = POSITIVE; // of an edge that cannot be flipped
+  struct Tested {
+    Halfedge h;
     double weight = 0;
-    if (f != null && g != null && f != g)
-      std::tie(s, weight) = tested_weight(t, session, sums, e);
-    else
-      weight = session.cotangent_weight(e, statistics_tolerance);
-    if (f != null && g != null) add_weight(weight, quality);
-    visits.add(h, weight);
-    const bool is_kept = get(constrained, e);
-    result.constrained += std::size_t{is_kept};
-    if (s == NEGATIVE) ++(is_kept ? result.constrained_non_delaunay : result.non_delaunay);
-    if (s == ZERO && !is_kept) ++result.cocircular;
+    Sign sign = POSITIVE; // of pi minus the angles opposite the edge, if it can be flipped
+    bool has_faces = false, can_be_flipped = false;
+  };
+
+  void add(typename Triangulation::edge_descriptor e) {
+    const auto null = boost::graph_traits<typename Triangulation::Mesh>::null_face();
+    const Halfedge h = halfedge(e, t_.mesh());
+    const auto f = face(h, t_.mesh()), g = face(opposite(h, t_.mesh()), t_.mesh());
+    Tested& x = block_[size_] = {h};
+    x.has_faces = f != null && g != null;
+    x.can_be_flipped = x.has_faces && f != g;
+    std::optional<double> w;
+    if (x.can_be_flipped) w = sums_.certain(t_.index(e), statistics_tolerance);
+    w ? set_weight(x, *w) : void(open_[number_of_open_++] = size_);
+    ++size_;
   }
-  visits.visit_all();
-  result.probable_zero = t.metric().statistics().probable_zero - before;
-  return result;
-}
+
+  // Where stored values prove the weight to be accurate, they prove its sign, too, which is the
+  // same: so each edge is tested once.
+  static void set_weight(Tested& x, double weight) {
+    x.weight = weight;
+    if (x.can_be_flipped) x.sign = CGAL::sign(weight);
+  }
+
+  // What sums leave open was mostly decided by flips, and is remembered.
+  void decide(const Session& session, Tested& x) const {
+    if constexpr (Has_enclosures<typename Triangulation::Metric>)
+      if (x.can_be_flipped)
+        if (const auto w = t_.metric().stored_weight(t_.diamond(x.h), statistics_tolerance))
+          return set_weight(x, *w);
+    if (x.can_be_flipped) x.sign = session.delaunay_sign(x.h);
+    if (x.sign != ZERO)
+      x.weight = session.cotangent_weight(edge(x.h, t_.mesh()), statistics_tolerance);
+  }
+
+  // Visits and counts the edges that were added, in the default floating point environment.
+  void finish() {
+    if (number_of_open_ > 0) {
+      const Session session(t_);
+      for (std::size_t i = 0; i < number_of_open_; ++i) decide(session, block_[open_[i]]);
+    }
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Tested& x = block_[i];
+      if (x.has_faces) add_weight(x.weight, quality_);
+      visit_(x.h, x.weight);
+      const bool is_kept = get(constrained_, edge(x.h, t_.mesh()));
+      result_.constrained += std::size_t{is_kept};
+      if (x.sign == NEGATIVE) ++(is_kept ? result_.constrained_non_delaunay : result_.non_delaunay);
+      if (x.sign == ZERO && !is_kept) ++result_.cocircular;
+    }
+    size_ = number_of_open_ = 0;
+  }
+
+  const Triangulation& t_;
+  const Constrained& constrained_;
+  const Summed_weights<Triangulation>& sums_;
+  Quality& quality_;
+  const Visit& visit_;
+  Tested_edges result_;
+  std::array<Tested, 256> block_{};     // a change of rounding takes long
+  std::array<std::size_t, 256> open_{}; // which of these sums leave open
+  std::size_t size_ = 0, number_of_open_ = 0;
+};
 
 // The area of a surface by four times the scaled areas of its faces; of a cover, that of the faces
 // below it.
@@ -298,7 +309,7 @@ Measurements measure_shapes(Triangulation& t, const Constrained& constrained, co
         sums.add(face, values, more...);
       });
   result.area = internal::area_in_units(t, area);
-  result.edges = internal::test_edges(t, constrained, sums, result.quality, visit);
+  result.edges = internal::Edge_tester(t, constrained, sums, result.quality, visit)();
   return result;
 }
 

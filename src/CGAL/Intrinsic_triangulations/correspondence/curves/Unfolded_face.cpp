@@ -53,8 +53,8 @@ template <FieldNumber FT>
 std::optional<Place_in_face> Unfolded_face<FT>::place_on_side(const Input& input,
                                                               const Surface_point& location) const {
   Place result;
-  result.region = face_.region_beside_first_side();
-  result.triangle = face_.beside_first_side();
+  result.region = development().region_beside_first_side();
+  result.triangle = development().beside_first_side();
   const double along = std::floor(location.weights[1] * 0x1p52) * 0x1p-52;
   if (!(along > 0 && along < 1)) return std::nullopt;
   result.location = {location.halfedge, {1 - along, along, 0}};
@@ -71,7 +71,7 @@ Unfolded_face<FT>::place_at(const Input& input, const Surface_point& wanted,
   const Rounded near = in_face(weights);
   double least = std::numeric_limits<double>::infinity();
   Place result;
-  for (std::uint32_t t = 0; t <= face_.last(); ++t) {
+  for (std::uint32_t t = 0; t <= development().last(); ++t) {
     const std::optional<Surface_point> p = seen_in(input, t, wanted);
     if (!p) continue;
     const Rounded d = in_triangle(t, p->weights) - near;
@@ -100,8 +100,8 @@ Vertex_move_values<FT> Unfolded_face<FT>::values(const Place& p) const {
 
 template <FieldNumber FT>
 Face_values<FT> Unfolded_face<FT>::face_values() const {
-  const Point i = position(face_.corner(0)), ij = position(face_.corner(1)) - i,
-              ik = position(face_.corner(2)) - i, jk = ik - ij;
+  const Point i = position(development().corner(0)), ij = position(development().corner(1)) - i,
+              ik = position(development().corner(2)) - i, jk = ik - ij;
   const FT unit = z_.unit();
   return {{unit * dot(ij, ij), unit * dot(jk, jk), unit * dot(ik, ik)},
           (unit + unit) * cross(ij, ik)};
@@ -126,8 +126,8 @@ Mapped_point Unfolded_face<FT>::locate(const std::array<double, 3>& weights) con
   const Rounded p = in_face(weights);
   const std::uint32_t t = region_of(p).triangle;
   const Rounded d = rounded_point(t, 1) - rounded_point(t, 0),
-                side =
-                    approximate(position(face_.corner(1))) - approximate(position(face_.corner(0)));
+                side = approximate(position(development().corner(1))) -
+                       approximate(position(development().corner(0)));
   return {{halfedge(t), weights_in_triangle(t, p)},
           in_frame(side, d) / std::sqrt(dot(d, d) * dot(side, side)),
           {1, 0}};
@@ -153,9 +153,9 @@ Plane_vector<FT> Unfolded_face<FT>::position(const Corner& c) const {
 
 template <FieldNumber FT>
 Plane_vector<FT> Unfolded_face<FT>::to_corner(const Place& from, unsigned k) const {
-  Corner to = face_.corner(k);
+  Corner to = development().corner(k);
   if (from.triangle != to.triangle) {
-    const std::optional<unsigned> shared = face_.shared_corner(from.triangle, to);
+    const std::optional<unsigned> shared = development().shared_corner(from.triangle, to);
     if (!shared) return position(to) - position({from.triangle, from.weights});
     to = {from.triangle, {}};
     to.weights[*shared] = 1;
@@ -169,7 +169,7 @@ Plane_vector<FT> Unfolded_face<FT>::to_corner(const Place& from, unsigned k) con
 template <FieldNumber FT>
 Plane_vector<double> Unfolded_face<FT>::in_face(const std::array<double, 3>& weights) const {
   return internal::unfolded_combination(
-      weights, [&](unsigned k) { return approximate(position(face_.corner(k))); });
+      weights, [&](unsigned k) { return approximate(position(development().corner(k))); });
 }
 
 template <FieldNumber FT>
@@ -192,7 +192,7 @@ Place_in_face Unfolded_face<FT>::region_of(const Rounded& p) const {
     const Rounded a = rounded_point(t, 0);
     return cross(rounded_point(t, 1) - a, p - a) > 0;
   };
-  result.triangle = face_.find_region(is_beyond, result.region);
+  result.triangle = development().find_region(is_beyond, result.region);
   return result;
 }
 
@@ -215,7 +215,7 @@ std::optional<Place_in_face> Unfolded_face<FT>::at(std::uint32_t t, const Surfac
   const auto zero = std::find(p.weights.begin(), p.weights.end(), 0.);
   if (zero != p.weights.end()) {
     const auto opposite = static_cast<unsigned>(zero - p.weights.begin());
-    const std::uint32_t child = face_.entered_over(t, opposite);
+    const std::uint32_t child = development().entered_over(t, opposite);
     if (child == Development<>::none || !put_on_curve(child, opposite, p.weights, result))
       return std::nullopt;
     return result;
@@ -242,8 +242,8 @@ template <FieldNumber FT>
 bool Unfolded_face<FT>::rounded(std::array<double, 3> w, double nearness, Place& result) const {
   const std::uint32_t t = result.triangle;
   if (t > 0 && w[2] < nearness) return put_on_curve(t, 2, w, result);
-  for (const std::uint32_t child : face_.children(t)) {
-    const unsigned opposite = (face_.triangles().exit_to(child) + 2) % 3;
+  for (const std::uint32_t child : development().children(t)) {
+    const unsigned opposite = (development().triangles().exit_to(child) + 2) % 3;
     if (w[opposite] < nearness) return put_on_curve(child, opposite, w, result);
   }
   const std::optional<std::array<double, 3>> exact = representable_weights(w);
@@ -264,7 +264,8 @@ bool Unfolded_face<FT>::put_on_curve(std::uint32_t child, unsigned opposite,
   result.weights = w;
   const bool ends_here = result.triangle == child; // else the side of the triangle runs backwards
   const std::uint32_t side = halfedge(child) ^ (ends_here ? 0U : 1U);
-  const std::uint32_t curve = halfedge(child) ^ (face_.name_curve(child, result.region) ? 0U : 1U);
+  const std::uint32_t curve =
+      halfedge(child) ^ (development().name_curve(child, result.region) ? 0U : 1U);
   result.location = side == curve ? Surface_point{curve, {w[from], w[to], 0}}
                                   : Surface_point{curve, {w[to], w[from], 0}};
   return true;
