@@ -32,14 +32,18 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 std::uint64_t mixed(std::uint64_t x, std::uint64_t y) { return mixed(mixed(x) + 3 * y); }
 
-// Colours of darts, from lengths; each round adds the colours of the next and
-// the opposite dart.
+// Colours of darts, from lengths, sides of polygons and degrees of both ends; each round adds the
+// colours of the next and the opposite dart.
 class Dart_colours {
 public:
   Dart_colours(const Dart_complex& darts, const std::vector<std::uint64_t>& lengths,
                bool is_mirrored)
       : darts_(darts), next_(is_mirrored ? darts.previous : darts.next), colour_(lengths) {
-    for (std::uint32_t d = 0; d < darts.size(); ++d) colour_[d] = mixed(lengths[d], darts.sides[d]);
+    for (std::uint32_t d = 0; d < darts.size(); ++d) {
+      const std::uint32_t start = darts.degree[d], end = darts.degree[darts.next[d]];
+      const std::uint64_t ends = is_mirrored ? mixed(end, start) : mixed(start, end);
+      colour_[d] = mixed(mixed(lengths[d], darts.sides[d]), ends);
+    }
     for (unsigned round = 0; round < number_of_rounds; ++round) add_round();
   }
   // the sum over each component
