@@ -146,6 +146,23 @@ TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
   EXPECT_EQ(found.count(), 1);
 }
 
+// A zigzag strip, whose edges cross triangle after triangle, each with a root of its own.
+TEST(CanonicalForm, provesLengthsAcrossManyTriangles) {
+  Triangles t;
+  std::mt19937 random(3);
+  const auto part = [&] { return static_cast<double>(random() % 4096) / 16384; };
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const double x = i * 0.5 + part(), y = i % 2 * 100000. + part();
+    t.points.push_back({x, y, part()});
+  }
+  for (std::uint32_t i = 0; i + 2 < 400; ++i)
+    t.faces.push_back({i, i + (i % 2 == 0 ? 2 : 1), i + (i % 2 == 0 ? 1 : 2)});
+  const IT::Isometries found =
+      IT::find_isometries(t.triangulation(), t.quartered().triangulation());
+  EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
+  EXPECT_EQ(found.count(), 1);
+}
+
 #ifdef INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR
 
 TEST(CanonicalForm, isThatOfCopiesOfTheDataSet) {
