@@ -22,8 +22,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using Halfedge = Gluing_map::Halfedge;
-
 // A mirrored face has the same first side; the other two change places.
 constexpr std::uint32_t mirrored_slot(std::uint32_t slot) { return (3 - slot) % 3; }
 
@@ -32,18 +30,19 @@ constexpr std::uint32_t mirrored_slot(std::uint32_t slot) { return (3 - slot) % 
 std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
   return joined_sets(mesh.number_of_vertices(), [&](const auto& join) {
     for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
-      join(mesh.source(Halfedge{h}).index, mesh.target(Halfedge{h}).index);
+      join(mesh.source(Gluing_map::Halfedge{h}).index, mesh.target(Gluing_map::Halfedge{h}).index);
   });
 }
 
-std::vector<Halfedge> loops_without_corner(const Gluing_map& mesh,
-                                           const std::vector<char>& is_flat) {
-  std::vector<Halfedge> result;
+std::vector<Gluing_map::Halfedge> loops_without_corner(const Gluing_map& mesh,
+                                                       const std::vector<char>& is_flat) {
+  std::vector<Gluing_map::Halfedge> result;
   std::vector<char> is_done(mesh.number_of_halfedges(), 0);
   for (std::uint32_t first = 0; first < is_done.size(); ++first) {
-    if (is_done[first] != 0 || mesh.face(Halfedge{first}).index != Gluing::none) continue;
+    if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
+      continue;
     bool has_corner = false;
-    Halfedge h{first};
+    Gluing_map::Halfedge h{first};
     do {
       is_done[h.index] = 1;
       has_corner = has_corner || is_flat[mesh.target(h).index] == 0;
@@ -58,7 +57,7 @@ Doubled_surface::Doubled_surface(std::shared_ptr<const Input> surface,
                                  const std::vector<char>& is_flat)
     : surface_(std::move(surface)), input_(surface_) {
   const Gluing_map& mesh = surface_->mesh();
-  const std::vector<Halfedge> loops = loops_without_corner(mesh, is_flat);
+  const std::vector<Gluing_map::Halfedge> loops = loops_without_corner(mesh, is_flat);
   if (loops.empty()) return;
   const std::vector<std::uint32_t> component = components_of_vertices(mesh);
   std::vector<char> has_vertex(component.size(), 0);
@@ -68,15 +67,15 @@ Doubled_surface::Doubled_surface(std::shared_ptr<const Input> surface,
   const std::vector<std::uint32_t> part =
       joined_sets(mesh.number_of_faces(), [&](const auto& join) {
         for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
-          if (const Halfedge a{h}, b{h + 1};
+          if (const Gluing_map::Halfedge a{h}, b{h + 1};
               mesh.face(a).index != Gluing::none && mesh.face(b).index != Gluing::none)
             join(mesh.face(a).index, mesh.face(b).index);
       });
   std::vector<char> is_glued(mesh.number_of_halfedges(), 0), is_doubled(part.size(), 0);
-  for (const Halfedge first : loops) {
+  for (const Gluing_map::Halfedge first : loops) {
     if (has_vertex[component[mesh.target(first).index]] == 0) continue;
     is_doubled[part[mesh.face(Gluing_map::opposite(first)).index]] = 1;
-    Halfedge h = first;
+    Gluing_map::Halfedge h = first;
     do {
       is_glued[Gluing_map::opposite(h).index] = 1;
       h = mesh.next(h);
@@ -96,7 +95,7 @@ void Doubled_surface::glue_copies(const std::vector<char>& is_glued) {
   for (std::uint32_t n = 0; n < original_.size(); ++n) copy[original_[n]] = faces + n;
   std::iota(copy_of_vertex.begin(), copy_of_vertex.end(), vertices);
   for (std::uint32_t h = 0; h < is_glued.size(); ++h)
-    if (const std::uint32_t v = mesh.target(Halfedge{h}).index; is_glued[h] != 0)
+    if (const std::uint32_t v = mesh.target(Gluing_map::Halfedge{h}).index; is_glued[h] != 0)
       copy_of_vertex[v] = v;
   g.number_of_vertices = 2 * vertices; // some are isolated
   for (const std::uint32_t f : original_)
