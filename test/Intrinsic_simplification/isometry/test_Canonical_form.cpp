@@ -244,6 +244,32 @@ TEST(CanonicalForm, keepsVerticesWhereFansMeet) {
   EXPECT_EQ(found.count(), 6 * 6 * 2);
 }
 
+// Two tetrahedra without symmetry that share two vertices, in one of two ways.
+TEST(CanonicalForm, seesWhichVerticesFansShare) {
+  const std::array<double, 6> squared{16, 17, 18, 19, 20, 21}; // of 01, 02, 03, 12, 13, 23
+  const auto two = [&](std::uint32_t of_first, std::uint32_t of_second) {
+    const std::array<std::uint32_t, 8> number{0, 1, 2, 3, of_first, of_second, 4, 5};
+    IT::Gluing g;
+    g.number_of_vertices = 6;
+    std::vector<double> sides;
+    const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    for (std::uint32_t h = 0; h < 24; ++h) {
+      const std::uint32_t own = h % 12, i = corners[own], j = corners[IT::Gluing::next(own)];
+      g.origin.push_back(number[h - own == 0 ? i : 4 + i]);
+      sides.push_back(squared[std::min(i, j) == 0 ? std::max(i, j) - 1 : i + j]);
+      for (std::uint32_t o = 0; o < 12; ++o)
+        if (corners[o] == j && corners[IT::Gluing::next(o)] == i) g.glue.push_back(h - own + o);
+    }
+    gallery::Surface s{"two tetrahedra", g, {}, sides};
+    return Triangulation(gallery::input(s));
+  };
+  const Triangulation a = two(0, 1), b = two(1, 0);
+  EXPECT_EQ(IT::find_isometries(a, b).answer(), IT::Isometry_answer::not_isometric);
+  const IT::Isometries same = IT::find_isometries(a, two(0, 1));
+  EXPECT_EQ(same.answer(), IT::Isometry_answer::isometric);
+  EXPECT_EQ(same.count(), 2);
+}
+
 // ---- all gluings of few triangles ---------------------------------------------------------------
 
 // The symmetries of equilateral triangles that are glued, by trying all maps of halfedges.

@@ -31,6 +31,9 @@ namespace {
 // doubles, and of coordinates in single precision.
 constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
+// How many isometries of fans of faces are tried, to find one that keeps them together.
+constexpr double most_maps = 1000;
+
 constexpr const char* too_wide = "lengths are enclosed too widely to be compared";
 
 std::string both(const std::string& x, const std::string& y) {
@@ -113,10 +116,12 @@ void Isometry_search::decide_exactly(Isometry_run& run) {
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
+    const bool is_map = find_first_map(), are_all_tried = count() <= most_maps;
     if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
-    const bool is_map = find_first_map();
-    if (!is_map) note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
+    if (!is_map && !are_all_tried)
+      note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
     if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
+    if (classes.are_proven && !is_map && are_all_tried) answer_ = Isometry_answer::not_isometric;
   } else if (!classes.are_separated) {
     note_ = both(note_, too_wide);
   } else if (!classes.are_proven) {
@@ -157,7 +162,6 @@ bool Isometry_search::decide_within(double error, Isometry_run& run) {
 }
 
 bool Isometry_search::find_first_map() {
-  constexpr double most_maps = 1000;
   const auto number = static_cast<std::size_t>(std::min(count(), most_maps));
   for (std::size_t n = 0; n < number; ++n) {
     expect_to_go_on();
