@@ -40,6 +40,7 @@ one of their sources includes this file.
 #include <CGAL/Intrinsic_simplification/isometry/search/hash_of_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/search/refine_partition.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Dart_complex.cpp>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Doubled_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Moved_triangulation.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Singular_surface.cpp>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/remove_vertices.cpp>

@@ -146,6 +146,23 @@ TEST(CanonicalForm, provesLengthsInFieldsOfSquareRoots) {
   EXPECT_EQ(found.count(), 1);
 }
 
+// A zigzag strip, whose edges cross triangle after triangle, each with a root of its own.
+TEST(CanonicalForm, provesLengthsAcrossManyTriangles) {
+  Triangles t;
+  std::mt19937 random(3);
+  const auto part = [&] { return static_cast<double>(random() % 4096) / 16384; };
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const double x = i * 0.5 + part(), y = i % 2 * 100000. + part();
+    t.points.push_back({x, y, part()});
+  }
+  for (std::uint32_t i = 0; i + 2 < 400; ++i)
+    t.faces.push_back({i, i + (i % 2 == 0 ? 2 : 1), i + (i % 2 == 0 ? 1 : 2)});
+  const IT::Isometries found =
+      IT::find_isometries(t.triangulation(), t.quartered().triangulation());
+  EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
+  EXPECT_EQ(found.count(), 1);
+}
+
 #ifdef INTRINSIC_TRIANGULATIONS_CGAL_MESH_DIR
 
 TEST(CanonicalForm, isThatOfCopiesOfTheDataSet) {
@@ -198,6 +215,20 @@ TEST(CanonicalForm, ofAFineGridIsFound) {
   EXPECT_EQ(form.hash(), hash_of(triangle_lists::box(32, 32, 32)));
 }
 
+// A cone, rolled from a triangle, with the middles of its folded side and of its border. Whatever is
+// flipped first, one of them ends on a line between its neighbours, with an edge to itself.
+TEST(CanonicalForm, ofAConeLosesFlatVertices) {
+  gallery::Surface cone = gallery::abstract("cone", gallery::glue(1, {{0, 1}}), {}, {36, 36, 25});
+  const std::uint64_t hash = IT::canonical_form(Triangulation(gallery::input(cone))).hash();
+  gallery::Surface divided = gallery::abstract(
+      "divided cone", gallery::glue(4, {{0, 10}, {1, 9}, {2, 8}, {4, 6}, {5, 11}}), {});
+  divided.squared_length_of_side = {29.75, 9, 9, 6.25, 9, 9, 9, 6.25, 9, 9, 29.75, 9};
+  const IT::Canonical_form form = IT::canonical_form(Triangulation(gallery::input(divided)));
+  ASSERT_TRUE(form.is_unique()) << form.note();
+  EXPECT_EQ(form.number_of_darts(), 3U);
+  EXPECT_EQ(form.hash(), hash);
+}
+
 // Two cubes that touch in a corner.
 TEST(CanonicalForm, keepsVerticesWhereFansMeet) {
   Triangles t = triangle_lists::box(1, 1, 1);
@@ -211,6 +242,32 @@ TEST(CanonicalForm, keepsVerticesWhereFansMeet) {
       IT::find_isometries(t.triangulation(), t.renumbered(2).triangulation());
   EXPECT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
   EXPECT_EQ(found.count(), 6 * 6 * 2);
+}
+
+// Two tetrahedra without symmetry that share two vertices, in one of two ways.
+TEST(CanonicalForm, seesWhichVerticesFansShare) {
+  const std::array<double, 6> squared{16, 17, 18, 19, 20, 21}; // of 01, 02, 03, 12, 13, 23
+  const auto two = [&](std::uint32_t of_first, std::uint32_t of_second) {
+    const std::array<std::uint32_t, 8> number{0, 1, 2, 3, of_first, of_second, 4, 5};
+    IT::Gluing g;
+    g.number_of_vertices = 6;
+    std::vector<double> sides;
+    const std::array<std::uint32_t, 12> corners{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    for (std::uint32_t h = 0; h < 24; ++h) {
+      const std::uint32_t own = h % 12, i = corners[own], j = corners[IT::Gluing::next(own)];
+      g.origin.push_back(number[h - own == 0 ? i : 4 + i]);
+      sides.push_back(squared[std::min(i, j) == 0 ? std::max(i, j) - 1 : i + j]);
+      for (std::uint32_t o = 0; o < 12; ++o)
+        if (corners[o] == j && corners[IT::Gluing::next(o)] == i) g.glue.push_back(h - own + o);
+    }
+    gallery::Surface s{"two tetrahedra", g, {}, sides};
+    return Triangulation(gallery::input(s));
+  };
+  const Triangulation a = two(0, 1), b = two(1, 0);
+  EXPECT_EQ(IT::find_isometries(a, b).answer(), IT::Isometry_answer::not_isometric);
+  const IT::Isometries same = IT::find_isometries(a, two(0, 1));
+  EXPECT_EQ(same.answer(), IT::Isometry_answer::isometric);
+  EXPECT_EQ(same.count(), 2);
 }
 
 // ---- all gluings of few triangles ---------------------------------------------------------------
@@ -245,10 +302,16 @@ int symmetries_of(const IT::Gluing_map& mesh) {
   return count;
 }
 
-bool is_connected_without_flat_vertex(const IT::Gluing_map& mesh) {
-  std::vector<int> degree(mesh.number_of_vertices(), 0);
+std::vector<std::size_t> sorted_degrees(const IT::Gluing_map& mesh) {
+  std::vector<std::size_t> degree(mesh.number_of_vertices(), 0);
   for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); ++h)
     ++degree[mesh.target(IT::Gluing_map::Halfedge{h}).index];
+  std::sort(degree.begin(), degree.end());
+  return degree;
+}
+
+bool is_connected_without_flat_vertex(const IT::Gluing_map& mesh) {
+  const std::vector<std::size_t> degree = sorted_degrees(mesh);
   if (std::count(degree.begin(), degree.end(), 6) > 0) return false;
   std::set<std::uint32_t> reached{0};
   for (std::uint32_t k = 0; k < mesh.number_of_faces(); ++k)
@@ -276,6 +339,8 @@ void for_each_gluing(std::vector<std::uint32_t> sides, std::vector<gallery::Glue
 
 TEST(CanonicalForm, findsTheSymmetriesOfAllSmallGluings) {
   std::size_t compared = 0, number = 0;
+  std::set<std::vector<std::size_t>> degrees;
+  std::set<std::uint64_t> hashes;
   for (const std::uint32_t faces : {2U, 4U}) {
     std::vector<std::uint32_t> sides(3 * faces);
     std::iota(sides.begin(), sides.end(), 0U);
@@ -290,9 +355,12 @@ TEST(CanonicalForm, findsTheSymmetriesOfAllSmallGluings) {
       ASSERT_EQ(found.answer(), IT::Isometry_answer::isometric) << found.note();
       ASSERT_EQ(found.count(), symmetries_of(mesh));
       ++compared;
+      degrees.insert(sorted_degrees(mesh));
+      hashes.insert(form.hash());
     });
   }
   EXPECT_GT(compared, 500U);
+  EXPECT_GE(hashes.size(), degrees.size());
 }
 
 } // namespace

@@ -391,4 +391,43 @@ TEST(FindIsometries, mapsPointsAsItMapsVertices) {
   }
 }
 
+// A vertex was removed by a flip to a face without area, of which doubles see a little.
+TEST(FindIsometries, mapsCornersToCorners) {
+  gallery::Surface s = gallery::abstract("divided",
+                                         gallery::glue(9, {{0, 2},
+                                                           {4, 11},
+                                                           {5, 16},
+                                                           {6, 20},
+                                                           {8, 22},
+                                                           {10, 25},
+                                                           {12, 18},
+                                                           {13, 21},
+                                                           {14, 26},
+                                                           {15, 23},
+                                                           {17, 24}}),
+                                         {});
+  s.squared_length_of_side = {25,     25,    25,    36,     14.125, 8.375, 24.75,
+                              49,     12.25, 36,    20.625, 14.125, 12.25, 0.5625,
+                              15.875, 9.75,  8.375, 0.5625, 12.25,  25,    24.75,
+                              0.5625, 12.25, 9.75,  0.5625, 20.625, 15.875};
+  const Triangulation t(gallery::input(s));
+  const IT::Isometries found = IT::find_isometries(t, t);
+  ASSERT_EQ(found.answer(), Isometry_answer::isometric) << found.note();
+  const IT::Input& input = t.input();
+  for (std::uint32_t f = 0; f < input.number_of_faces(); ++f)
+    for (const IT::Gluing_map::Halfedge h : input.mesh().sides({f})) {
+      const IT::Surface_point corner{h.index, {1, 0, 0}};
+      const std::uint32_t image = found[0].image_of_vertex(input.source(h.index));
+      if (image == IT::Canonical_form::none) continue;
+      const IT::Surface_point p = found[0].images_of({&corner, 1}).front();
+      double weight = 0;
+      std::uint32_t x = p.halfedge;
+      for (const double w : p.weights) {
+        if (input.source(x) == image) weight += w;
+        x = input.next(x);
+      }
+      EXPECT_GT(weight, 1 - 1e-9) << f;
+    }
+}
+
 } // namespace

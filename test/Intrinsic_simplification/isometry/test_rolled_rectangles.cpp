@@ -84,15 +84,16 @@ struct Cylinder {
   }
 };
 
-Cylinder unrolled_cylinder(const std::vector<int>& lower, const std::vector<int>& upper, int height,
-                           int shift) {
+// \param height times 8
+Cylinder rolled(const std::vector<int>& lower, const std::vector<int>& upper, int height, int shift,
+                bool has_bottom) {
   const auto n = static_cast<std::uint32_t>(lower.size()),
              m = static_cast<std::uint32_t>(upper.size());
   std::vector<int> x(1, 0), y(1, shift);
   for (const int d : lower) x.push_back(x.back() + d);
   for (const int d : upper) y.push_back(y.back() + d);
-  const auto at = [](int a, int b) { return std::complex<double>(a, b); };
-  const auto squared = [](int a, int b) { return static_cast<double>(a * a + b * b); };
+  const auto at = [](int a, int b) { return std::complex<double>(a, b / 8.); };
+  const auto squared = [](int a, int b) { return a * a + b * b / 64.; };
   std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<std::array<double, 3>> sides;
   std::vector<std::array<std::complex<double>, 3>> places;
@@ -112,6 +113,12 @@ Cylinder unrolled_cylinder(const std::vector<int>& lower, const std::vector<int>
       ++j;
     }
   }
+  if (has_bottom) { // a rectangle
+    const double diagonal = squared(lower[0], 8 * lower[1]);
+    faces.insert(faces.end(), {{0, 3, 2}, {0, 2, 1}});
+    sides.push_back({squared(lower[3], 0), squared(lower[2], 0), diagonal});
+    sides.push_back({diagonal, squared(lower[1], 0), squared(lower[0], 0)});
+  }
   IT::Gluing_map mesh(IT::gluing_from_triangles(n + m, faces));
   std::vector<double> lengths(mesh.number_of_edges(), 0);
   for (std::uint32_t f = 0; f < faces.size(); ++f)
@@ -120,6 +127,11 @@ Cylinder unrolled_cylinder(const std::vector<int>& lower, const std::vector<int>
         if (mesh.source(h).index == faces[f][k] && mesh.target(h).index == faces[f][(k + 1) % 3])
           lengths[h.index / 2] = sides[f][k];
   return {Triangulation(IT::Intrinsic_input(std::move(mesh), std::move(lengths))), faces, places};
+}
+
+Cylinder unrolled_cylinder(const std::vector<int>& lower, const std::vector<int>& upper, int height,
+                           int shift) {
+  return rolled(lower, upper, 8 * height, shift, false);
 }
 
 Triangulation cylinder(const std::vector<int>& lower, const std::vector<int>& upper, int height,
@@ -186,9 +198,61 @@ TEST(IsometriesOfRolledRectangles, mapsPointsOfFlatCylinders) {
   EXPECT_EQ(kinds.size(), 4U);
 }
 
+// A box without a lid. Its border is a loop without a corner: the vertices on it may be anywhere.
+TEST(IsometriesOfRolledRectangles, decidesOpenBoxesWhateverVerticesAreOnTheRim) {
+  const Cylinder s = rolled({2, 2, 2, 2}, {2, 2, 2, 2}, 7, 0, true);
+  const IT::Canonical_form form = IT::canonical_form(s.surface);
+  EXPECT_TRUE(form.is_unique()) << form.note();
+  EXPECT_EQ(form.number_of_flat_vertices(), 4U);
+  std::vector<IT::Surface_point> points;
+  for (std::uint32_t f = 0; f < s.places.size(); ++f)
+    points.push_back({s.surface.input().halfedge_of_face(f), {0.2, 0.3, 0.5}});
+  const std::vector<std::vector<int>> rims{{3, 3, 2}, {1, 3, 4}, {1, 1, 1, 1, 1, 1, 1, 1}};
+  const auto turn = [](double x) { return std::polar(1., 2 * std::numbers::pi * x / 8); };
+  for (const std::vector<int>& rim : rims)
+    for (const int shift : {0, 1, 3}) {
+      const Cylinder t = rolled({2, 2, 2, 2}, rim, 7, shift, true);
+      const IT::Canonical_form other = IT::canonical_form(t.surface);
+      EXPECT_EQ(other.hash(), form.hash());
+      const IT::Isometries found = IT::find_isometries(form, other);
+      ASSERT_EQ(found.answer(), Isometry_answer::isometric) << rim.size() << found.note();
+      EXPECT_EQ(found.note(), "");
+      ASSERT_EQ(found.size(), 8U);
+      std::set<std::pair<int, int>> kinds; // reflected or not, and a turn by some sides
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_NE(found[i].image_of_vertex(0), IT::Canonical_form::none);
+        const std::vector<IT::Surface_point> images = found[i].images_of(points);
+        for (const int sign : {-1, 1})
+          for (int sides = 0; sides < 4; ++sides) {
+            double error = 0;
+            for (std::size_t n = 0; n < points.size(); ++n) {
+              const std::complex<double> p = s.place(points[n]), q = t.place(images[n]);
+              error = std::max(error, std::abs(p.imag() - q.imag()));
+              error = std::max(error, std::abs(turn(q.real()) - turn(sign * p.real() + 2 * sides)));
+            }
+            if (error < 1e-9) kinds.insert({sign, sides});
+          }
+      }
+      EXPECT_EQ(kinds.size(), 8U) << rim.size();
+    }
+  // the same area, and the same border
+  const IT::Canonical_form oblong =
+      IT::canonical_form(rolled({1, 3, 1, 3}, {4, 1, 3}, 8, 0, true).surface);
+  EXPECT_EQ(IT::find_isometries(form, oblong).answer(), Isometry_answer::not_isometric);
+  EXPECT_EQ(IT::find_isometries(oblong, oblong).count(), 4);
+  EXPECT_NE(oblong.hash(), form.hash());
+  // in space
+  Triangles box = triangle_lists::box(2, 2, 0.875);
+  box.faces.erase(box.faces.begin() + 2, box.faces.begin() + 4);
+  const IT::Isometries in_space = IT::find_isometries(
+      form, IT::canonical_form(box.divided(12, 3).renumbered(2).triangulation()));
+  EXPECT_EQ(in_space.answer(), Isometry_answer::isometric) << in_space.note();
+  EXPECT_EQ(in_space.count(), 8);
+}
+
 // A rectangle that is rolled to a prism of many sides, whose widths are roots that do not depend on
 // each other; all vertices but four are flat.
-Triangles rolled(double height, std::uint32_t sides, std::uint32_t rows) {
+Triangles rolled_prism(double height, std::uint32_t sides, std::uint32_t rows) {
   Triangles t;
   for (std::uint32_t i = 0; i <= sides; ++i)
     for (std::uint32_t j = 0; j <= rows; ++j) {
@@ -207,7 +271,7 @@ Triangles rolled(double height, std::uint32_t sides, std::uint32_t rows) {
 
 TEST(IsometriesOfRolledRectangles, unrollsPrisms) {
   const auto form_of = [](double height, std::uint32_t seed) {
-    return IT::canonical_form(rolled(height, 12, 4).renumbered(seed).triangulation());
+    return IT::canonical_form(rolled_prism(height, 12, 4).renumbered(seed).triangulation());
   };
   const IT::Canonical_form form = form_of(0.25, 1);
   EXPECT_EQ(form.number_of_flat_vertices(), 61U);
@@ -220,7 +284,7 @@ TEST(IsometriesOfRolledRectangles, unrollsPrisms) {
 
 // Lengths are sums of more than 64 roots.
 TEST(IsometriesOfRolledRectangles, unrollsPrismsOfAHundredSides) {
-  const Triangles t = rolled(0.25, 100, 2);
+  const Triangles t = rolled_prism(0.25, 100, 2);
   const IT::Canonical_form form = IT::canonical_form(t.renumbered(1).triangulation());
   EXPECT_EQ(form.number_of_darts(), 4U) << form.note();
   for (const Triangles& other : {t.renumbered(2), t.divided(3, 7).renumbered(3)}) {

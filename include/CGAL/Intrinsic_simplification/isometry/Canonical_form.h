@@ -51,6 +51,8 @@ the vertices with curvature, and at the corners of the border.
 
 It depends on the surface alone, not on the triangulation or the numbering. The vertices, and the
 edges that do not separate cocircular faces, are decided exactly. A *dart* is a side of a polygon.
+Where a surface with curvature has a loop of its border without a corner, no vertex of the loop is
+distinguished: the tessellation is that of two copies of the component, glued along such loops.
 
 A copy shares everything. Two threads must not use copies of one form at a time.
 */
@@ -89,7 +91,7 @@ public:
   std::uint32_t next(std::uint32_t d) const;
   /// returns the dart on the other side of the edge of `d`, `none` on the border.
   std::uint32_t opposite(std::uint32_t d) const;
-  /// returns the vertex of the input from which `d` starts.
+  /// returns the vertex of the input from which `d` starts, or of which that vertex is a copy.
   std::uint32_t source(std::uint32_t d) const;
   /// returns the double nearest to the squared length of `d`, in the units of the user.
   /// \throws Invalid_input if exact arithmetic could not decide which one is nearest
@@ -101,7 +103,6 @@ public:
   It hashes squared lengths in the units of the user, each rounded correctly, along the
   tessellation.
   Unequal numbers prove that surfaces are not isometric; equal ones prove nothing.
-  Where a choice is arbitrary, the number only counts components.
   \param options what is asked for
   \throws Invalid_input if exact arithmetic could not decide the form, or how to round a length, or
     `progress` has ended it

@@ -41,7 +41,8 @@ A star has a type `Halfedge` and these members:
 - `is_in_two_faces(h)`;
 - `rank(h)` of the ear that a flip would cut off, an `Ear_rank`;
 - `flip(h, is_last)` flips if the faces are convex together, and returns whether it did. They may be
-  straight at the vertex if three edges will be left: the face without area goes with it;
+  straight at the vertex if three edges will be left, none from the vertex to itself: the face
+  without area goes with the vertex;
 - `take_out()` removes the vertex, of which no edge is a loop.
 */
 template <class Star>
@@ -55,13 +56,13 @@ public:
     // flips that take no end away could go round in a circle
     const std::size_t most_flips = 8 * edges->size() + 32;
     for (std::size_t flips = 0; flips < most_flips; ++flips, edges = &star_.find_edges()) {
-      const bool has_loop = std::any_of(edges->begin(), edges->end(),
-                                        [this](Halfedge h) { return star_.are_here(h)[0]; });
-      if (edges->size() == 3 && !has_loop) {
+      const auto ends_of_loops = std::count_if(edges->begin(), edges->end(),
+                                               [this](Halfedge h) { return star_.are_here(h)[0]; });
+      if (edges->size() == 3 && ends_of_loops == 0) {
         star_.take_out();
         return true;
       }
-      if (!flip_an_edge(*edges, edges->size() == 4 && !has_loop)) return false;
+      if (!flip_an_edge(*edges, ends_of_loops)) return false;
     }
     return false;
   }
@@ -81,7 +82,7 @@ private:
            static_cast<int>(are_here[2]);
   }
 
-  bool flip_an_edge(const std::vector<Halfedge>& edges, bool is_last) {
+  bool flip_an_edge(const std::vector<Halfedge>& edges, std::ptrdiff_t ends_of_loops) {
     candidates_.clear();
     for (const Halfedge h : edges) {
       if (!star_.is_in_two_faces(h)) continue;
@@ -92,8 +93,12 @@ private:
     }
     std::sort(candidates_.begin(), candidates_.end(),
               [](const Candidate& a, const Candidate& b) { return a.key() > b.key(); });
-    return std::any_of(candidates_.begin(), candidates_.end(),
-                       [&](const Candidate& c) { return star_.flip(c.edge, is_last); });
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) {
+      const bool is_loop = star_.are_here(c.edge)[0];
+      const bool is_last = c.gain == (is_loop ? 2 : 1) && ends_of_loops == (is_loop ? 2 : 0) &&
+                           edges.size() == 3 + static_cast<std::size_t>(c.gain);
+      return star_.flip(c.edge, is_last);
+    });
   }
 
   Star& star_;

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/input/initial_values.h>
 
 #include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
 
 #include <algorithm>
 #include <array>
@@ -124,10 +125,52 @@ std::vector<Step> merged(std::vector<Step> a, std::vector<Step> b, std::size_t n
   return result;
 }
 
+// What a link does to the functions 1, x, y and x^2 + y^2 of its plane, times one positive number,
+// so that all entries are integers.
+class Integer_link {
+public:
+  explicit Integer_link(const Length_chain::Link& link) {
+    const auto& [q, t, s] = link;
+    Gmpz d(1);
+    for (const Gmpq* x : {&t.x, &t.y, &s.x, &s.y}) mpz_lcm(d.mpz(), d.mpz(), mpq_denref(x->mpq()));
+    const auto integer = [&d](const Gmpq& x) { return x.numerator() * (d / x.denominator()); };
+    const Gmpz n = q.numerator(), m = q.denominator(), tx = integer(t.x), ty = integer(t.y),
+               sx = integer(s.x), sy = integer(s.y);
+    whole = d * d * m;
+    x_to_one = d * m * sx;
+    square_to_one = m * sx * sx + n * sy * sy;
+    x_to_x = d * m * tx;
+    square_to_x = 2 * (m * sx * tx + n * sy * ty);
+    square_to_square = m * tx * tx + n * ty * ty;
+    const std::array<Gmpz, 2> factors{m, n};
+    for (std::size_t k = 0; k < 2; ++k) {
+      y_to_one[k] = d * factors[k] * sy;
+      y_to_x[k] = d * factors[k] * ty;
+      square_to_y[k] = -2 * factors[k] * (sx * ty - sy * tx);
+    }
+    divide();
+  }
+
+  Gmpz whole, x_to_one, square_to_one, x_to_x, square_to_x, square_to_square;
+  // times the root: in functions without it, and in those with it
+  std::array<Gmpz, 2> y_to_one, y_to_x, square_to_y;
+
+private:
+  void divide() {
+    const std::array<Gmpz*, 12> all{
+        &whole,       &x_to_one,    &square_to_one, &x_to_x,    &square_to_x,    &square_to_square,
+        &y_to_one[0], &y_to_one[1], &y_to_x[0],     &y_to_x[1], &square_to_y[0], &square_to_y[1]};
+    Gmpz divisor(0);
+    for (const Gmpz* x : all) mpz_gcd(divisor.mpz(), divisor.mpz(), x->mpz());
+    for (Gmpz* x : all) mpz_divexact(x->mpz(), x->mpz(), divisor.mpz());
+  }
+};
+
 /*
-Linear functions of the rest of both chains that all have to vanish. A function has a coefficient
-for each component, of 1, x, y and x^2 + y^2 in both planes, and each set of open roots: roots
-that occur before and after.
+Linear functions of the rest of both chains that all have to vanish, each up to a factor: so all
+numbers are integers, and a common divisor is found once for a function, not in each operation. A
+function has a coefficient for each component, of 1, x, y and x^2 + y^2 in both planes, and each set
+of open roots: roots that occur before and after.
 */
 class Difference {
 public:
@@ -139,24 +182,25 @@ public:
     std::vector<std::size_t> last(number_of_roots, 0);
     for (std::size_t n = 0; n < steps.size(); ++n)
       if (steps[n].root != no_root) last[steps[n].root] = n;
-    rows_.assign(1, Row(components, Gmpq(0)));
-    rows_[0][3] = unit_a;
-    rows_[0][7] = -unit_b;
+    rows_.assign(1, Row(components, Gmpz(0)));
+    rows_[0][3] = unit_a.numerator() * unit_b.denominator();
+    rows_[0][7] = -(unit_b.numerator() * unit_a.denominator());
     for (std::size_t n = 0; n < steps.size(); ++n) {
       expect_to_go_on();
       const std::uint32_t root = steps[n].root;
       if (root != no_root && !open(root)) return false;
       const std::size_t bit = root == no_root ? 0 : bit_of(root);
-      for (Row& r : rows_) apply(steps[n], bit, r);
+      const Integer_link link(steps[n].link);
+      for (Row& r : rows_) apply(link, steps[n].is_of_second ? 4 : 0, bit, r);
       if (root != no_root && last[root] == n) close(root);
     }
     return std::all_of(rows_.begin(), rows_.end(),
-                       [](const Row& r) { return r[0] + r[4] == Gmpq(0); });
+                       [](const Row& r) { return mpz_sgn((r[0] + r[4]).mpz()) == 0; });
   }
 
 private:
   // by sets of open roots, as bits, and then by components
-  using Row = std::vector<Gmpq>;
+  using Row = std::vector<Gmpz>;
   static constexpr std::size_t components = 8;
   // Chains of one line have one or two open at a time; rows are at most 8 times 2 to this power.
   static constexpr std::size_t most_open = 4;
@@ -170,42 +214,47 @@ private:
     if (std::find(open_.begin(), open_.end(), root) != open_.end()) return true;
     if (open_.size() == most_open) return false;
     open_.push_back(root);
-    for (Row& r : rows_) r.resize(2 * r.size(), Gmpq(0));
+    for (Row& r : rows_) r.resize(2 * r.size(), Gmpz(0));
     return true;
   }
 
-  // f(z) = u + v x + w y + q |z|^2 becomes f(turn z + shift)
-  void apply(const Step& step, std::size_t bit, Row& row) {
-    const auto& [square, t, s] = step.link;
-    budget_.count((words(square) + words(t.x) + words(t.y) + words(s.x) + words(s.y)) *
-                  words_of(row, step.is_of_second ? 4 : 0));
-    const Gmpq norm_of_turn = norm(t, square), norm_of_shift = norm(s, square),
-               real = 2 * (s.x * t.x + square * s.y * t.y), imaginary = 2 * (s.x * t.y - s.y * t.x);
-    const Row old = row;
-    const std::size_t first = step.is_of_second ? 4 : 0;
-    for (std::size_t set = 0; set < row.size() / components; ++set) {
-      const Gmpq* const f = &old[set * components + first];
-      Gmpq* const same = &row[set * components + first];
-      same[0] += f[1] * s.x + f[3] * norm_of_shift;
-      same[1] = same[1] + f[1] * (t.x - 1) + f[3] * real;
-      same[2] = same[2] + f[2] * (t.x - 1);
-      same[3] = same[3] + f[3] * (norm_of_turn - 1);
-      // times the root
-      const bool has_root = (set & bit) != 0;
-      Gmpq* const other = &row[(set ^ bit) * components + first];
-      const Gmpq factor = has_root ? square : Gmpq(1);
-      other[0] += factor * f[2] * s.y;
-      other[1] += factor * f[2] * t.y;
-      other[2] -= factor * (f[1] * t.y + f[3] * imaginary);
-    }
+  // Copies of a number share it: here each has its own, so that it can be changed.
+  static Row zeros(std::size_t size) {
+    Row result(size);
+    for (Gmpz& x : result) x = Gmpz(0);
+    return result;
   }
 
-  // The words of the four components of one plane.
-  static std::size_t words_of(const Row& row, std::size_t first) {
-    std::size_t result = 0;
-    for (std::size_t i = first; i < row.size(); i += components)
-      for (std::size_t k = 0; k < components / 2; ++k) result += words(row[i + k]);
-    return result;
+  // to += a b. \pre no other number shares `to`
+  void add_product(const Gmpz& a, const Gmpz& b, Gmpz& to) {
+    budget_.count(mpz_size(a.mpz()) * mpz_size(b.mpz()));
+    mpz_addmul(to.mpz(), a.mpz(), b.mpz());
+  }
+
+  // f(z) = u + v x + w y + q |z|^2 becomes f(turn z + shift)
+  // \param first component of the plane of the link
+  void apply(const Integer_link& link, std::size_t first, std::size_t bit, Row& row) {
+    const Row old = std::exchange(row, zeros(row.size()));
+    for (std::size_t set = 0; set < row.size() / components; ++set) {
+      const std::size_t other_plane = set * components + (4 - first);
+      for (std::size_t k = 0; k < 4; ++k)
+        add_product(link.whole, old[other_plane + k], row[other_plane + k]);
+      const Gmpz* const f = &old[set * components + first];
+      Gmpz* const same = &row[set * components + first];
+      add_product(link.whole, f[0], same[0]);
+      add_product(link.x_to_one, f[1], same[0]);
+      add_product(link.square_to_one, f[3], same[0]);
+      add_product(link.x_to_x, f[1], same[1]);
+      add_product(link.square_to_x, f[3], same[1]);
+      add_product(link.x_to_x, f[2], same[2]);
+      add_product(link.square_to_square, f[3], same[3]);
+      const std::size_t has_root = (set & bit) != 0 ? 1 : 0;
+      Gmpz* const other = &row[(set ^ bit) * components + first];
+      add_product(link.y_to_one[has_root], f[2], other[0]);
+      add_product(link.y_to_x[has_root], f[2], other[1]);
+      add_product(-link.y_to_x[has_root], f[1], other[2]);
+      add_product(link.square_to_y[has_root], f[3], other[2]);
+    }
   }
 
   // The coefficients of a root that does not occur again have to vanish as those without it do.
@@ -231,26 +280,37 @@ private:
     std::vector<std::size_t> pivots;
     for (Row& r : all) {
       expect_to_go_on();
-      for (std::size_t k = 0; k < rows_.size(); ++k)
-        subtract(Gmpq(r[pivots[k]]), rows_[k], pivots[k], r);
+      divide(r);
+      for (std::size_t k = 0; k < rows_.size(); ++k) eliminate(pivots[k], rows_[k], r);
       const auto pivot =
-          std::find_if(r.begin(), r.end(), [](const Gmpq& x) { return x != Gmpq(0); });
+          std::find_if(r.begin(), r.end(), [](const Gmpz& x) { return mpz_sgn(x.mpz()) != 0; });
       if (pivot == r.end()) continue;
-      const Gmpq scale = 1 / *pivot;
       pivots.push_back(static_cast<std::size_t>(pivot - r.begin()));
-      for (Gmpq& x : r) x = x * scale;
       rows_.push_back(std::move(r));
     }
-    if (rows_.empty()) rows_.emplace_back(all.front().size(), Gmpq(0));
+    if (rows_.empty()) rows_.emplace_back(all.front().size(), Gmpz(0));
   }
 
-  // Subtracts a multiple of a row that is zero before its pivot.
-  void subtract(const Gmpq& factor, const Row& row, std::size_t pivot, Row& from) {
-    if (factor == Gmpq(0)) return;
-    for (std::size_t i = pivot; i < from.size(); ++i) {
-      budget_.count(words(factor) * words(row[i]));
-      from[i] -= factor * row[i];
+  // Makes a row zero at the pivot of another one, which is zero before it.
+  void eliminate(std::size_t pivot, const Row& by, Row& row) {
+    if (mpz_sgn(row[pivot].mpz()) == 0) return;
+    Gmpz divisor;
+    mpz_gcd(divisor.mpz(), row[pivot].mpz(), by[pivot].mpz());
+    const Gmpz factor = by[pivot] / divisor, other = -(row[pivot] / divisor);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Gmpz before = std::exchange(row[i], Gmpz(0));
+      add_product(factor, before, row[i]);
+      add_product(other, by[i], row[i]);
     }
+    divide(row);
+  }
+
+  static void divide(Row& row) {
+    Gmpz divisor(0);
+    for (std::size_t i = 0; i < row.size() && divisor != Gmpz(1); ++i)
+      mpz_gcd(divisor.mpz(), divisor.mpz(), row[i].mpz());
+    if (divisor == Gmpz(0) || divisor == Gmpz(1)) return;
+    for (Gmpz& x : row) mpz_divexact(x.mpz(), x.mpz(), divisor.mpz());
   }
 
   Budget budget_;

@@ -58,12 +58,12 @@ Status Canonical_form::status() const {
   return parts_->is_ended() ? Status::cancelled : Status::done;
 }
 
-bool Canonical_form::is_unique() const { return parts_->is_proven() && note().empty(); }
+bool Canonical_form::is_unique() const { return note().empty(); }
 std::string Canonical_form::note() const {
-  if (!parts_->choice().empty() || !parts_->has_cylinder()) return parts_->choice();
+  if (!parts_->is_proven() || !parts_->has_cylinder()) return parts_->open();
   return "the vertices on the borders of a flat cylinder are arbitrary";
 }
-const Input& Canonical_form::input() const { return parts_->start().input(); }
+const Input& Canonical_form::input() const { return parts_->surface(); }
 std::uint32_t Canonical_form::number_of_flat_vertices() const {
   return parts_->number_of_flat_vertices();
 }
@@ -72,7 +72,9 @@ std::uint32_t Canonical_form::next(std::uint32_t d) const { return parts_->darts
 std::uint32_t Canonical_form::opposite(std::uint32_t d) const {
   return parts_->darts().opposite[d];
 }
-std::uint32_t Canonical_form::source(std::uint32_t d) const { return parts_->source(d); }
+std::uint32_t Canonical_form::source(std::uint32_t d) const {
+  return parts_->source(parts_->darts().halfedge[d]);
+}
 double Canonical_form::squared_length(std::uint32_t d) const {
   return internal::rounded_squared_length(*parts_, d);
 }

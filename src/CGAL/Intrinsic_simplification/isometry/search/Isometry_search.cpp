@@ -31,6 +31,9 @@ namespace {
 // doubles, and of coordinates in single precision.
 constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
+// How many isometries of fans of faces are tried, to find one that keeps them together.
+constexpr double most_maps = 1000;
+
 constexpr const char* too_wide = "lengths are enclosed too widely to be compared";
 
 std::string both(const std::string& x, const std::string& y) {
@@ -38,10 +41,10 @@ std::string both(const std::string& x, const std::string& y) {
 }
 
 bool has_changed_lengths(const Singular_surface& s) {
-  return s.start().input().report().mollification.delta > 0;
+  return s.surface().report().mollification.delta > 0;
 }
 
-std::uint32_t sheets_of(const Singular_surface& s) { return s.start().input().names().sheets; }
+std::uint32_t sheets_of(const Singular_surface& s) { return s.surface().names().sheets; }
 
 } // namespace
 
@@ -69,13 +72,10 @@ void Isometry_search::search(Isometry_run& run) {
     return;
   }
   decide_exactly(run);
-  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended()) {
-    if (have_different_sizes(*a_, *b_)) {
-      answer_ = Isometry_answer::not_isometric;
-      note_.clear(); // it said why nothing was decided
-    } else if (a_->is_proven() && b_->is_proven() && has_choice()) {
-      try_all_vertices(run);
-    }
+  if (answer_ == Isometry_answer::undecided && a_ != b_ && !a_->is_ended() && !b_->is_ended() &&
+      have_different_sizes(*a_, *b_)) {
+    answer_ = Isometry_answer::not_isometric;
+    note_.clear(); // it said why nothing was decided
   }
   if (answer_ != Isometry_answer::not_isometric) return;
   for (const double error : rounding_errors)
@@ -89,25 +89,7 @@ void Isometry_search::search(Isometry_run& run) {
 }
 
 void Isometry_search::take_all_vertices(Isometry_run& run) {
-  for (Surface* s : {&a_, &b_})
-    *s = std::make_shared<const Singular_surface>((*s)->start(), Tessellation_vertices::all, run);
-}
-
-// Where vertices of tessellations are arbitrary, copies of one mesh are isometric by all of their
-// vertices. Other meshes of the surface are not found.
-void Isometry_search::try_all_vertices(Isometry_run& run) {
-  const Surface a = a_, b = b_;
-  const std::string note = note_;
-  take_all_vertices(run);
-  decide_exactly(run);
-  if (answer_ == Isometry_answer::isometric) {
-    note_ = both(note_, "only isometries that keep the vertices of the meshes are found");
-    return;
-  }
-  answer_ = Isometry_answer::undecided;
-  a_ = a;
-  b_ = b;
-  note_ = note;
+  for (Surface* s : {&a_, &b_}) *s = (*s)->with_all_vertices(run);
 }
 
 void Isometry_search::match(const Length_classes& classes) {
@@ -126,7 +108,7 @@ void Isometry_search::decide_exactly(Isometry_run& run) {
     second_ = exact(*b_);
     surfaces.push_back(b_.get());
   }
-  note_ = both(a_->choice(), b_->choice());
+  note_ = both(a_->open(), b_->open());
   if (!a_->is_proven() || !b_->is_proven()) return;
   const Length_classes classes = exact_length_classes(surfaces);
   run.begin(Isometry_stage::maps);
@@ -134,15 +116,17 @@ void Isometry_search::decide_exactly(Isometry_run& run) {
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
+    const bool is_map = find_first_map(), are_all_tried = count() <= most_maps;
     if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
-    const bool is_map = find_first_map();
-    if (!is_map) note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
+    if (!is_map && !are_all_tried)
+      note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
     if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
+    if (classes.are_proven && !is_map && are_all_tried) answer_ = Isometry_answer::not_isometric;
   } else if (!classes.are_separated) {
     note_ = both(note_, too_wide);
   } else if (!classes.are_proven) {
     note_ = both(note_, "lengths could not be proven to be equal");
-  } else if (note_.empty()) {
+  } else {
     answer_ = Isometry_answer::not_isometric;
   }
   note_ = both(both(a_->continuous_part(), b_->continuous_part()), note_);
@@ -178,7 +162,6 @@ bool Isometry_search::decide_within(double error, Isometry_run& run) {
 }
 
 bool Isometry_search::find_first_map() {
-  constexpr double most_maps = 1000;
   const auto number = static_cast<std::size_t>(std::min(count(), most_maps));
   for (std::size_t n = 0; n < number; ++n) {
     expect_to_go_on();
@@ -196,14 +179,11 @@ Isometry Isometry_search::own(std::size_t n) const {
 
 bool Isometry_search::respects_vertices(const Isometry& map) const {
   const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
-  const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
-    return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
-  };
-  std::vector<std::uint32_t> from(b_->start().input().number_of_vertices(), Dart_complex::none);
+  std::vector<std::uint32_t> from(b_->surface().number_of_vertices(), Dart_complex::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     if (a_->is_on_cylinder(Gluing_map::Halfedge{first_->darts.halfedge[d]})) continue;
-    const std::uint32_t e = map.image_of_dart(d), v = source(*a_, first_->darts.halfedge[d]),
-                        w = source(*b_, to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
+    const std::uint32_t e = map.image_of_dart(d), v = a_->source(first_->darts.halfedge[d]),
+                        w = b_->source(to.halfedge[map.is_mirrored(d) ? to.next[e] : e]);
     if (map.image_of_vertex(v) != w || (from[w] != Dart_complex::none && from[w] != v))
       return false;
     from[w] = v;
@@ -270,16 +250,13 @@ void Isometry_search::compute(std::size_t n, Isometry& result) const {
     }
   }
   const Dart_complex& to = a_ == b_ ? first_->darts : second_->darts;
-  result.vertices_.assign(a_->start().input().number_of_vertices(), Canonical_form::none);
+  result.vertices_.assign(a_->surface().number_of_vertices(), Canonical_form::none);
   for (std::uint32_t d = 0; d < first_->darts.size(); ++d) {
     const std::uint32_t e = image[d] - shift;
     result.image_.push_back(e);
     if (a_->is_on_cylinder(Gluing_map::Halfedge{first_->darts.halfedge[d]})) continue;
-    const auto source = [](const Singular_surface& s, std::uint32_t halfedge) {
-      return s.triangulation().mesh().source(Gluing_map::Halfedge{halfedge}).index;
-    };
-    result.vertices_[source(*a_, first_->darts.halfedge[d])] =
-        source(*b_, to.halfedge[result.is_mirrored(d) ? to.next[e] : e]);
+    result.vertices_[a_->source(first_->darts.halfedge[d])] =
+        b_->source(to.halfedge[result.is_mirrored(d) ? to.next[e] : e]);
   }
 }
 
@@ -334,9 +311,9 @@ Surface_point Isometry_search::image(const Isometry& map, const Surface_point& p
 
 std::vector<Surface_point> Isometry_search::images(const Isometry& map,
                                                    std::span<const Surface_point> points) const {
-  std::vector<Surface_point> result = a_->from_input(points);
+  std::vector<Surface_point> result = a_->from_surface(points);
   for (Surface_point& p : result) p = image(map, p);
-  return b_->to_input(result);
+  return b_->to_surface(result);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -53,9 +53,7 @@ private:
   };
 
   void search(Isometry_run& run);
-  bool has_choice() const { return !a_->choice().empty() || !b_->choice().empty(); }
   void take_all_vertices(Isometry_run& run);
-  void try_all_vertices(Isometry_run& run);
   void decide_exactly(Isometry_run& run);
   bool decide_within(double error, Isometry_run& run);
   void match(const Length_classes& classes);

@@ -209,7 +209,8 @@ Length_classes classes_of_darts(std::span<const Singular_surface* const> surface
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     std::vector<std::uint32_t>& of_dart = result.of_dart.emplace_back();
     for (const std::uint32_t h : complexes[s]->halfedge)
-      of_dart.push_back(by_id[s].at(surfaces[s]->measure(h / 2)));
+      of_dart.push_back(3 * by_id[s].at(surfaces[s]->measure(h / 2)) +
+                        surfaces[s]->number_of_copied_ends(h / 2));
   }
   return result;
 }

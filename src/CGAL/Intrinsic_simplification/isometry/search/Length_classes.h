@@ -13,7 +13,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Classes of equal squared lengths of edges of one or two surfaces.
+// Classes of edges of one or two surfaces that have equal squared lengths, and as many ends that
+// are copies.
 struct Length_classes {
   // for each surface and dart
   std::vector<std::vector<std::uint32_t>> of_dart;

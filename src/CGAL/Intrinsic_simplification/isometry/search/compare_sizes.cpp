@@ -28,8 +28,8 @@ bool have_sizes_far_apart(const Singular_surface& a, const Singular_surface& b) 
   // vertices could not be removed.
   const auto area = [](const Singular_surface& s) {
     double sum = 0;
-    const Input_metric& metric = s.start().input().metric();
-    for (std::uint32_t f = 0; f < s.start().input().number_of_faces(); ++f)
+    const Input_metric& metric = s.surface().metric();
+    for (std::uint32_t f = 0; f < s.surface().number_of_faces(); ++f)
       sum += std::sqrt(std::max(metric.squared_quadruple_area<double>(f), 0.));
     return std::log2(sum);
   };

@@ -32,14 +32,18 @@ std::uint64_t mixed(std::uint64_t x) {
 }
 std::uint64_t mixed(std::uint64_t x, std::uint64_t y) { return mixed(mixed(x) + 3 * y); }
 
-// Colours of darts, from lengths; each round adds the colours of the next and
-// the opposite dart.
+// Colours of darts, from lengths, sides of polygons and degrees of both ends; each round adds the
+// colours of the next and the opposite dart.
 class Dart_colours {
 public:
   Dart_colours(const Dart_complex& darts, const std::vector<std::uint64_t>& lengths,
                bool is_mirrored)
       : darts_(darts), next_(is_mirrored ? darts.previous : darts.next), colour_(lengths) {
-    for (std::uint32_t d = 0; d < darts.size(); ++d) colour_[d] = mixed(lengths[d], darts.sides[d]);
+    for (std::uint32_t d = 0; d < darts.size(); ++d) {
+      const std::uint32_t start = darts.degree[d], end = darts.degree[darts.next[d]];
+      const std::uint64_t ends = is_mirrored ? mixed(end, start) : mixed(start, end);
+      colour_[d] = mixed(mixed(lengths[d], darts.sides[d]), ends);
+    }
     for (unsigned round = 0; round < number_of_rounds; ++round) add_round();
   }
   // the sum over each component
@@ -86,24 +90,24 @@ double rounded_squared_length(const Singular_surface& s, std::uint32_t dart) {
 
 std::uint64_t hash_of_surface(const Singular_surface& s, Isometry_run& run) {
   const Dart_complex& darts = s.darts();
-  const std::uint32_t sheets = s.start().input().names().sheets; // a cover is another surface
+  const std::uint32_t sheets = s.surface().names().sheets; // a cover is another surface
   const auto refuse = [](const std::string& why) {
     throw Invalid_input(Element_kind::none, 0, "the surface gets no hash, since " + why);
   };
-  if (s.is_ended()) refuse(s.choice());
+  if (s.is_ended()) refuse(s.open());
   if (!s.is_proven()) // another triangulation of the surface might get a hash
-    refuse(s.choice() + "; remove flat vertices from the mesh");
+    refuse(s.open() + "; remove flat vertices from the mesh");
   try {
     run.begin(Isometry_stage::lengths);
   } catch (const Undecidable& e) {
     refuse(e.what());
   }
-  if (!s.choice().empty()) return mixed(darts.number_of_components, sheets);
   std::vector<std::uint64_t> lengths(darts.size());
   for (std::uint32_t d = 0; d < darts.size(); ++d) {
-    const std::uint32_t o = darts.opposite[d];
-    lengths[d] = o < d ? lengths[o]
-                       : std::bit_cast<std::uint64_t>(rounded(s, s.measure(darts.halfedge[d] / 2)));
+    const std::uint32_t o = darts.opposite[d], edge = darts.halfedge[d] / 2;
+    lengths[d] = o < d ? lengths[o] : std::bit_cast<std::uint64_t>(rounded(s, s.measure(edge)));
+    if (const std::uint32_t copied = s.number_of_copied_ends(edge); o >= d && copied > 0)
+      lengths[d] = mixed(lengths[d], copied);
   }
   const std::vector<std::uint64_t> sums = Dart_colours(darts, lengths, false).sums(),
                                    mirrored = Dart_colours(darts, lengths, true).sums();

@@ -182,6 +182,18 @@ Plane_vector<double> Moved_triangulation::approximate_vector(Developed_faces::Po
   return v;
 }
 
+bool Moved_triangulation::has_area(const std::array<Developed_faces::Point, 3>& corners) const {
+  const auto is_proven = [&](auto& values) {
+    const auto origin = values.point(corners[0]);
+    const Uncertain<Sign> s =
+        cross(values.point(corners[1]) - origin, values.point(corners[2]) - origin).sign();
+    return is_certain(s) && get_certain(s) != ZERO;
+  };
+  if (is_proven(short_)) return true;
+  const Mpfr_precision precision(1024);
+  return is_proven(long_values(1024));
+}
+
 Moved_face Moved_triangulation::face_at(Halfedge h) const {
   const Halfedge n = mesh().next(h), l = mesh().next(n);
   return {mesh().face(h).index,
@@ -195,7 +207,7 @@ std::vector<Plane_face> Moved_triangulation::lay_out(const Repartition& move,
   std::vector<Plane_face> result;
   for (const Moved_face& f : faces) {
     const auto corner = [&](std::size_t k) { return approximate_vector(origin, f.corners[k]); };
-    result.push_back({f.face, f.sides, {{corner(0), corner(1), corner(2)}}});
+    result.push_back({f.face, f.sides, {{corner(0), corner(1), corner(2)}}, has_area(f.corners)});
   }
   return result;
 }

@@ -21,6 +21,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -161,6 +162,8 @@ private:
   void start_field() const;
   Plane_vector<double> approximate_vector(Developed_faces::Point from,
                                           Developed_faces::Point to) const;
+  // whether the area of three points is proven not to be zero
+  bool has_area(const std::array<Developed_faces::Point, 3>& corners) const;
   Moved_face face_at(Halfedge h) const;
   // names the areas of faces that a move has made, and chooses their frames
   void name_areas(std::initializer_list<Halfedge> faces);

@@ -30,14 +30,16 @@ struct Plane_face {
   std::uint32_t face;
   std::array<std::uint32_t, 3> sides;          // its halfedges
   std::array<Plane_vector<double>, 3> corners; // where each of them starts
+  bool has_area = true;                        // not by doubles, which are rounded
 
-  // barycentric coordinates of a point of the plane, those outside are negative
+  // barycentric coordinates of a point of the plane, those outside are negative; all are if the
+  // face has no area
   std::array<double, 3> weights(const Plane_vector<double>& p) const {
     const auto area = [&](std::size_t k) {
       return cross(corners[(k + 1) % 3] - p, corners[(k + 2) % 3] - p);
     };
     const double all = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    if (!(all > 0)) return {-1, -1, -1};
+    if (!has_area || !(all > 0)) return {-1, -1, -1};
     return {area(0) / all, area(1) / all, area(2) / all};
   }
   Plane_vector<double> place(const Surface_point& p) const {

@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/Square_root_field.h>
 #include <CGAL/Intrinsic_simplification/isometry/lengths/Joined_numbers.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Doubled_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Repartition.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Singular_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/remove_vertices.h>
@@ -35,24 +36,6 @@ void flip_while_asked(Corresponding_triangulation& t, Isometry_run& run) {
     bool progress(const Flip_to_delaunay_result&) { return run->ask(); }
   };
   flip_to_delaunay(t, parameters::visitor(Visitor{&run}));
-}
-
-// Whether the surface is the same without the vertex. Moves do not change angles at vertices, and
-// inserted ones are in faces or on edges of the input.
-std::vector<char> flat_or_isolated_vertices(const Corresponding_triangulation& t) {
-  const std::vector<char> is_flat = flat_vertices(t.input());
-  std::vector<char> result(t.mesh().number_of_vertices(), 1);
-  for (std::uint32_t v = 0; v < is_flat.size(); ++v)
-    if (t.mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none) result[v] = is_flat[v];
-  return result;
-}
-
-// Numbers sets of vertices that are joined by edges.
-std::vector<std::uint32_t> components_of_vertices(const Gluing_map& mesh) {
-  return joined_sets(mesh.number_of_vertices(), [&](const auto& join) {
-    for (std::uint32_t h = 0; h < mesh.number_of_halfedges(); h += 2)
-      join(mesh.source(Gluing_map::Halfedge{h}).index, mesh.target(Gluing_map::Halfedge{h}).index);
-  });
 }
 
 // Takes points through moves.
@@ -97,29 +80,52 @@ Singular_surface::Singular_surface(Corresponding_triangulation t, Tessellation_v
     run.begin(Isometry_stage::flips);
     std::vector<char> are_removed(start_->mesh().number_of_vertices(), 0);
     if (vertices == Tessellation_vertices::not_flat) {
-      are_removed = flat_or_isolated_vertices(*start_);
+      are_removed = removable_vertices();
       expect_to_go_on();
       choose_vertices(are_removed);
     }
     make(are_removed, run);
   } catch (const Undecidable& e) {
-    is_proven_ = false;
     is_ended_ = run.is_ended();
-    choice_ = e.what();
+    open_ = e.what();
     if (!moved_) moved_ = std::make_unique<Moved_triangulation>(*start_);
     ties_.assign(moved_->mesh().number_of_edges(), 0);
   }
   darts_.emplace(moved_->mesh(), ties_);
   if (is_ended_ || start_->metric().statistics().probable_zero == 0) return;
-  is_proven_ = false;
-  choice_ = "exact arithmetic took some values for zero without a proof";
+  open_ = "exact arithmetic took some values for zero without a proof";
+}
+
+std::shared_ptr<const Singular_surface>
+Singular_surface::with_all_vertices(Isometry_run& run) const {
+  const std::shared_ptr<const Input> copy = doubled_ ? doubled_->shared_surface() : nullptr;
+  return std::make_shared<const Singular_surface>(copy ? triangulation_of(copy) : *start_,
+                                                  Tessellation_vertices::all, run);
+}
+
+// Where vertices were inserted, these are in faces or on edges of the input.
+std::vector<char> Singular_surface::removable_vertices() {
+  const std::vector<char> is_flat = flat_vertices(*input_);
+  if (Doubled_surface doubled(input_, is_flat); doubled.has_copies()) {
+    input_ = doubled.input();
+    start_ = std::make_unique<Corresponding_triangulation>(triangulation_of(input_));
+    doubled_ = std::move(doubled);
+  }
+  std::vector<char> result(start_->mesh().number_of_vertices(), 1);
+  for (std::uint32_t v = 0; v < result.size(); ++v) {
+    const std::uint32_t own = doubled_ ? doubled_->on_surface(v) : v;
+    if (own < is_flat.size() &&
+        start_->mesh().halfedge(Gluing_map::Vertex{v}).index != Gluing::none)
+      result[v] = is_flat[own];
+  }
+  return result;
 }
 
 void Singular_surface::make(const std::vector<char>& are_removed, Isometry_run& run) {
   constexpr std::uint32_t factor = 8; // how much longer flips may take than removals
   // Removals from the input take about a second for these.
   constexpr std::uint32_t most_vertices = 1U << 14U;
-  const std::uint32_t vertices = start_->mesh().number_of_vertices();
+  const std::uint32_t vertices = surface().number_of_vertices();
   if (number_of_flat_vertices_ == 0) return make_from(Start::delaunay, are_removed, run);
   const bool has_many = number_of_flat_vertices_ >= vertices / factor;
   try {
@@ -178,14 +184,18 @@ void Singular_surface::make_from(Start start, const std::vector<char>& are_remov
   find_ties();
 }
 
-// A component needs a vertex, and so does a loop of its border.
+// A component needs a vertex, and so does a loop of its border, which has one unless the component
+// is a flat cylinder.
 void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
   const Gluing_map& mesh = start_->mesh();
   const std::vector<std::uint32_t> component = components_of_vertices(mesh);
   std::vector<char> has_vertex(are_removed.size(), 0), is_cylinder = has_vertex;
   for (std::uint32_t v = 0; v < are_removed.size(); ++v)
     if (are_removed[v] == 0) has_vertex[component[v]] = 1;
-  choose_on_border(component, has_vertex, are_removed, is_cylinder);
+  for (const Gluing_map::Halfedge h : loops_without_corner(mesh, are_removed)) {
+    are_removed[mesh.target(h).index] = 0;
+    is_cylinder[component[mesh.target(h).index]] = 1;
+  }
   for (std::uint32_t v = 0; v < are_removed.size(); ++v) {
     is_on_cylinder_.push_back(is_cylinder[component[v]]);
     if (mesh.halfedge(Gluing_map::Vertex{v}).index == Gluing::none) continue;
@@ -193,38 +203,11 @@ void Singular_surface::choose_vertices(std::vector<char>& are_removed) {
       are_removed[v] = 0;
       continuous_part_ = "translations of a flat torus";
     }
-    number_of_flat_vertices_ += are_removed[v] != 0 ? 1 : 0;
+    if (v < surface().number_of_vertices() && are_removed[v] != 0) ++number_of_flat_vertices_;
   }
   if (!has_cylinder()) return;
   if (!continuous_part_.empty()) continuous_part_ += ", ";
   continuous_part_ += "rotations of a flat cylinder";
-}
-
-// \param has_vertex whether a component has a vertex with curvature, or a corner
-void Singular_surface::choose_on_border(const std::vector<std::uint32_t>& component,
-                                        const std::vector<char>& has_vertex,
-                                        std::vector<char>& are_removed,
-                                        std::vector<char>& is_cylinder) {
-  const Gluing_map& mesh = start_->mesh();
-  std::vector<char> is_done(mesh.number_of_halfedges(), 0);
-  for (std::uint32_t first = 0; first < is_done.size(); ++first) {
-    if (is_done[first] != 0 || mesh.face(Gluing_map::Halfedge{first}).index != Gluing::none)
-      continue;
-    bool has_corner = false;
-    Gluing_map::Halfedge h{first};
-    do {
-      is_done[h.index] = 1;
-      has_corner = has_corner || are_removed[mesh.target(h).index] == 0;
-      h = mesh.next(h);
-    } while (h.index != first);
-    if (has_corner) continue;
-    const std::uint32_t v = mesh.target(h).index;
-    are_removed[v] = 0;
-    if (has_vertex[component[v]] != 0)
-      choice_ = "a loop of the border has no corner";
-    else
-      is_cylinder[component[v]] = 1;
-  }
 }
 
 void Singular_surface::find_ties() {
@@ -286,9 +269,11 @@ std::uint32_t Singular_surface::border_of_cylinder(std::uint32_t halfedge) const
 }
 
 std::vector<Surface_point>
-Singular_surface::from_input(std::span<const Surface_point> points) const {
+Singular_surface::from_surface(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result;
-  for (const Surface_point& p : points) result.push_back(locate_on_intrinsic(*start_, p).value());
+  for (const Surface_point& p : points)
+    result.push_back(
+        locate_on_intrinsic(*start_, doubled_ ? doubled_->from_surface(p) : p).value());
   carry(
       result, start_->mesh(), start_->mesh().number_of_faces(), *moved_, moved_->moves(),
       [](const Repartition& m) -> const auto& { return m.before; },
@@ -296,7 +281,8 @@ Singular_surface::from_input(std::span<const Surface_point> points) const {
   return result;
 }
 
-std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_point> points) const {
+std::vector<Surface_point>
+Singular_surface::to_surface(std::span<const Surface_point> points) const {
   std::vector<Surface_point> result(points.begin(), points.end());
   struct Backwards { // clang 14 cannot reverse a span
     std::span<const Repartition> moves;
@@ -309,7 +295,10 @@ std::vector<Surface_point> Singular_surface::to_input(std::span<const Surface_po
       result, moved_->mesh(), start_->mesh().number_of_faces(), *moved_, back,
       [](const Repartition& m) -> const auto& { return m.after; },
       [](const Repartition& m) -> const auto& { return m.before; });
-  for (Surface_point& p : result) p = locate_on_input(*start_, p).value();
+  for (Surface_point& p : result) {
+    p = locate_on_input(*start_, p).value();
+    if (doubled_) p = doubled_->on_surface(p);
+  }
   return result;
 }
 

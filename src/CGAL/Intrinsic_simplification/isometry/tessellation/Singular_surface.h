@@ -7,6 +7,7 @@
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Isometry_run.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Dart_complex.h>
+#include <CGAL/Intrinsic_simplification/isometry/tessellation/Doubled_surface.h>
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Moved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
@@ -43,6 +44,9 @@ A component with a border and no curvature, not even corners, is a flat cylinder
 Bonnet. Each of its two borders keeps a vertex, which may be any. So it has two faces, each with one
 side on the border, and no ties. The lengths of the other two edges are arbitrary, but each face has
 half of the area: that and the length of the border tell cylinders apart.
+
+Of other surfaces, a component whose border has a loop without a corner is doubled, see
+`Doubled_surface`: then this is the tessellation of the double.
 */
 class Singular_surface {
 public:
@@ -51,24 +55,33 @@ public:
   Singular_surface(const Singular_surface&) = delete;
   Singular_surface& operator=(const Singular_surface&) = delete;
 
+  const Input& surface() const { return doubled_ ? doubled_->surface() : start_->input(); }
   // the triangulation from which vertices were removed, or a Delaunay one
   const Corresponding_triangulation& start() const { return *start_; }
   const Moved_triangulation& triangulation() const { return *moved_; }
   const Dart_complex& darts() const { return *darts_; }
   const std::vector<char>& ties() const { return ties_; }
   std::uint32_t number_of_flat_vertices() const { return number_of_flat_vertices_; }
-  // what is arbitrary in the tessellation, or undecided; empty if there is
-  // nothing
-  const std::string& choice() const { return choice_; }
+  // what could not be decided; empty if everything was proven
+  const std::string& open() const { return open_; }
   // the continuous part of the group of isometries; empty if there is none
   const std::string& continuous_part() const { return continuous_part_; }
-  // whether everything was proven, though a choice may be arbitrary
-  bool is_proven() const { return is_proven_; }
+  bool is_proven() const { return open_.empty(); }
   // whether the caller has ended the computation
   bool is_ended() const { return is_ended_; }
 
-  std::uint32_t source(std::uint32_t dart) const {
-    return moved_->mesh().source(Gluing_map::Halfedge{darts_->halfedge[dart]}).index;
+  // the vertex of the surface where a halfedge starts
+  std::uint32_t source(std::uint32_t halfedge) const {
+    const std::uint32_t v = moved_->mesh().source(Gluing_map::Halfedge{halfedge}).index;
+    return doubled_ ? doubled_->on_surface(v) : v;
+  }
+  // how many ends of an edge are copies
+  std::uint32_t number_of_copied_ends(std::uint32_t edge) const {
+    const Gluing_map::Halfedge h{2 * edge};
+    const auto count = [this](Gluing_map::Vertex v) {
+      return doubled_ && doubled_->is_copy(v.index) ? 1U : 0U;
+    };
+    return count(moved_->mesh().source(h)) + count(moved_->mesh().target(h));
   }
   Value_recipes::Id length(std::uint32_t dart) const {
     return moved_->length(darts_->halfedge[dart] / 2);
@@ -101,17 +114,19 @@ public:
   // most so far from zero
   std::vector<char> ties_within(double error) const;
 
-  // takes points of the input to the triangulation, and back
-  std::vector<Surface_point> from_input(std::span<const Surface_point> points) const;
-  std::vector<Surface_point> to_input(std::span<const Surface_point> points) const;
+  // takes points of the surface to the triangulation, and back
+  std::vector<Surface_point> from_surface(std::span<const Surface_point> points) const;
+  std::vector<Surface_point> to_surface(std::span<const Surface_point> points) const;
+
+  // the tessellation of the surface, without copies, with all of its vertices
+  std::shared_ptr<const Singular_surface> with_all_vertices(Isometry_run& run) const;
 
 private:
   enum class Start { input, delaunay };
 
+  // Doubles the surface where that is needed. \return which vertices are to be removed
+  std::vector<char> removable_vertices();
   void choose_vertices(std::vector<char>& are_removed);
-  void choose_on_border(const std::vector<std::uint32_t>& component,
-                        const std::vector<char>& has_vertex, std::vector<char>& are_removed,
-                        std::vector<char>& is_cylinder);
   void make(const std::vector<char>& are_removed, Isometry_run& run);
   // \throws Undecidable also if flips from the input are more than `most_moves`
   void make_from(Start start, const std::vector<char>& are_removed, Isometry_run& run,
@@ -122,15 +137,16 @@ private:
   // whether lengths of moved edges can be compared by their triangles
   bool have_chains() const;
 
-  std::shared_ptr<const Input> input_;
+  std::shared_ptr<const Input> input_; // of the triangulation
+  std::optional<Doubled_surface> doubled_;
   std::unique_ptr<Corresponding_triangulation> start_;
   std::unique_ptr<Moved_triangulation> moved_;
   std::vector<char> ties_;           // by edge
   std::vector<char> is_on_cylinder_; // by vertex; empty if all vertices stay
   std::optional<Dart_complex> darts_;
   std::uint32_t number_of_flat_vertices_ = 0;
-  std::string choice_, continuous_part_;
-  bool is_proven_ = true, is_ended_ = false;
+  std::string open_, continuous_part_;
+  bool is_ended_ = false;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
