@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,15 @@ See above. The edges are those of the gluing, which may have squared lengths in 
 \complexity linear
 */
 Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);
+
+namespace internal {
+
+// The square of the length of each edge, in which its sides must agree.
+// \param edge the edge of each side, three for each triangle \param edges how many there are
+std::vector<double> squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
+                                             const std::vector<std::array<double, 3>>& lengths);
+
+} // namespace internal
 
 /*!
 \brief makes a surface of triangles with lengths, which need not lie in space.
