@@ -94,14 +94,6 @@ py::array_t<std::uint32_t> triangles_at_points(const Doubles& points, std::size_
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// The edge of each side of the faces.
-std::vector<std::uint32_t> edges_of_sides(const IT::Gluing_map& mesh) {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
-    for (const auto side : mesh.sides(IT::Gluing_map::Face{f})) result.push_back(side.index / 2);
-  return result;
-}
-
 // The gluing of the sides that `glue` names. Faces disagree at sides that run in one direction.
 IT::Gluing gluing_of(std::uint32_t vertices, const Triangles& faces, const Integers& glue) {
   IT::Gluing g{vertices, {}, {}};
@@ -122,12 +114,8 @@ IT::Domain domain_of_lengths(std::uint32_t vertices, const Triangles& faces,
                              const std::vector<Point>& lengths, const std::optional<Integers>& glue,
                              const IT::Surface_options& options) {
   if (!glue) return IT::make_domain(vertices, faces, lengths, options.kind, options.mollification);
-  IT::Gluing_map mesh(gluing_of(vertices, faces, *glue));
-  std::vector<double> squares =
-      IT::internal::squared_lengths_of_edges(edges_of_sides(mesh), mesh.number_of_edges(), lengths);
-  return IT::make_domain(
-      IT::Intrinsic_input(std::move(mesh), std::move(squares), options.mollification),
-      options.kind);
+  return IT::make_domain(IT::Gluing_map(gluing_of(vertices, faces, *glue)), lengths, options.kind,
+                         options.mollification);
 }
 
 Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,

@@ -4,13 +4,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -102,15 +102,6 @@ See above. The edges are those of the gluing, which may have squared lengths in 
 */
 Domain make_domain(Intrinsic_input input, Domain_kind kind = Domain_kind::automatic);
 
-namespace internal {
-
-// The square of the length of each edge, in which its sides must agree.
-// \param edge the edge of each side, three for each triangle \param edges how many there are
-std::vector<double> squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
-                                             const std::vector<std::array<double, 3>>& lengths);
-
-} // namespace internal
-
 /*!
 \brief makes a surface of triangles with lengths, which need not lie in space.
 
@@ -128,6 +119,22 @@ than two faces around an edge: the tufted cover takes that of their numbers.
 Domain make_domain(std::uint32_t number_of_vertices,
                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
                    const std::vector<std::array<double, 3>>& lengths,
+                   Domain_kind kind = Domain_kind::automatic,
+                   Mollification mollification = Mollification::automatic);
+
+/*!
+\brief makes a surface of triangles with lengths that are glued already.
+
+See above. Sides may be glued whose ends are others, or the sides of one triangle.
+\param mesh the glued triangles, oriented or not
+\param lengths of the sides of each triangle, from each corner to the next
+\param kind the kind of surface
+\param mollification treatment of degenerate faces
+\throws Invalid_input naming a face with a side that differs in length from the other side of its
+  edge, or the edge if `kind` is `manifold` and the surface has only one side
+\complexity linear
+*/
+Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,
                    Domain_kind kind = Domain_kind::automatic,
                    Mollification mollification = Mollification::automatic);
 

@@ -204,8 +204,11 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
       .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
 }
 
-std::vector<double> squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
-                                             const std::vector<std::array<double, 3>>& lengths) {
+// The square of the length of each edge, in which its sides must agree.
+// \param edge the edge of each side, three for each triangle \param edges how many there are
+static std::vector<double>
+squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
+                         const std::vector<std::array<double, 3>>& lengths) {
   std::vector<double> result(edges, -1); // lengths at first
   for (std::size_t side = 0; side < edge.size(); ++side) {
     const double l = lengths[side / 3][side % 3];
@@ -293,6 +296,16 @@ Domain make_domain(std::uint32_t number_of_vertices,
       std::move(input), std::move(faces), edges, std::move(edge), kind,
       [&](std::uint32_t e) { internal::fail_nonmanifold(faces, edges[e], {}); },
       [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], {}); });
+}
+
+Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,
+                   Domain_kind kind, Mollification mollification) {
+  std::vector<std::uint32_t> edge;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const auto side : mesh.sides(Gluing_map::Face{f})) edge.push_back(side.index / 2);
+  std::vector<double> squares =
+      internal::squared_lengths_of_edges(edge, mesh.number_of_edges(), lengths);
+  return make_domain(Intrinsic_input(std::move(mesh), std::move(squares), mollification), kind);
 }
 
 Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths, Domain_kind kind,
