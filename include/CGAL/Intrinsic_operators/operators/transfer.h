@@ -164,7 +164,10 @@ private:
 template <NumberedTriangulation Triangulation>
 double L2_distance(const Triangulation& t, const Common_subdivision& s, const Eigen::VectorXd& f,
                    const Eigen::VectorXd& g) {
-  const Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;
+  Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;
+  const double largest = d.size() > 0 ? d.lpNorm<Eigen::Infinity>() : 0;
+  if (!(largest > 0)) return largest;
+  d /= largest;   // squares of small ones would vanish
   double sum = 0; // of squares: no cancellation
   for_each_subdivision_triangle(
       t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area) {
@@ -173,7 +176,7 @@ double L2_distance(const Triangulation& t, const Common_subdivision& s, const Ei
           sum += area / 3 * middle * middle;
         }
       });
-  return std::sqrt(sum / t.input().names().sheets);
+  return largest * std::sqrt(sum / t.input().names().sheets);
 }
 
 /*!

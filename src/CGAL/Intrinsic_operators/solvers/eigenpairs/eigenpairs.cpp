@@ -288,7 +288,7 @@ static Eigenpairs factored_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                       Solution_counter& solutions) {
   // eigenvalues of about one: Spectra has thresholds without units
   const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
-  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
+  if (!(root * root > 0x1p-1020 && root * root < 0x1p1020))
     throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
   const Eigen::SparseMatrix<double> scaled = root * root * m;
   double shift = 0;
