@@ -86,19 +86,23 @@ class Extremes(Cli_test):
             scale = 2.0 ** exponent
             mesh = self.write_off("m.off", [[scale * x for x in p] for p in points], faces)
             self.write("u.txt", "".join(f"{x * scale!r}\n" for x in values))
-            eigen = self.stats("eigen", mesh, "--count", "5")["eigen"]["values"]
+            eigen = [x for solver in ("direct", "iterative")
+                     for x in self.stats("eigen", mesh, "--count", "5", "--solver",
+                                         solver)["eigen"]["values"]]
             field = self.stats("field", mesh, "--degree", "2", "--align", "1")["field"]
-            distance, = self.stats("transfer", mesh, "u.txt", "--refine", "--max-edge-length",
-                                   repr(0.3 * scale), "--method",
-                                   "pointwise")["transfer"]["L2_distance"]
-            found[exponent] = ([x * scale * scale for x in eigen], field["index_sum"],
-                               field["singular_faces"], distance / scale / scale)
-        for exponent, (eigen, index_sum, singular_faces, distance) in found.items():
+            refined = ("--refine", "--max-edge-length", repr(0.3 * scale))
+            distances = [self.stats("transfer", mesh, "u.txt", *refined, "--method",
+                                    method)["transfer"]["L2_distance"][0]
+                         for method in ("pointwise", "l2")]
+            self.assertLess(distances[1], distances[0])
+            found[exponent] = ([x * scale * scale for x in eigen] +
+                               [x / scale / scale for x in distances],
+                               [field["index_sum"], field["singular_faces"]])
+        for exponent, (numbers, counts) in found.items():
             with self.subTest(exponent):
-                for x, y in zip(eigen, found[0][0]):
+                for x, y in zip(numbers, found[0][0]):
                     self.assert_close(x, y, 1e-11)
-                self.assertEqual((index_sum, singular_faces), found[0][1:3])
-                self.assert_close(distance, found[0][3], 1e-11)
+                self.assertEqual(counts, found[0][1])
         mesh = self.write_off("m.off", [[1e-160 * x for x in p] for p in points], faces)
         self.assert_fails(self.run_program("eigen", mesh), "m.off", "beyond doubles",
                           "scale the mesh")

@@ -133,8 +133,12 @@ public:
   */
   template <class Derived>
   typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& f) const {
-    const typename Derived::PlainObject right = cross_ * f;
-    return solver_->solve(right);
+    const double largest = f.size() > 0 ? f.cwiseAbs().maxCoeff() : 0;
+    if (!(largest > 0x1p-1020)) return solver_->solve(cross_ * f);
+    // products of small values and small areas would vanish; a power of two is exact
+    const double scale = std::ldexp(1., -std::ilogb(largest));
+    const typename Derived::PlainObject right = cross_ * (f * scale);
+    return solver_->solve(right) / scale;
   }
 
   /// returns Q^T M_S Q, the mass matrix of the target triangulation, with ones for vertices without
