@@ -295,7 +295,7 @@ static Eigenpairs factored_eigenpairs(const Eigen::SparseMatrix<double>& a,
   return pairs;
 }
 
-static Eigenpairs chosen_eigenpairs(const Eigen::SparseMatrix<double>& a,
+static Eigenpairs sparse_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                     const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                     Linear_solver solver, Solution_counter& solutions) {
   // blocks of more vectors take more memory than a factor
@@ -309,19 +309,6 @@ static Eigenpairs chosen_eigenpairs(const Eigen::SparseMatrix<double>& a,
     }
   }
   return factored_eigenpairs(a, m, count, solutions);
-}
-
-static Eigenpairs sparse_eigenpairs(const Eigen::SparseMatrix<double>& a,
-                                    const Eigen::SparseMatrix<double>& m, Eigen::Index count,
-                                    Linear_solver solver, Solution_counter& solutions) {
-  // eigenvalues of about one: both methods have thresholds without units
-  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
-  if (!(root * root > 0x1p-1020 && root * root < 0x1p1020))
-    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
-  Eigenpairs pairs = chosen_eigenpairs(a, root * root * m, count, solver, solutions);
-  pairs.values *= root * root;
-  pairs.vectors *= root;
-  return pairs;
 }
 
 Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
@@ -342,9 +329,16 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
     return smallest_of(is_laplacian(a) ? dense_laplacian_eigenpairs(a, m, count)
                                        : dense_eigenpairs(Eigen::MatrixXd(a), m),
                        count);
+  // eigenvalues of about one: methods have thresholds without units
+  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
+  if (!(root * root > 0x1p-1020 && root * root < 0x1p1020))
+    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
   Solution_counter solutions(progress);
   try {
-    return sparse_eigenpairs(a, m, count, solver, solutions);
+    Eigenpairs pairs = sparse_eigenpairs(a, root * root * m, count, solver, solutions);
+    pairs.values *= root * root;
+    pairs.vectors *= root;
+    return pairs;
   } catch (const Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
   }
