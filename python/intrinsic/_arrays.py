@@ -53,9 +53,10 @@ def number(x, name, wanted="a finite positive number", holds=lambda x: 0 < x < n
     raise ValueError(f"{name} is {shortened(x)}; give {wanted}")
 
 
-def not_negative(x, name):
-    """Returns one number that is not negative, and finite."""
-    return number(x, name, "a finite number that is not negative", lambda x: 0 <= x < np.inf)
+def not_negative(x, name, reason=""):
+    """Returns one number that is not negative, and finite. `reason` follows in the error."""
+    return number(x, name, "a finite number that is not negative" + reason,
+                  lambda x: 0 <= x < np.inf)
 
 
 def whole(x, name, wanted="a whole number that is not negative", least=0, most=2**53):
@@ -134,6 +135,9 @@ def indices(x, name, shape=None, count=None):
     if a.dtype.kind == "f":
         whole = np.isfinite(a) & (a == np.floor(a)) & (np.abs(a) < 2**62)
         refuse_first(a, ~whole, name, "give whole numbers")
+    elif a.dtype.kind == "b":
+        raise ValueError(f"{name} has no whole numbers but bool; give numbers, such as "
+                         "np.flatnonzero() of it")
     elif a.dtype.kind not in "iu":
         raise ValueError(f"{name} has no whole numbers but {a.dtype}; give an array of integers")
     if shape is not None:
@@ -168,8 +172,11 @@ def polygons(x, name, count):
     if is_array:
         corners = indices(a, name, count=count)
         return corners.ravel(), np.arange(len(corners) + 1) * corners.shape[1]
-    faces = [indices(face, f"{name}[{i}]", (None,), count)
-             for i, face in enumerate(sequence(x, name, "an array or a list of faces"))]
+    listed = sequence(x, name, "an array or a list of faces")
+    if listed and is_single(listed[0]):
+        raise ValueError(f"{name} is a list of numbers; give an array of the shape (m, k), or a "
+                         "list of faces")
+    faces = [indices(face, f"{name}[{i}]", (None,), count) for i, face in enumerate(listed)]
     begins = np.zeros(len(faces) + 1, dtype=np.int64)
     np.cumsum([len(face) for face in faces], out=begins[1:])
     return np.concatenate([np.zeros(0, dtype=np.int64), *faces]), begins

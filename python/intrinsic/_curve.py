@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -91,7 +91,10 @@ class Curve(_Shown):
 
 
 class Curves(_Shown, list[Curve]):
-    """A list of `Curve`s of one surface."""
+    """A list of `Curve`s of one surface.
+
+    `length` is that of all, and `lengths`, of shape (k,), are those of each.
+    """
 
     @property
     def _surface(self):
@@ -99,6 +102,25 @@ class Curves(_Shown, list[Curve]):
 
     def __getstate__(self):
         return {}  # the surface stays behind
+
+    @overload
+    def __getitem__(self, i: SupportsIndex) -> Curve: ...
+
+    @overload
+    def __getitem__(self, i: slice) -> Curves: ...
+
+    def __getitem__(self, i):
+        found = super().__getitem__(i)
+        return self._like(found) if isinstance(i, slice) else found
+
+    def __add__(self, other):
+        return self._like([*self, *other])
+
+    def _like(self, curves):
+        """Returns some curves as `Curves` of the same surface."""
+        result = Curves(curves)
+        result._of = self._surface
+        return result
 
     def _add_to_page(self, contents):
         for curve in self:
@@ -108,17 +130,27 @@ class Curves(_Shown, list[Curve]):
         """Writes the curves to a file .vtp, .obj or .ply, each with its number."""
         save_curves(path, self)
 
+    @property
+    def length(self) -> float:
+        """The length of all curves."""
+        return sum(c.length for c in self)
+
+    @property
+    def lengths(self) -> Numbers:
+        """The length of each curve."""
+        return np.array([c.length for c in self], dtype=float)
+
     def __repr__(self):
-        return f"<intrinsic.Curves: {len(self)} curves, length {sum(c.length for c in self):.6g}>"
+        return f"<intrinsic.Curves: {len(self)} curves, length {self.length:.6g}>"
 
 
 class Network(_Shown, Sequence[Curve]):
     """Geodesics, as a sequence of `Curve`s, along edges of a triangulation of their surface.
 
-    `curves` is the list of them, `length` that of all, `status` "done", or what ended the work,
-    `flips` how many edges were flipped, `certified` whether the curves are proven to be geodesic
-    (None: this was not asked for), and `obstacle` why a path on the faces of a soup is not, or
-    None. `Surface.cut()` cuts along them.
+    `curves` is the list of them, `length` that of all, `lengths` those of each, `status` "done", or
+    what ended the work, `flips` how many edges were flipped, `certified` whether the curves are
+    proven to be geodesic (None: this was not asked for), and `obstacle` why a path on the faces of
+    a soup is not, or None. `Surface.cut()` cuts along them.
     """
 
     curves: list[Curve]
@@ -157,6 +189,11 @@ class Network(_Shown, Sequence[Curve]):
     def length(self) -> float:
         """The length of all curves."""
         return sum(c.length for c in self.curves)
+
+    @property
+    def lengths(self) -> Numbers:
+        """The length of each curve."""
+        return np.array([c.length for c in self.curves], dtype=float)
 
     def __len__(self) -> int:
         return len(self.curves)

@@ -121,7 +121,8 @@ class _Curves:
         array([0.4472136, 0.2236068, 0.       ])
         """
         expect_one(p, "p")
-        far = _arrays.not_negative(length, "length")
+        far = _arrays.not_negative(length, "length", "; a curve ends at a border by itself, and "
+                                   "nowhere without one")
         direction = _direction(direction)
         core = self._flipped() if isinstance(direction, complex) else self._core
         return Curve(_core.trace(core, self._places(p, "p"), direction, far), self)
@@ -160,8 +161,10 @@ class _Curves:
         the vertices `through`.
         """
         users = self._core.number_of_input_vertices
+        places = self._places(through, "through")
+        if curves is not None and len(places[0]):
+            raise ValueError("through is of cuts to disks; give it without curves")
         if curves is None:
-            places = self._places(through, "through")
             return Cut(_core.cut_to_disks(self._core, places, progress), users)
         if isinstance(curves, Network) and curves._edges is not None:
             return Cut(_core.cut_network(self._core, curves._edges), users)

@@ -94,7 +94,10 @@ def _method(method, max_distance, time_factor):
     if method == "heat" and max_distance is not None:
         raise ValueError('max_distance is for method="exact": heat reaches all vertices at once')
     far = np.inf if max_distance is None else _options.number(max_distance, "max_distance")
-    return _core.DistanceMethod(method == "exact", far, _options.number(time_factor, "time_factor"))
+    time_factor = _options.number(time_factor, "time_factor")
+    if method == "exact" and time_factor != _core.defaults["time_factor"]:
+        raise ValueError('time_factor is for method="heat": exact distances need no time')
+    return _core.DistanceMethod(method == "exact", far, time_factor)
 
 
 def _warn_of_cap(status):
@@ -140,8 +143,8 @@ class _Distances:
         paths, or "heat", an approximation that is faster for many calls. With `targets`, the result
         has the distances of these points instead, a number if it is one point, and an exact search
         stops when it has them; `max_distance` ends it, too. Where no source is reached, the
-        distance is infinite. The unit is that of the vertices. `time_factor` is the time of the
-        heat flow in squares of the mean edge: more is smoother. `flip` is that of `laplacian()`,
+        distance is infinite. The unit is that of the vertices. `time_factor`, for heat, is the time
+        of its flow in squares of the mean edge: more is smoother. `flip` is that of `laplacian()`,
         and matters for heat.
 
         >>> s.distance(0)

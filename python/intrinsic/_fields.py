@@ -237,10 +237,10 @@ class _Fields:
 
         Vectors at a vertex are in its polar coordinates, see `VectorField`; those at a `Point` are
         along the first side of its face, and to the left of it; at a corner of the face, angles
-        from the middle of the corner are those on the surface. NaN where no path leads, or beyond
-        `max_distance`. `method` is "exact" (by default), "affine" or "polar" (by heat: fast for
-        many points; `time_factor` is its time in squares of the mean edge). Clouds of points have
-        the method "affine".
+        from the middle of the corner are those on the surface. NaN where no path leads, or, of
+        exact maps, beyond `max_distance`. `method` is "exact" (by default), "affine" or "polar" (by
+        heat: fast for many points; `time_factor` is its time in squares of the mean edge). Clouds
+        of points have the method "affine".
         """
         expect_one(p, "p")
         if method is not None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from . import _arrays
 from ._arguments import suggesting
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def map(function: Callable[[Item], Result], files: Iterable[Item], *,
     >>> it.map(lambda n: 6 // n, [1, 0, 2])
     [6, <intrinsic.Failure: 0: ZeroDivisionError: integer division or modulo by zero>, 3]
     """
-    items = list(files)
+    items = _arrays.sequence(files, "files", "a list")
     if executor is None:
         return _here(function, items, progress)
     futures: list[Future[Result]] = []

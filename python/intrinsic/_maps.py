@@ -149,12 +149,18 @@ class _Maps:
             if solver == "iterative":
                 raise ValueError('solver="iterative" is not for conformal maps, whose matrices '
                                  'change in each step; leave it out with method="conformal"')
+            if start == "delaunay" and not _arrays.flag(flip, "flip"):
+                raise ValueError('flip=False starts from the triangles of the mesh; leave it out '
+                                 'with start="delaunay"')
             return self._conformal_map_of_disk(
                 cut, start or ("delaunay" if flip else "input"), progress)
         if start is not None:
             raise ValueError(f'start="{start}" is of conformal maps; give it with '
                              'method="conformal"')
         is_cloud = self._is_cloud()
+        if is_cloud and (cut is not None or not _arrays.flag(flip, "flip")):
+            raise ValueError("a cloud of points has no faces to be cut open, or kept; leave cut "
+                             "and flip out")
         if cut is None and not is_cloud and not self._is_disk():
             cut = "auto"
         surface, original = (self, None) if is_cloud else self._cut_open(cut, progress)
@@ -242,12 +248,16 @@ class _Maps:
         """
         _options.expect(solver=solver)
         _arrays.expect_word(energy, "energy", ("biharmonic", "harmonic"))
+        if isinstance(handles, dict) != (displacements is None):
+            raise ValueError("displacements are missing; give them, or a dict of handles"
+                             if displacements is None else
+                             "displacements are given twice; give them alone, or a dict of handles")
         if displacements is None:
-            if not isinstance(handles, dict):
-                raise ValueError("displacements are missing; give them, or a dict of handles")
             handles, displacements = list(handles), list(handles.values())
         core = self._flipped(flip)
         rows = _arrays.indices(handles, "handles", (None,), count=core.number_of_vertices)
+        if len(rows) == 0:
+            raise ValueError("handles is empty; give a vertex at least, and how far it moves")
         moved = _arrays.numbers(displacements, "displacements")
         if moved.ndim != 2 or len(moved) != len(rows):
             raise ValueError(f"displacements has the shape {moved.shape}; give a row for each of "

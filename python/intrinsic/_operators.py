@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from pathlib import Path as _Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -53,7 +54,10 @@ class Operators(NamedTuple):
             columns = getattr(self, name).tocsc()
             for part in "data", "indices", "indptr", "shape":
                 arrays[f"{key}_{part}"] = getattr(columns, part)
-        directory = _Path(os.fspath(path)).parent
+        directory = _Path(os.fsdecode(_arrays.file_name(path))).parent
+        if not directory.is_dir():
+            raise FileNotFoundError(errno.ENOENT, "the directory does not exist; make it",
+                                    os.fsdecode(path))
         handle, part_name = tempfile.mkstemp(suffix=".npz", dir=directory)
         try:
             with os.fdopen(handle, "wb") as file:
@@ -68,7 +72,7 @@ class Operators(NamedTuple):
         """Reads what `save()` has written."""
         from scipy.sparse import csc_matrix
 
-        with np.load(path) as file:
+        with _loaded(path) as file:
             matrices = {
                 name: csc_matrix(tuple(file[f"{key}_{part}"]
                                        for part in ("data", "indices", "indptr")),
@@ -81,6 +85,20 @@ class Operators(NamedTuple):
     def __repr__(self) -> str:
         return f"<intrinsic.Operators: {len(self.mass)} vertices, " \
                f"{len(self.eigenvalues)} eigenfunctions>"
+
+
+def _loaded(path):
+    """Returns the arrays of a file, which has those of operators."""
+    name = os.fsdecode(_arrays.file_name(path))
+    try:
+        file = np.load(path)
+        if "L_data" in file and "evals" in file:
+            return file
+        file.close()
+    except (ValueError, TypeError, AttributeError):  # no file of arrays, or a single one
+        pass
+    raise ValueError(f"{name}: the file has no operators; name one that Operators.save() has "
+                     "written")
 
 
 def _frames(core, neighbors):

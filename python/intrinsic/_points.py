@@ -45,8 +45,21 @@ def place_arrays(points, name, vertices, faces):
         named = [(f"{name}[{i}]", p) for i, p in enumerate(points)]
         return _mixed_places(named, vertices, faces)
     shape = () if _arrays.is_single(points) else (None,)
-    vertex = np.atleast_1d(_arrays.indices(points, name, shape, count=vertices))
+    try:
+        vertex = np.atleast_1d(_arrays.indices(points, name, shape, count=vertices))
+    except ValueError:
+        _expect_points(points, name)
+        raise
     return np.full(len(vertex), -1), np.zeros((len(vertex), 3)), vertex
+
+
+def _expect_points(points, name):
+    """Refuses a list in which something is no point."""
+    if isinstance(points, (list, tuple)):
+        for i, p in enumerate(points):
+            if not _arrays.is_single(p):
+                raise ValueError(f"{name}[{i}] is {_arrays.shortened(p)}; give the number of a "
+                                 "vertex, or an intrinsic.Point(face, barycentric)") from None
 
 
 def joined(*parts):

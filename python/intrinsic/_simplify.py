@@ -97,7 +97,7 @@ class _Simplification:
             cost: which vertices go first, see `simplify()`.
             progress: see `delaunay()`.
         """
-        levels = _arrays.whole(levels, "levels", least=0)
+        levels = _arrays.whole(levels, "levels", "a positive whole number", least=1)
         ratio = _arrays.number(ratio, "ratio", "a number between 0 and 1", lambda x: 0 < x < 1)
         return _simplified(self, (None, None), (levels, ratio), None, None, keep, cost,
                            progress)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 from typing import TYPE_CHECKING
 
@@ -32,7 +33,10 @@ def read(path: Path, *, domain: FileDomain = "auto", arithmetic: Arithmetic | No
         neighbors = _options.number(neighbors, "neighbors")
     path = _arrays.file_name(path)
     if not os.path.exists(path):
-        raise FileNotFoundError(f"{path} does not exist")
+        raise FileNotFoundError(errno.ENOENT, "the file does not exist", os.fsdecode(path))
+    if os.fsdecode(path).lower().endswith(".npz"):
+        raise ValueError(f"{os.fsdecode(path)}: intrinsic.Operators.load() reads operators; name a "
+                         "mesh here")
     return Surface._of(_core.read(path, domain, arithmetic, mollification, polygons, neighbors,
                                   progress))
 

@@ -29,6 +29,14 @@ if TYPE_CHECKING:
                          Polygons, Progress)
 
 
+# Names that other libraries have for what a surface has.
+_OTHER_NAMES = {"V": "points", "vertices": "points", "F": "faces", "triangles": "faces",
+                "edges": "faces, lengths and glue", "n_vertices": "number_of_vertices",
+                "n_faces": "number_of_faces", "area": "mass().sum()", "geodesic": "path",
+                "shortest_path": "path", "heat_distance": "distance", "flip": "delaunay",
+                "eigenfunctions": "eigen", "write": "save", "plot": "show"}
+
+
 class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simplification,
               _Isometries, _Embedding, _Pages):
     """A surface, and an intrinsic triangulation of it: at first the faces themselves.
@@ -85,6 +93,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
                                  "with intrinsic.points(points)")
             self._set(_core.build(points, corners, begins, domain, exact, mollification, polygons))
             return
+        if polygons != "fan":
+            raise ValueError("polygons is of faces between points; with lengths, faces are "
+                             "triangles: leave it out")
         arrays = _options.abstract_arrays(points, faces, lengths, glue)
         self._set(_core.build_abstract(*arrays, domain, exact, mollification))
 
@@ -92,6 +103,15 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         self._core = core  # for functions of _core on the triangulation as it is
         self._delaunay = None
         self._lock = threading.RLock()  # a handler of a signal may come here while it is held
+
+    if not TYPE_CHECKING:  # for which unknown names are errors
+        def __getattr__(self, name):
+            if name.startswith("_"):  # which copy and notebooks look for
+                raise AttributeError(name)
+            names = [n for n in (*dir(type(self)), *vars(self)) if not n.startswith("_")]
+            found = _OTHER_NAMES.get(name) or _arguments.nearest(name, names)
+            raise AttributeError(f"a {type(self).__name__} has no {name}" +
+                                 (f"; did you mean {found}?" if found else ""))
 
     @classmethod
     def _of(cls, core):
@@ -292,6 +312,9 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         if path.lower().endswith((".ply", ".obj", ".off", ".stl", ".vtp")):
             save_surface(path, self, (), plain)
         elif path.lower().endswith(".idt"):
+            if plain:
+                raise ValueError("plain is of meshes; an intrinsic triangulation has no labels and "
+                                 "colours to be left out: leave plain out")
             _core.save(self._core, path)
         else:
             raise ValueError(f"{path}: the extension must be .idt, .ply, .obj, .off, .stl or .vtp")

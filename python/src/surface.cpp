@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/IO/soup/read_triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
+#include <CGAL/Intrinsic_triangulations/domains/Domain.h>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.h>
 #include <CGAL/Intrinsic_triangulations/domains/triangle_soup.h>
 #include <CGAL/Intrinsic_triangulations/support/ranges.h>
@@ -93,25 +94,6 @@ py::array_t<std::uint32_t> triangles_at_points(const Doubles& points, std::size_
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// The square of the length of each edge; both sides of an edge must agree.
-std::vector<double> squared_lengths(const IT::Gluing_map& mesh, const std::vector<Point>& lengths) {
-  std::vector<double> length(mesh.number_of_edges(), -1);
-  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
-    const auto sides = mesh.sides(IT::Gluing_map::Face{f});
-    for (std::size_t side = 0; side < 3; ++side) {
-      const double l = lengths[f][side];
-      double& known = length[sides[side].index / 2];
-      if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
-        refuse("lengths[" + std::to_string(f) + ", " + std::to_string(side) + "] is " +
-               IT::shortest_text(l) + ", but the other side of that edge has the length " +
-               IT::shortest_text(known) + "; give both sides of an edge one length");
-      if (known < 0) known = l;
-    }
-  }
-  for (double& l : length) l *= l;
-  return length;
-}
-
 // The gluing of the sides that `glue` names. Faces disagree at sides that run in one direction.
 IT::Gluing gluing_of(std::uint32_t vertices, const Triangles& faces, const Integers& glue) {
   IT::Gluing g{vertices, {}, {}};
@@ -132,11 +114,8 @@ IT::Domain domain_of_lengths(std::uint32_t vertices, const Triangles& faces,
                              const std::vector<Point>& lengths, const std::optional<Integers>& glue,
                              const IT::Surface_options& options) {
   if (!glue) return IT::make_domain(vertices, faces, lengths, options.kind, options.mollification);
-  IT::Gluing_map mesh(gluing_of(vertices, faces, *glue));
-  std::vector<double> squares = squared_lengths(mesh, lengths);
-  return IT::make_domain(
-      IT::Intrinsic_input(std::move(mesh), std::move(squares), options.mollification),
-      options.kind);
+  return IT::make_domain(IT::Gluing_map(gluing_of(vertices, faces, *glue)), lengths, options.kind,
+                         options.mollification);
 }
 
 Surface_ptr build_abstract(std::uint32_t vertices, const Integers& corners, const Doubles& lengths,

@@ -327,6 +327,11 @@ def isolines(x):
             sum(c.is_closed for c in lines)]
 
 
+def lengths_of_lines(x):
+    lines = x.s.isolines(function(x), [0.1, 0.35])
+    return [np.sort(lines.lengths) / x.scale, lines.length / x.scale]
+
+
 def cut_along_lines(x):
     c = x.s.cut(x.s.isolines(function(x), [0.1]))
     parts = [areas(c.points, c.faces[c.component == k]).sum()

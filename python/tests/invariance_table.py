@@ -37,7 +37,8 @@ def read(x, path):
 
 
 def length_of_network(x):
-    return [x.s.network([m.spots(x, 0, 1, 2)]).length / x.scale]
+    found = x.s.network([m.spots(x, 0, 1, 2)])
+    return [found.length / x.scale, found.lengths / x.scale]
 
 
 TABLE = {
@@ -135,8 +136,11 @@ TABLE = {
     "Surface.network": [intrinsic(m.network)],
     "Network": [intrinsic(m.network)],
     "Network.length": [intrinsic(length_of_network)],
+    "Network.lengths": [intrinsic(length_of_network)],
     "Surface.trace": [intrinsic(m.trace, on=ORIENTED)],
     "Curves": [intrinsic(m.isolines)],
+    "Curves.length": [intrinsic(m.lengths_of_lines)],
+    "Curves.lengths": [intrinsic(m.lengths_of_lines)],
     "Surface.isolines": [intrinsic(m.isolines)],
     "Surface.cut": [intrinsic(m.cut_along_lines, on=ORIENTED),
                     intrinsic(m.cut_along_path, on=ORIENTED),

@@ -228,7 +228,7 @@ class Soups(Shapes):
         network = it.Surface(V, F[:-1]).network([[0, 8]], certify=True)
         if not network.certified:
             self.assertIn("vertex 4", network.obstacle)
-        with self.assertRaisesRegex(ValueError, "follows itself"):
+        with self.assertRaisesRegex(ValueError, "3 is both ends of a curve; give another end"):
             it.Surface(V, F[:-1]).path(3, 3)
         with self.assertRaisesRegex(ValueError, "components"):
             it.Surface(np.concatenate([V, V + 5]),
@@ -282,6 +282,15 @@ class Isolines(Shapes):
         s = it.Surface(V, F)
         lines = s.isolines(V[:, 0], [0.3, 0.7, 2])
         self.assertEqual([line.level for line in lines], [0.3, 0.7])
+        np.testing.assert_allclose(lines.lengths, [1, 1], rtol=1e-14)
+        self.assertEqual([len(x) for x in (lines[1:], lines[:0], lines + lines[:1])], [1, 0, 3])
+        for part in lines[1:], lines + lines[:1]:
+            self.assertIsInstance(part, it.Curves)
+            self.assertIn("<html", part.html())
+        self.assertAlmostEqual(lines.length, 2, 13)
+        self.assertEqual((s.isolines(V[:, 0], [2]).lengths.shape, s.isolines(V[:, 0], [2]).length),
+                         ((0,), 0))
+        np.testing.assert_allclose(s.network([[0, 6], [0, 42]]).lengths, [1, 1], rtol=1e-14)
         for line in lines:
             np.testing.assert_allclose(line.points[:, 0], line.level, atol=1e-15)
             self.assertAlmostEqual(line.length, 1, 14)
@@ -401,7 +410,11 @@ class Arguments(unittest.TestCase):
         V, F = unit_grid(2)
         s = it.Surface(V, F)
         for call, words in [
-                (lambda: s.path(0, 9), "^b is 9"), (lambda: s.path(0, 0), "follows itself"),
+                (lambda: s.path(0, 9), "^b is 9"), (lambda: s.path(0, 0), "both ends.*another end"),
+                (lambda: s.network([[0, 1, 1]]), "follows itself.*give it once"),
+                (lambda: s.path(0, it.Point(0, (1, 0, 0))), "both ends"),
+                (lambda: s.trace(0, 1, np.inf), "length is inf.*ends at a border by itself"),
+                (lambda: s.cut(s.path(0, 5), through=[3]), "through is of cuts to disks"),
                 (lambda: s.path(0, 1, method="exactly"), "method"),
                 (lambda: s.loop([0, 1]), "^points has 2 points"), (lambda: s.network(), "curve"),
                 (lambda: s.network([[0]]), "paths"),

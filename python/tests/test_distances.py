@@ -152,9 +152,11 @@ class Arguments(unittest.TestCase):
         for call, words in [
                 (lambda: s.distance(9), "sources"), (lambda: s.distance(-1), "sources"),
                 (lambda: s.distance([]), "source"), (lambda: s.distance([0.5]), "whole"),
-                (lambda: s.distance("x"), "sources"), (lambda: s.distance([[0, 1]]), "shape"),
+                (lambda: s.distance("x"), "sources"), (lambda: s.distance([[0, 1]]), r"sources\[0\].*Point"),
                 (lambda: s.distance(0, method="fast"), "method"),
                 (lambda: s.distance(0, method="heat", max_distance=1), "max_distance"),
+                (lambda: s.distance(0, time_factor=2), "time_factor is for method=.heat"),
+                (lambda: s.distances([0], time_factor=2), "time_factor is for method=.heat"),
                 (lambda: s.distance(0, max_distance=np.nan), "max_distance"),
                 (lambda: s.distance(0, targets=[99]), "targets"),
                 (lambda: s.distance(point(8, (1, 0, 0))), "face"),

@@ -196,6 +196,8 @@ class Arguments(unittest.TestCase):
                 ("several points", lambda: s.log_map([0, 1])),
                 (r"p\[?0?\]? is 99|from 0 to 15", lambda: s.log_map(99)),
                 ("positive number", lambda: s.log_map(0, method="affine", time_factor=0)),
+                ("leave out time_factor", lambda: s.log_map(0, time_factor=2)),
+                ("leave out max_distance", lambda: s.log_map(0, method="affine", max_distance=1)),
                 ("a vector per point", lambda: s.transport([0, 1], [[1, 0]])),
                 ("two coordinates", lambda: s.transport([0], [[1, 0, 0, 0]])),
                 ("finite", lambda: s.transport(0, [np.nan, 0])),

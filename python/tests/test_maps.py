@@ -186,6 +186,7 @@ class Closed_forms(unittest.TestCase):
 class Arguments(unittest.TestCase):
     def test_bad_ones_are_named(self):
         s, cube = it.Surface(*grid(4)), it.Surface(*CUBE)
+        frame = it.Surface(grid(4)[0], np.delete(grid(4)[1], [8, 9], axis=0))
         for message, call in (
                 ("does not exist", lambda: s.parametrize("fast")),
                 ("does not exist", lambda: cube.parametrize(cut="all")),
@@ -196,7 +197,14 @@ class Arguments(unittest.TestCase):
                 ("does not exist", lambda: s.parametrize("conformal", start="end")),
                 ("of conformal maps", lambda: s.parametrize("lscm", start="input")),
                 ("leave cut out", lambda: cube.parametrize("conformal", cut="auto")),
-                ("0 borders of 1 components; uniformize", lambda: cube.parametrize("conformal")),
+                ("is closed; uniformize", lambda: cube.parametrize("conformal")),
+                ("has 2 borders; uniformize", lambda: frame.parametrize("conformal")),
+                ("start", lambda: s.parametrize("conformal", start="delaunay", flip=False)),
+                ("leave cut and flip", lambda: it.points(grid(4)[0]).parametrize(
+                    "spectral", cut="auto")),
+                ("would be 0, as it is flat; take the target plane, or torus",
+                 lambda: it.Surface(*torus()).uniformize(target="disk")),
+                ("target sphere", lambda: cube.uniformize(target="disk")),
                 ("not both", lambda: cube.uniformize([1] * 8, cones=3)),
                 ("has 2 angles", lambda: cube.uniformize([1, 2])),
                 ("vertex 0 is", lambda: cube.uniformize(["2"] * 8)),
@@ -208,6 +216,9 @@ class Arguments(unittest.TestCase):
                 ("count is .*; give a positive whole number", lambda: s.eigen(2.5)),
                 ("a row for each", lambda: s.deform([0, 1], [[1, 0, 0]])),
                 ("displacements are missing", lambda: s.deform([0])),
+                ("displacements are given twice", lambda: s.deform({0: [1]}, [[2]])),
+                ("handles is empty", lambda: s.deform({})),
+                ("handles is empty", lambda: s.deform([], np.zeros((0, 3)))),
                 ("from 0 to 15", lambda: s.deform({16: [1]})),
                 ("energy", lambda: s.deform({0: [1.0]}, energy="none")),
                 ("leave it out", lambda: s.parametrize("conformal", solver="iterative")),

@@ -10,7 +10,7 @@ import numpy as np
 
 import intrinsic as it
 from intrinsic import _core
-from support import With_folder, bumpy, unit_grid
+from support import PART, With_folder, bumpy, unit_grid
 from ten_surfaces import ball
 
 
@@ -92,6 +92,14 @@ class Set_of_operators(With_folder):
                     other.operators(k=3, cache=cache)
             with self.assertRaises(AssertionError):
                 it.Surface(V, F).operators(k=4, cache=cache)
+
+    def test_other_files_are_refused(self):
+        np.savez(self.folder / "other.npz", a=1)
+        for path in self.folder / "other.npz", PART:
+            with self.assertRaisesRegex(ValueError, f"{path.name}.*has no operators"):
+                it.Operators.load(path)
+        with self.assertRaisesRegex(ValueError, r"Operators.load\(\)"):
+            it.read(self.folder / "other.npz")
 
     def test_what_has_no_gradients_is_refused(self):
         V, F = unit_grid(2)

@@ -161,6 +161,8 @@ class Coarse(unittest.TestCase):
             s.simplify(cost=lambda c: 1 / 0)
         with self.assertRaises(ValueError):
             s.remove_flat_vertices(-1)
+        with self.assertRaisesRegex(ValueError, "levels is 0; give a positive whole number"):
+            s.hierarchy(0)
 
 
 if __name__ == "__main__":

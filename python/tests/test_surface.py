@@ -4,6 +4,7 @@
 
 import copy
 import doctest
+import errno
 import gc
 import os
 import pickle
@@ -96,6 +97,28 @@ class Values(With_folder):
         book = it.Surface(*BOOK)
         self.assertEqual(book.report["domain"]["kind"], "tufted")
         self.assertEqual(book.mass().shape, (5, 5))
+
+    def test_files_that_cannot_be_written_are_errors_of_the_system(self):
+        s, nowhere = it.Surface(V, F), self.folder / "nowhere"
+        for name, save in (("s.idt", s.save), ("s.ply", s.save), ("c.vtp", s.path(0, 2).save),
+                           ("o.npz", s.operators(k=2).save)):
+            with self.assertRaises(FileNotFoundError) as caught:
+                save(nowhere / name)
+            self.assertEqual((caught.exception.filename, caught.exception.errno),
+                             (str(nowhere / name), errno.ENOENT))
+        (self.folder / "d.idt").mkdir()
+        with self.assertRaises(IsADirectoryError):
+            s.save(self.folder / "d.idt")
+        with self.assertRaises(FileNotFoundError) as caught:
+            it.read(nowhere)
+        self.assertEqual(caught.exception.filename, str(nowhere))
+
+    def test_options_that_would_do_nothing_are_refused(self):
+        s = it.Surface(V, F)
+        with self.assertRaisesRegex(ValueError, "plain is of meshes"):
+            s.save(self.folder / "s.idt", plain=True)
+        with self.assertRaisesRegex(ValueError, "polygons is of faces between points"):
+            it.Surface(len(V), F, lengths=s.lengths, polygons="planar")
 
     def test_pages(self):
         page = it.Surface(V, F).delaunay().html()

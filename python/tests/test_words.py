@@ -32,6 +32,8 @@ class Names(unittest.TestCase):
         s = it.Surface(*grid(3))
         for call, message in (
                 (lambda: s.distance(0, target=3), "distance.* no argument target; .*targets"),
+                (lambda: s.parametrize(target="disk"),
+                 r"parametrize.* no argument target; uniformize\(\) has it"),
                 (lambda: s.refine(minangle=3), "refine.* no argument minangle; .*min_angle"),
                 (lambda: s.mass(flipped=True), "mass.* no argument flipped; .*flip"),
                 (lambda: s.uniformize(xyzzy=1), "uniformize.* xyzzy; give some of angles, cones"),
@@ -42,6 +44,29 @@ class Names(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(TypeError, "missing 1 required"):
             s.distance()
+
+    def test_names_that_others_have_lead_to_those_of_a_surface(self):
+        s = it.Surface(*grid(3))
+        for name, found in (("vertices", "points"), ("F", "faces"), ("n_vertices", "number_of_v"),
+                            ("area", r"mass\(\).sum"), ("geodesic", "path"), ("lenghts", "lengths"),
+                            ("distnace", "distance")):
+            with self.assertRaisesRegex(AttributeError, f"Surface has no {name}; .*mean {found}"):
+                getattr(s, name)
+        for name in "xyzzy", "_repr_png_":
+            self.assertFalse(hasattr(s, name))
+        with self.assertRaisesRegex(AttributeError, "CoarseSurface has no keptt; .*kept"):
+            it.Surface(*bumpy(6)).simplify(9).keptt
+
+    def test_what_is_no_list_of_points_or_faces_has_a_remedy(self):
+        V, F = grid(3)
+        s = it.Surface(V, F)
+        for call, message in (
+                (lambda: s.distance((0, [.3, .3, .4])), r"sources\[1\] is .*intrinsic.Point\(face"),
+                (lambda: s.distance(np.arange(9) < 2), "but bool; .*np.flatnonzero"),
+                (lambda: it.Surface(V, F.ravel().tolist()), "a list of faces"),
+                (lambda: it.map(len, "a.off"), "files is 'a.off'; give a list")):
+            with self.assertRaisesRegex((ValueError, TypeError), message):
+                call()
 
     def test_functions_say_who_they_are(self):
         self.assertRegex(repr(it.points), "function points")

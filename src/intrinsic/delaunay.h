@@ -77,7 +77,8 @@ void expect_points(const Loaded<Triangulation>& loaded, const Options& options) 
   if (loaded.points.empty())
     throw std::runtime_error(
         options.input + ": the stored triangulation has lengths and no points, so that nothing "
-                        "can be drawn; write values to a file .txt, or start from the mesh");
+                        "can be drawn; write values to a file .txt, or start from the mesh (of a "
+                        "coarse surface, simplify -o coarse.ply writes the triangles in space)");
 }
 
 /// extracts the common subdivision to be drawn, and reports it. \throws std::runtime_error

@@ -90,7 +90,8 @@ std::string shared_file_misuse(const Options& options) {
   for (const Output& output : files) {
     if (output.path == options.output && is_standard_output(output.path))
       return std::to_string(options.inputs.size()) +
-             " inputs cannot share standard output; write files, such as -o {}.ply";
+             " inputs cannot share standard output; write files, such as -o {}" +
+             output.path.substr(1);
     if (is_standard_output(output.path) || output.path.find(place_of_name) != std::string::npos)
       continue;
     const std::filesystem::path path(output.path);

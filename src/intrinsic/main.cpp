@@ -31,31 +31,73 @@ std::vector<std::string> names_of_commands() {
   return names;
 }
 
-std::string unknown_command(const std::string& word) {
+// "; --mass is an option of refine and laplacian" if a few commands have an option of that name.
+std::string option_of_commands(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> having;
+  for (const CLI::App* command : program::described_commands(app))
+    if (command->get_option_no_throw("--" + word) != nullptr) having.push_back(command->get_name());
+  constexpr std::size_t few = 4;
+  if (having.empty() || having.size() > few) return {};
+  std::string text = "; --" + word + " is an option of ";
+  for (const std::string& name : having) text += (&name == &having.front() ? "" : ", ") + name;
+  return text;
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = names_of_commands();
   const std::string nearest = program::nearest_word(word, names);
+  const std::string unknown =
+      "there is no command \"" + program::legible(word, program::longest_argument) + '"';
+  if (const std::string option = option_of_commands(app, word); !option.empty())
+    return unknown + option;
   std::string listed;
   for (const std::string& name : names)
     listed += (listed.empty() ? "" : name == names.back() ? " or " : ", ") + name;
-  return "there is no command \"" + program::legible(word, program::longest_argument) + "\"; " +
+  return unknown + "; " +
          (nearest.empty() ? "use " + listed + ", or --help" : "did you mean " + nearest + "?");
+}
+
+std::string without_dashes(const std::string& name) {
+  return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+}
+
+// What was meant by the name of an option: the nearest one, or one whose help has the word.
+std::string meant_by(const std::string& name,
+                     const std::vector<program::Described_option>& options) {
+  std::vector<std::string> names, words;
+  for (const program::Described_option& option : options)
+    for (const std::string& n : option.names) {
+      names.push_back(n);
+      words.push_back(without_dashes(n));
+    }
+  const std::string word = without_dashes(name);
+  const std::string nearest = program::nearest_word(word, words);
+  if (!nearest.empty())
+    return names[static_cast<std::size_t>(std::ranges::find(words, nearest) - words.begin())];
+  constexpr std::size_t longer_than_articles = 4;
+  for (const program::Described_option& option : options)
+    if (word.size() >= longer_than_articles &&
+        CLI::detail::to_lower(option.help).find(CLI::detail::to_lower(word)) != std::string::npos)
+      return option.names.front() + ": " + option.help;
+  return {};
 }
 
 // What to say of the first option that a command does not have; empty if it has all.
 std::string unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
+  const std::vector<program::Described_option> options = program::described_options(command);
   std::vector<std::string> names;
-  for (const program::Described_option& option : program::described_options(command))
+  for (const program::Described_option& option : options)
     names.insert(names.end(), option.names.begin(), option.names.end());
   for (const std::string& argument : arguments) {
     const std::string name = argument.substr(0, argument.find('='));
     const bool may_be_option = name.size() > 2 && name.front() == '-' &&
                                std::isdigit(static_cast<unsigned char>(name[1])) == 0;
     if (!may_be_option || std::ranges::count(names, name) > 0) continue;
-    const std::string nearest = program::nearest_word(name, names);
+    const std::string meant = meant_by(name, options);
     return command.get_name() + " has no option " +
            program::legible(name, program::longest_argument) + "; " +
-           (nearest.empty() ? "intrinsic " + command.get_name() + " --help lists all"
-                            : "did you mean " + nearest + "?");
+           (meant.empty() ? "intrinsic " + command.get_name() + " --help lists all"
+                          : "did you mean " + meant + "?");
   }
   return {};
 }
@@ -63,10 +105,14 @@ std::string unknown_option(const CLI::App& command, const std::vector<std::strin
 // Reports what is wrong with the command line, or prints the help; returns the exit code.
 int report_parse_error(const CLI::App& app, const CLI::ParseError& e,
                        const std::vector<std::string>& arguments) {
+  if (arguments.empty()) { // a first look at the program
+    std::cerr << app.help();
+    return program::misused;
+  }
   const std::vector<CLI::App*> commands = app.get_subcommands();
   std::string message;
-  if (e.get_name() == "RequiredError" && commands.empty() && !arguments.empty())
-    message = unknown_command(arguments.front());
+  if (e.get_name() == "RequiredError" && commands.empty())
+    message = unknown_command(app, arguments.front());
   if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr && !commands.empty())
     message = unknown_option(*commands.front(), arguments);
   if (message.empty()) return app.exit(e) == 0 ? 0 : program::misused;
@@ -93,6 +139,15 @@ int run_with_errors_reported(const std::vector<std::string>& arguments, bool is_
 
 int run_for_one(const std::vector<std::string>& arguments) {
   return run_with_errors_reported(arguments, true);
+}
+
+// `help` and `help COMMAND`, as other programs have them, are `--help`.
+std::vector<std::string> with_help(std::vector<std::string> arguments) {
+  if (!arguments.empty() && arguments.size() <= 2 && arguments.front() == "help") {
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
+  return arguments;
 }
 
 // \param is_for_one whether the command line is that of a run for one of several inputs
@@ -141,5 +196,6 @@ int run_with_errors_reported(const std::vector<std::string>& arguments, bool is_
 
 int main(int argc, char** argv) {
   program::remove_incomplete_files_on_signals();
-  return run_with_errors_reported(std::vector<std::string>(argv + 1, argv + argc), false);
+  return run_with_errors_reported(with_help(std::vector<std::string>(argv + 1, argv + argc)),
+                                  false);
 }

@@ -70,15 +70,14 @@ void add_report_options(CLI::App& command, Options& options) {
 
 } // namespace
 
-CLI::Validator file_of(std::vector<Contents> offered) {
-  return CLI::Validator(
-      [offered = std::move(offered)](std::string& path) {
-        if (path == "-") path += first_extension_of(offered.front());
-        for (const Contents contents : offered)
-          if (is_file_of(contents, path)) return std::string();
-        return path + ": the format is not offered; write " + listed_with_extensions(offered);
-      },
-      "FILE");
+Completion file_of(std::vector<Contents> offered) {
+  const auto complete = [offered = std::move(offered)](std::string& path) {
+    if (path == "-") path += first_extension_of(offered.front());
+    for (const Contents contents : offered)
+      if (is_file_of(contents, path)) return std::string();
+    return path + ": the format is not offered; write " + listed_with_extensions(offered);
+  };
+  return {CLI::Validator(complete, ""), file_name};
 }
 
 CLI::Validator curve_points(std::size_t least) {
@@ -209,14 +208,15 @@ void add_adaptive_options(CLI::App& command, Options& options, bool has_vertex) 
 void add_matrix_options(CLI::App& command, Options& options) {
   const Option_adder add(command);
   const auto matrix = [&](const char* name, std::string& path, const std::string& what) {
-    add(name, path, {file_of({Contents::matrix})}, "write " + what + " in Matrix Market format");
+    return add(name, path, {file_of({Contents::matrix})},
+               "write " + what + " in Matrix Market format");
   };
-  matrix("--mass", options.mass, "the mass matrix");
+  CLI::Option* const mass = matrix("--mass", options.mass, "the mass matrix");
   const Words kinds({{"lumped", "diagonal"},
                      {"galerkin", ""},
                      {"voronoi", "diagonal, the areas of cells, which may be negative"}},
                     defaults::mass_kind);
-  add("--mass-kind", options.mass_kind, {kinds.check()}, kinds.help());
+  add("--mass-kind", options.mass_kind, {mass, kinds.check()}, kinds.help());
   matrix("--interpolation", options.interpolation,
          "the interpolation from the vertices of the triangulation to the common subdivision");
   matrix("--input-interpolation", options.input_interpolation,

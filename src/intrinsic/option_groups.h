@@ -35,8 +35,8 @@ struct Command {
 const std::vector<Command>& commands();
 
 /// returns a check that the extension of a file allows one of several contents; the error lists
-/// them with their extensions.
-CLI::Validator file_of(std::vector<Contents> offered);
+/// them with their extensions. `-`, standard output, gets the first of these: `-.txt`.
+Completion file_of(std::vector<Contents> offered);
 /// returns a check that a word is a list of so many points at least.
 CLI::Validator curve_points(std::size_t least);
 /// returns a check that a word is how many levels there are, or a list of them.

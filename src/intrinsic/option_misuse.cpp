@@ -83,6 +83,20 @@ bool has_other_correspondence(const Options& o) {
   return o.is_adaptive && !o.correspondence.empty() && o.correspondence != "integer";
 }
 
+// Waypoints without points that they could be.
+bool has_idle_waypoints(const Geodesic_options& g) {
+  return g.has_waypoints && g.paths.empty() && g.loops.empty() && g.network.empty();
+}
+
+const char idle_waypoints[] = "--waypoints is of curves through several points; give it with "
+                              "--path, --loop or --network";
+
+// Plain files are asked for, and none is written that has anything to be left out.
+bool is_plain_in_vain(const Options& o) {
+  const bool has_curves = o.command == "geodesic" && !o.geodesic.writes_subdivision;
+  return o.is_plain && (has_curves || !is_mesh_output(o));
+}
+
 // What is wrong with the file of curves.
 std::string curve_output_misuse(const Options& o) {
   const bool is_subdivision = o.geodesic.writes_subdivision;
@@ -137,6 +151,7 @@ std::string geodesic_misuse(const Options& o) {
            "--marked or --sharp-angle";
   if (alone > 1 || (alone == 1 && has_curves))
     return "--bezier and --source flip edges wherever they need to; give them without other curves";
+  if (has_idle_waypoints(g)) return idle_waypoints;
   return curve_output_misuse(o);
 }
 
@@ -152,6 +167,7 @@ std::string cut_misuse(const Options& o) {
   if (kinds > 1)
     return "curves, isolines and cuts to disks would divide each other; give either curves, "
            "--levels or --to-disk";
+  if (has_idle_waypoints(g)) return idle_waypoints;
   if (!o.cut.levels.empty() && o.application.sources.empty() == o.field.empty())
     return "--levels needs a function: give --source for distances, or --values, a file of numbers";
   return {};
@@ -223,6 +239,9 @@ std::string misuse(const Options& options) {
   if (lacks_correspondence(options))
     return "the common subdivision, lengths in a file and --adaptive need a correspondence; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt";
+  if (is_plain_in_vain(options))
+    return "--plain leaves labels, edges and colours of a surface out; give it with -o and " +
+           extensions_of(Contents::subdivision);
   if (has_other_correspondence(options))
     return "--adaptive keeps integer coordinates; use --correspondence integer";
   return {};

@@ -45,6 +45,14 @@ Transferred transfer(const Triangulation& t, const IT::Common_subdivision& s,
   return result;
 }
 
+// The norm by a mass matrix. Squares of small numbers would vanish.
+double norm(const Eigen::VectorXd& f, const Eigen::SparseMatrix<double>& mass) {
+  const double largest = f.size() > 0 ? f.lpNorm<Eigen::Infinity>() : 0;
+  if (!(largest > 0)) return largest;
+  const Eigen::VectorXd unit = f / largest;
+  return largest * std::sqrt(std::max(0., unit.dot(mass * unit)));
+}
+
 // Integrals and distances, one per function, by the mass matrix of the common subdivision.
 Json transfer_json(const Transferred& r, const Eigen::SparseMatrix<double>& mass,
                    const Options& options) {
@@ -52,10 +60,9 @@ Json transfer_json(const Transferred& r, const Eigen::SparseMatrix<double>& mass
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mass.rows());
   for (Eigen::Index k = 0; k < r.input.cols(); ++k) {
     const Eigen::VectorXd f = r.input_on_subdivision.col(k), g = r.intrinsic_on_subdivision.col(k);
-    const Eigen::VectorXd d = f - g;
     input.push_back(ones.dot(mass * f));
     intrinsic.push_back(ones.dot(mass * g));
-    distance.push_back(std::sqrt(std::max(0., d.dot(mass * d))));
+    distance.push_back(norm(f - g, mass));
   }
   return {{"from", options.from},
           {"method", options.method},

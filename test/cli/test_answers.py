@@ -4,6 +4,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 from cli_support import CUBE, Cli_test, beside, grid, icosphere, jittered_grid, main
@@ -83,6 +84,39 @@ class Answers(Cli_test):
         self.assertEqual((run.code, run.out.split()[0][-3:], run.err), (0, "OFF", ""))
         run = self.run_program("distance", self.mesh, "--source", "0", "-o", "-", "--stats", "-")
         self.assertEqual(run.code, 2)  # two results would be mixed
+
+    def test_minus_is_a_file_with_the_first_extension_of_the_help(self):
+        self.write("sets.txt", "0 3\n5\n")
+        source = ("--source", "0")
+        for command, *options, output in (
+                ("delaunay", "-o"), ("refine", "-o"), ("laplacian", "-o"),
+                ("laplacian", "--mass"), ("transfer", "u.txt", "-o"),
+                ("geodesic", "--path", "0,3", "-o"), ("cut", "--to-disk", "-o"),
+                ("cut", "--to-disk", "--labels"), ("distance", *source, "-o"),
+                ("distance", *source, "--isolines"), ("distance", *source, "--voronoi"),
+                ("distance", "--pairs", "pairs.txt", "-o"),
+                ("distance", "--sources", "sets.txt", "-o"), ("parametrize", "-o"),
+                ("uniformize", "-o"), ("transport", "--vectors", "vectors.txt", "-o"),
+                ("logmap", *source, "-o"), ("field", "-o"), ("field", "--singularities"),
+                ("eigen", "--count", "4", "-o"), ("edit", "--handles", "handles.txt", "-o"),
+                ("simplify", "-o"), ("simplify", "--places"), ("embed", "-o")):
+            with self.subTest(command, options=options, output=output):
+                said = self.run_program(command, "--help").out
+                said = re.search(rf"\n +{output} .*?(?=\n +-)", said, re.DOTALL)[0]
+                extension = (re.findall(r"\bto\s+(\.[a-z]+)", said) or [".mtx"])[0]
+                run = subprocess.run([self.program, command, self.mesh, *options, output, "-",
+                                      "--quiet"], cwd=self.directory, capture_output=True)
+                self.assertEqual((run.returncode, run.stderr), (0, b""))
+                self.run_program(command, self.mesh, *options, output, "file" + extension)
+                with open(self.path("file" + extension), "rb") as file:
+                    self.assertTrue(run.stdout == file.read())
+
+    def test_the_program_alone_lists_its_commands(self):
+        run = self.run_program()
+        self.assertEqual((run.code, run.out), (2, ""))
+        self.assertIn("Usage: intrinsic", run.err)
+        for command in "delaunay", "distance", "info":
+            self.assertRegex(run.err, rf"\n  {command} +[a-z]")
 
     def test_quiet_and_verbose(self):
         points, faces = beside(*icosphere(1), 3)
@@ -165,7 +199,7 @@ class Several_inputs(Cli_test):
         self.assertIn("{}-t.ply", run.err)
         run = self.run_program("delaunay", "cube.off", "grid.off", "-o", "-")
         self.assertEqual((run.code, run.out), (2, ""))
-        self.assertIn("2 inputs cannot share standard output", run.err)
+        self.assertIn("2 inputs cannot share standard output; write files, such as -o {}.ply", run.err)
         os.mkdir(self.path("more"))
         self.write_off("more/cube.off", *CUBE)
         run = self.run_program("delaunay", "cube.off", "more/cube.off", "-o", "{}.ply")

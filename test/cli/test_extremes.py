@@ -77,6 +77,36 @@ class Extremes(Cli_test):
             self.assertGreater(delaunay["certified_zero"], 50)
             self.assertEqual(more_than_256_bits(delaunay["escalations"]), 0)
 
+    def test_results_on_a_mesh_of_any_size(self):
+        points, faces = icosphere(2)
+        points = [(x, y, z * (1 + 0.3 * x)) for x, y, z in points]
+        values = [x * y for x, y, _ in points]
+        found = {}
+        for exponent in (0, -498, -330, 330, 498):  # 1e-150, 1e-100, 1e100, 1e150
+            scale = 2.0 ** exponent
+            mesh = self.write_off("m.off", [[scale * x for x in p] for p in points], faces)
+            self.write("u.txt", "".join(f"{x * scale!r}\n" for x in values))
+            eigen = [x for solver in ("direct", "iterative")
+                     for x in self.stats("eigen", mesh, "--count", "5", "--solver",
+                                         solver)["eigen"]["values"]]
+            field = self.stats("field", mesh, "--degree", "2", "--align", "1")["field"]
+            refined = ("--refine", "--max-edge-length", repr(0.3 * scale))
+            distances = [self.stats("transfer", mesh, "u.txt", *refined, "--method",
+                                    method)["transfer"]["L2_distance"][0]
+                         for method in ("pointwise", "l2")]
+            self.assertLess(distances[1], distances[0])
+            found[exponent] = ([x * scale * scale for x in eigen] +
+                               [x / scale / scale for x in distances],
+                               [field["index_sum"], field["singular_faces"]])
+        for exponent, (numbers, counts) in found.items():
+            with self.subTest(exponent):
+                for x, y in zip(numbers, found[0][0]):
+                    self.assert_close(x, y, 1e-11)
+                self.assertEqual(counts, found[0][1])
+        mesh = self.write_off("m.off", [[1e-160 * x for x in p] for p in points], faces)
+        self.assert_fails(self.run_program("eigen", mesh), "m.off", "beyond doubles",
+                          "scale the mesh")
+
     def test_a_vertex_that_is_far_away(self):
         points, faces = icosphere(3)
         points[5] = tuple(1e100 * x for x in points[5])

@@ -357,7 +357,7 @@ class Errors(Geodesic_test):
                             "crosses", "vertex 12", "waypoints")
 
     def test_points_twice(self):
-        self.assert_refused(("--path", "3,3"), "vertex 3", "follows itself")
+        self.assert_refused(("--path", "3,3"), "vertex 3", "both ends", "another end")
 
     def test_files_that_are_malformed(self):
         for text, line, words in (("0 1\n2 x\n", 2, ("number of a vertex",)),

@@ -25,6 +25,7 @@ class Isometry(Cli_test):
                                      ((self.long,), "isometric", 16)):
             found = self.stats("isometry", *files)["isometry"]
             self.assertEqual((answer, count), (found["answer"], found["count"]))
+            self.assertIsInstance(found["count"], int)
             self.assertEqual(0 if count else None, found["largest_difference"])
 
     def test_hashes(self):

@@ -44,7 +44,8 @@ class Options(Cli_test):
         self.assertEqual(self.files(), before)
 
     def test_help_and_version(self):
-        for arguments in (["--help"], ["--version"], ["delaunay", "--help"]):
+        for arguments in (["--help"], ["--version"], ["delaunay", "--help"], ["help"],
+                          ["help", "delaunay"]):
             run = self.run_program(*arguments)
             self.assertEqual(run.code, 0)
             self.assertNotEqual(run.out, "")
@@ -71,6 +72,22 @@ class Options(Cli_test):
         self.assert_misused("laplacian", self.mesh, "-o", "out.txt", word=".mtx")
         self.assert_misused("laplacian", self.mesh, "-o", "a.mtx", "--mass", "a.mtx", word="two")
 
+    def test_options_that_would_do_nothing_are_refused(self):
+        self.assert_misused("laplacian", self.mesh, "--mass-kind", "galerkin", word="--mass")
+        self.assert_misused("distance", self.mesh, "--source", "0", "-o", "d.txt", "--plain",
+                            word="--plain leaves labels")
+        self.assert_misused("geodesic", self.mesh, "--path", "0,5", "-o", "g.obj", "--plain",
+                            word="--plain leaves labels")
+        self.assert_misused("geodesic", self.mesh, "--source", "0", "--waypoints",
+                            word="--waypoints is of curves")
+        self.assert_misused("cut", self.mesh, "--to-disk", "--waypoints",
+                            word="--waypoints is of curves")
+        self.assert_fails(self.run_program("logmap", self.mesh, "--source", "0", "--time-factor",
+                                           "2"), "m.off", "leave out --time-factor")
+        self.run_program("simplify", self.mesh, "-o", "coarse.idt")
+        self.assert_fails(self.run_program("field", "coarse.idt", "--align", "1"), "coarse.idt",
+                          "leave --align out")
+
     def test_misspelt_words_have_the_nearest_one_in_the_message(self):
         for arguments, word in ((("delanay", self.mesh), "did you mean delaunay?"),
                                 (("xyzzy", self.mesh), "use delaunay, refine,"),
@@ -82,6 +99,9 @@ class Options(Cli_test):
                                 (("distance", self.mesh, "-source", "1"), "did you mean --source?"),
                                 (("distance", self.mesh, "--surce", "1"), "did you mean --source?"),
                                 (("info", self.mesh, "--xyzzy"), "--help lists all"),
+                                (("info", self.mesh, "--json"), "did you mean --stats: write"),
+                                (("voronoi", self.mesh), "--voronoi is an option of distance"),
+                                (("mass", self.mesh), "--mass is an option of refine, laplacian"),
                                 (("delaunay", self.mesh, "--constrain", "e.txt"), "no option --constrain")):
             self.assert_misused(*arguments, word=word)
 

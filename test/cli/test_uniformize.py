@@ -310,8 +310,8 @@ class Uniformize(Cli_test):
         for target in ("plane", "torus"):
             self.assert_fails(refused("--target", target), "cube.off", "Gauss and Bonnet",
                               "too large by", "(4 pi)")
-        self.assert_fails(refused("--target", "disk"), "Gauss and Bonnet", "genus 2 or more",
-                          "(-4 pi)")
+        self.assert_fails(refused("--target", "disk"), "Gauss and Bonnet", "(-4 pi)",
+                          "take the target sphere")
         self.assert_fails(refused("--target", "disk", "--cones", "8"), "list cones", "file")
         self.assert_fails(refused("--target", "sphere", "--cones", "8"), "leave --angles and")
         self.assert_fails(refused("--cones", "2"), "place at least 3")

@@ -288,10 +288,12 @@ void misuse(Integer_only_triangulation<>& t) { delaunay_refine(t); }
 } // namespace case_RefinableTriangulation
 
 namespace case_RemovalCost {
-// A cost is of a vertex that could be removed, not of its number.
+// A cost is of a vertex that could be removed, not of its name.
 // error: satisfaction of .RemovalCost<
-void misuse(const Intrinsic_triangulation<>& t) {
-  simplify(t, {}, [](const std::string& name) { return name.size(); });
+template <RemovalCost Cost>
+void use(const Cost&) {}
+void misuse() {
+  use([](const std::string& name) { return name.size(); });
 }
 } // namespace case_RemovalCost
 

@@ -93,6 +93,9 @@ Computed solved(Loaded<Solved_triangulation<Traits>>& loaded, const Options& opt
 template <class Traits>
 void run(Loaded<Solved_triangulation<Traits>>& loaded, const Options& options,
          const Solver<Traits>& solve, Progress& progress) {
+  if (options.application.alignment && loaded.points.empty())
+    throw std::runtime_error(options.input + ": a surface with lengths alone has no directions of "
+                                             "curvature; leave --align out");
   const std::vector<Asked_curve> asked =
       asked_points(options, loaded.triangulation.input().number_of_rows(), loaded.facts.polygons);
   const Sources sources = sources_of(loaded.triangulation, asked, options);

@@ -45,9 +45,14 @@ IT::Canonical_form form_of(const Options& options, Progress& progress, Json& jso
   return std::move(form).value();
 }
 
+// An integer where doubles are as exact.
+Json whole(double number) {
+  return number < 0x1p53 ? Json(static_cast<std::uint64_t>(number)) : Json(number);
+}
+
 Json isometry_json(const IT::Isometries& found) {
   const double difference = found.largest_difference();
-  Json json = {{"answer", IT::name_of(found.answer())}, {"count", found.count()}};
+  Json json = {{"answer", IT::name_of(found.answer())}, {"count", whole(found.count())}};
   json["largest_difference"] = std::isfinite(difference) ? Json(difference) : Json(nullptr);
   if (!found.note().empty()) json["note"] = found.note();
   return json;

@@ -34,11 +34,17 @@ struct Type {
 /// The name of a file.
 constexpr Type file_name{"FILE"};
 
+/// A check that may also complete the word.
+struct Completion {
+  CLI::Validator check; ///< may change the word
+  Type type;            ///< what help calls the word
+};
+
 /// Adds options to a command.
 class Option_adder {
 public:
   /// A check, what help calls the word, or an option without which this one may not be given.
-  using How = std::variant<CLI::Validator, Type, CLI::Option*>;
+  using How = std::variant<CLI::Validator, Completion, Type, CLI::Option*>;
 
   /// \param command gets them
   explicit Option_adder(CLI::App& command) : command_(command) {}
@@ -57,6 +63,8 @@ public:
     CLI::Option* const option = (*this)(name, target, help);
     for (const How& h : how) {
       if (const auto* check = std::get_if<CLI::Validator>(&h)) option->check(*check);
+      if (const auto* completion = std::get_if<Completion>(&h))
+        option->transform(completion->check)->type_name(completion->type.name);
       if (const auto* type = std::get_if<Type>(&h)) option->type_name(type->name);
       if (const auto* needed = std::get_if<CLI::Option*>(&h)) option->needs(*needed);
     }

@@ -300,8 +300,12 @@ TYPED_TEST(FindCurves, name_what_cannot_be_found) {
     return refusals::refusal([&] { IT::find_curves(t, wanted, options); });
   };
   const auto at = [](std::uint32_t v) { return IT::Place::at_vertex(v); };
-  EXPECT_EQ(find({{{at(3), at(3)}, false, false, IT::Curve_kind::geodesic, "line 7"}}),
-            "line 7: vertex 3 follows itself on a curve; give it once");
+  EXPECT_EQ(
+      find({{{at(3), at(3)}, false, false, IT::Curve_kind::geodesic, "line 7"}}),
+      "line 7: vertex 3 is both ends of a curve; give another end, or points between, through "
+      "which it leads");
+  EXPECT_EQ(find({{{at(1), at(3), at(3)}, false, false, IT::Curve_kind::geodesic, "line 8"}}),
+            "line 8: vertex 3 follows itself on a curve; give it once");
   const auto n = static_cast<std::uint32_t>(m.points.size());
   EXPECT_NE(find({{{at(3), at(n)}}}), "");
   // paths along the diagonals of the square cross

@@ -170,8 +170,11 @@ TEST_F(Matrix_market, names_the_file_that_cannot_be_written_and_leaves_nothing) 
     try {
       IT::write_matrix_market(file, Matrix(1, 1));
       ADD_FAILURE() << "wrote " << file;
-    } catch (const std::runtime_error& e) {
+    } catch (const IT::File_error& e) {
       EXPECT_NE(std::string(e.what()).find(file.string()), std::string::npos) << e.what();
+      EXPECT_EQ(e.path(), file);
+      EXPECT_EQ(e.code(), file == directory ? std::errc::is_a_directory
+                                            : std::errc::no_such_file_or_directory);
     }
   }
   EXPECT_EQ(files(), 0);

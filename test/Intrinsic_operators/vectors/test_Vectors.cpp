@@ -151,6 +151,20 @@ TEST(Vectors, FollowCurvatureOnlyWhereThereIsSome) {
   EXPECT_THROW(IT::Vectors<Exact>(t, none).directions(4, 1.), IT::Invalid_input);
 }
 
+TEST(Vectors, RefuseOptionsThatTheMethodHasNoUseFor) {
+  const Square square(6);
+  const Exact t = square.triangulation();
+  IT::Vectors<Exact> find(t, square.points);
+  const IT::Place middle = IT::Place::at_vertex(24);
+  IT::Vector_options slow, near;
+  slow.time_factor = 2;
+  near.maximum_distance = 0.5;
+  EXPECT_THROW(find.logarithms(middle, IT::Logarithm_method::exact, slow), IT::Invalid_input);
+  EXPECT_THROW(find.logarithms(middle, IT::Logarithm_method::affine, near), IT::Invalid_input);
+  EXPECT_EQ(find.logarithms(middle, IT::Logarithm_method::exact, near).status, IT::Status::done);
+  EXPECT_EQ(find.logarithms(middle, IT::Logarithm_method::affine, slow).status, IT::Status::done);
+}
+
 TEST(Vectors, EndWithoutAResultWhenTheCallerSaysSo) {
   const Square square(6);
   const Exact t = square.triangulation();

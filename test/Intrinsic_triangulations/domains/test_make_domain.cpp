@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -249,6 +251,31 @@ TEST(Make_domain, covers_gluings_with_lengths) {
       const IT::Intrinsic_triangulation<> t(std::move(d.input));
       EXPECT_EQ(t.number_of_vertices(), s.gluing.number_of_vertices) << s;
     }
+  }
+}
+
+TEST(Make_domain, takes_lengths_of_sides_on_which_both_sides_of_an_edge_agree) {
+  for (const gallery::Surface& s : gallery::all()) {
+    const IT::Gluing_map mesh(s.gluing);
+    const std::vector<double> squares = gallery::squared_lengths(s);
+    std::vector<std::array<double, 3>> lengths;
+    for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f) {
+      lengths.emplace_back();
+      for (std::size_t k = 0; const auto h : mesh.sides({f}))
+        lengths.back()[k++] = std::sqrt(squares[h.index / 2]);
+    }
+    const IT::Domain d = IT::make_domain(IT::Gluing_map(s.gluing), lengths);
+    const IT::Domain expected =
+        IT::make_domain(IT::Intrinsic_input(IT::Gluing_map(s.gluing), squares));
+    ASSERT_EQ(d.input.squared_lengths.size(), expected.input.squared_lengths.size()) << s;
+    for (std::size_t e = 0; e < d.input.squared_lengths.size(); ++e)
+      EXPECT_DOUBLE_EQ(d.input.squared_lengths[e], expected.input.squared_lengths[e]) << s;
+    if (border_edges(mesh) != 0) continue;
+    lengths[0][1] *= 1.01;
+    EXPECT_NE(
+        refusal([&] { IT::make_domain(IT::Gluing_map(s.gluing), lengths); }).find("one length"),
+        std::string::npos)
+        << s;
   }
 }
 

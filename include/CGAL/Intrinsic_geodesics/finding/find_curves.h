@@ -137,8 +137,7 @@ private:
     for (std::size_t i = 0; i + (c.is_loop ? 0 : 1) < n; ++i)
       if (are_copies(t_, c.vertices[i], c.vertices[(i + 1) % n]))
         throw Invalid_input(Element_kind::vertex, t_.input_vertex(c.vertices[i]),
-                            name_of_vertex(t_, c.vertices[i]) +
-                                " follows itself on a curve; give it once");
+                            name_of_vertex(t_, c.vertices[i]) + internal::repetition(n));
   }
 
   // False if vertices are not connected, or rounding has spoilt a path.

@@ -22,6 +22,17 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// What is wrong with a place that is given twice, next to each other, of so many places of a curve.
+inline std::string repetition(std::size_t places) {
+  return places > 2 ? " follows itself on a curve; give it once"
+                    : " is both ends of a curve; give another end, or points between, through "
+                      "which it leads";
+}
+
+} // namespace internal
+
 /*!
 \brief is a path on the faces under a double cover, and what was proven about it.
 */
@@ -74,7 +85,7 @@ public:
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
       const Surface_point from = point(places[i]), to = point(places[i + 1]);
       if (from.halfedge == to.halfedge && from.weights == to.weights)
-        refuse(places[i], name(places[i]) + " follows itself on a curve; give it once");
+        refuse(places[i], name(places[i]) + internal::repetition(places.size()));
       if (search_.search(from, np.targets(to)) == Status::cancelled) {
         result.curve.status = Status::cancelled;
         return result;

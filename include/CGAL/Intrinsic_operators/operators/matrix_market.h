@@ -60,7 +60,7 @@ file is complete or unchanged.
 \param path the file
 \param m the matrix
 \param comment see above
-\throws std::runtime_error naming the file if it cannot be written
+\throws File_error naming the file if it cannot be written
 \complexity linear
 */
 void write_matrix_market(const std::string& path, const Eigen::SparseMatrix<double>& m,

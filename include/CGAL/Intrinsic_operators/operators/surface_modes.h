@@ -22,6 +22,22 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+namespace internal {
+
+// Refuses the matrices of a surface so small that its eigenvalues are beyond doubles: they are of
+// the size of the ratio of traces, and some far above it.
+inline void expect_finite_eigenvalues(const Eigen::SparseMatrix<double>& laplacian,
+                                      const Eigen::SparseMatrix<double>& mass) {
+  constexpr double most = 0x1p1010; // a ten-thousandth of the greatest double
+  const double trace = laplacian.diagonal().sum();
+  if (trace > 0 && !(trace / mass.diagonal().sum() < most))
+    throw Invalid_input(Element_kind::none, 0,
+                        "the surface is so small that its eigenvalues, in 1 / area, are beyond "
+                        "doubles; scale the mesh, to a size near 1");
+}
+
+} // namespace internal
+
 /// More modes than a surface has are refused beyond so many of them: the dense solution of all
 /// takes time by the third power of their number.
 inline constexpr std::size_t most_modes_of_all = 1000;
@@ -41,14 +57,15 @@ all functions. A point of a cloud at the place of an earlier one has the values 
 \param solver see `smallest_eigenpairs()`
 \param np see `smallest_eigenpairs()`
 \return the pairs, by rows of `t.input_vertex()`, in 1 / area of the input
-\throws Invalid_input if a face has no area, or if a larger surface has fewer, and as
-  `smallest_eigenpairs()` does
+\throws Invalid_input if a face has no area, if eigenvalues are beyond doubles, or if a larger
+  surface has fewer, and as `smallest_eigenpairs()` does
 \complexity that of `smallest_eigenpairs()`
 */
 template <MeasuredTriangulation Triangulation, NamedParameters NP = parameters::Parameters<>>
 Eigenpairs surface_modes(const Triangulation& t, std::size_t count, Linear_solver solver,
                          const NP& np = parameters::default_values()) {
   const Eigen::SparseMatrix<double> mass = lumped_mass_matrix(t), all = cotangent_laplacian(t);
+  internal::expect_finite_eigenvalues(all, mass);
   std::vector<Eigen::Triplet<double>> chosen; // the columns of the rows with a mass
   for (Eigen::Index i = 0; i < mass.rows(); ++i)
     if (mass.coeff(i, i) > 0)

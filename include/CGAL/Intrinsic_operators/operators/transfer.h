@@ -133,8 +133,12 @@ public:
   */
   template <class Derived>
   typename Derived::PlainObject operator()(const Eigen::MatrixBase<Derived>& f) const {
-    const typename Derived::PlainObject right = cross_ * f;
-    return solver_->solve(right);
+    const double largest = f.size() > 0 ? f.cwiseAbs().maxCoeff() : 0;
+    if (!(largest > 0x1p-1020)) return solver_->solve(cross_ * f);
+    // products of small values and small areas would vanish; a power of two is exact
+    const double scale = std::ldexp(1., -std::ilogb(largest));
+    const typename Derived::PlainObject right = cross_ * (f * scale);
+    return solver_->solve(right) / scale;
   }
 
   /// returns Q^T M_S Q, the mass matrix of the target triangulation, with ones for vertices without
@@ -164,7 +168,10 @@ private:
 template <NumberedTriangulation Triangulation>
 double L2_distance(const Triangulation& t, const Common_subdivision& s, const Eigen::VectorXd& f,
                    const Eigen::VectorXd& g) {
-  const Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;
+  Eigen::VectorXd d = interpolation_from_intrinsic(s) * f - interpolation_from_input(s) * g;
+  const double largest = d.size() > 0 ? d.lpNorm<Eigen::Infinity>() : 0;
+  if (!(largest > 0)) return largest;
+  d /= largest;   // squares of small ones would vanish
   double sum = 0; // of squares: no cancellation
   for_each_subdivision_triangle(
       t, s, [&](std::size_t, const std::array<std::uint32_t, 3>& v, double area) {
@@ -173,7 +180,7 @@ double L2_distance(const Triangulation& t, const Common_subdivision& s, const Ei
           sum += area / 3 * middle * middle;
         }
       });
-  return std::sqrt(sum / t.input().names().sheets);
+  return largest * std::sqrt(sum / t.input().names().sheets);
 }
 
 /*!

@@ -22,6 +22,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
+#include <CGAL/Intrinsic_triangulations/support/cmath.h>
+#include <CGAL/Intrinsic_triangulations/support/defaults.h>
 #include <CGAL/Intrinsic_triangulations/support/parameters.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Vertex_copies.h>
@@ -142,10 +144,16 @@ public:
   \param place the place
   \param method how; clouds of points have only `affine`
   \param options how
-  \throws Invalid_input, std::invalid_argument as `transport()`, or if a cloud lacks the method
+  \throws Invalid_input, std::invalid_argument as `transport()`, or if a cloud lacks the method, or
+    the method has no use for the time or the distance of the options
   */
   Found_vectors logarithms(const Place& place, Logarithm_method method,
                            const Vector_options& options = {}) {
+    if (method == Logarithm_method::exact && options.time_factor != defaults::time_factor)
+      refuse("exact logarithmic maps follow shortest paths and need no time; leave out "
+             "--time-factor, or take --method affine");
+    if (method != Logarithm_method::exact && std::isfinite(options.maximum_distance))
+      refuse("heat reaches all vertices at once; leave out --max-distance, or take --method exact");
     if (is_cloud()) {
       if (method != usual_method())
         refuse("logarithmic maps of points are found by affine heat; leave out --method, or give "

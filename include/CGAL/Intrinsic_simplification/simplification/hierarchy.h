@@ -49,6 +49,13 @@ std::vector<Simplification> hierarchy(const Triangulation& t, std::size_t levels
   return internal::hierarchy(internal::fine_surface(t), levels, ratio, options, asked);
 }
 
+/// \cond
+template <class Triangulation, internal::Not_a_cost Cost>
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_COST(hierarchy)
+internal::Refused_call
+    hierarchy(const Triangulation&, std::size_t, double, const Simplify_options&, const Cost&);
+/// \endcond
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_HIERARCHY_H

@@ -5,6 +5,7 @@
 #define CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_REMOVAL_COSTS_H
 
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
+#include <CGAL/Intrinsic_triangulations/triangulation/common_mistakes.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/measures.h>
 
@@ -26,6 +27,12 @@
 \file
 Which vertices `simplify()` removes first: those whose removal costs least.
 */
+
+/// refuses what is no cost, or has another result.
+#define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_COST(function)                                        \
+  CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
+      "the cost of " #function "() is a functor that takes a Removal_candidate and returns a "     \
+      "number, such as [](const Removal_candidate& c) { return c.area; }")
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -71,7 +78,7 @@ constexpr bool needs_vectors() {
 template <class Cost>
 concept Remembers_removals = requires(Cost& cost, const Removal_candidate& c,
                                       std::span<const Removal_neighbor> neighbors) {
-  CGAL::to_double(std::as_const(cost)(c, neighbors));
+  { CGAL::to_double(std::as_const(cost)(c, neighbors)) } -> std::convertible_to<double>;
   cost.remove(c, neighbors);
 };
 
@@ -85,8 +92,16 @@ Syntax of \ref ::RemovalCost, where its meaning is described.
 template <class Cost>
 concept RemovalCost = internal::Remembers_removals<Cost> ||
     requires(Cost& cost, const Removal_candidate& c) {
-  CGAL::to_double(cost(c));
+  { CGAL::to_double(cost(c)) } -> std::convertible_to<double>;
 };
+
+namespace internal {
+
+// a functor in place of a cost, or with another result
+template <class Cost>
+concept Not_a_cost = !RemovalCost<Cost>;
+
+} // namespace internal
 
 /// removes vertices first that stretch the surface least, with what earlier removals did there.
 /// \cgalModels{RemovalCost}

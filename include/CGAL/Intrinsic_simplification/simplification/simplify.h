@@ -66,6 +66,12 @@ template <class FaceGraph, RemovalCost Cost = Stretch_cost>
     return simplify(delaunay_triangulation(mesh), options, std::move(cost));
   }
 
+/// \cond
+template <class Surface, internal::Not_a_cost Cost>
+CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_COST(simplify)
+internal::Refused_call simplify(const Surface&, const Simplify_options&, const Cost&);
+/// \endcond
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_SIMPLIFICATION_SIMPLIFICATION_SIMPLIFY_H

@@ -4,6 +4,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DOMAINS_DOMAIN_H
 
+#include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/signed_incidence.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 
@@ -118,6 +119,22 @@ than two faces around an edge: the tufted cover takes that of their numbers.
 Domain make_domain(std::uint32_t number_of_vertices,
                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
                    const std::vector<std::array<double, 3>>& lengths,
+                   Domain_kind kind = Domain_kind::automatic,
+                   Mollification mollification = Mollification::automatic);
+
+/*!
+\brief makes a surface of triangles with lengths that are glued already.
+
+See above. Sides may be glued whose ends are others, or the sides of one triangle.
+\param mesh the glued triangles, oriented or not
+\param lengths of the sides of each triangle, from each corner to the next
+\param kind the kind of surface
+\param mollification treatment of degenerate faces
+\throws Invalid_input naming a face with a side that differs in length from the other side of its
+  edge, or the edge if `kind` is `manifold` and the surface has only one side
+\complexity linear
+*/
+Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,
                    Domain_kind kind = Domain_kind::automatic,
                    Mollification mollification = Mollification::automatic);
 

@@ -9,7 +9,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <concepts>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <type_traits>
 
 /*!
@@ -25,15 +28,38 @@ all names, also those of CGAL, are here.
 */
 
 /// \cond
+// Each name with the kind of its value, a concept of `internal`, and with what messages call that.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(name)                                             \
-  name(edge_is_constrained_map) name(visitor) name(maximum_number) name(minimum_angle)             \
-      name(maximum_circumradius) name(maximum_edge_length) name(maximum_insertions) name(order)    \
-          name(conforming) name(number_of_iterations) name(convergence) name(tolerance) name(bulk) \
-              name(maximum_vertices) name(maximum_rounds) name(triangle_inequality) name(margin)   \
-                  name(maximum_faces) name(snaps_to_vertices) name(border_condition)               \
-                      name(use_binary_mode) name(lines) name(relative_length)                      \
-                          name(minimum_joint_angle) name(maximum_distance) name(targets)           \
-                              name(shortest) name(time_factor) name(number_of_threads)
+  name(edge_is_constrained_map, Property_map, "a property map from edges to bool") name(           \
+      visitor, Object, "an object, or std::ref() of one, with the members that the page lists")    \
+      name(maximum_number, Number, "a number") name(                                               \
+          minimum_angle, Number,                                                                   \
+          "a number of degrees") name(maximum_circumradius, Number,                                \
+                                      "a length, a number") name(maximum_edge_length, Number,      \
+                                                                 "a length, a number")             \
+          name(maximum_insertions, Number_or_none, "a number, or std::nullopt for no cap") name(   \
+              order, Enumerator,                                                                   \
+              "a Refinement_order") name(conforming, Flag,                                         \
+                                         "true or false") name(number_of_iterations, Number,       \
+                                                               "a number") name(convergence,       \
+                                                                                Number,            \
+                                                                                "a number")        \
+              name(tolerance, Number, "a number") name(bulk, Number, "a number from 0 to 1") name( \
+                  maximum_vertices, Number, "a number") name(maximum_rounds, Number, "a number")   \
+                  name(triangle_inequality, Enumerator, "a Triangle_inequality") name(             \
+                      margin, Number, "a number") name(maximum_faces, Number, "a number")          \
+                      name(snaps_to_vertices, Flag, "true or false") name(                         \
+                          border_condition, Enumerator, "a Border_condition, or a Heat_border")    \
+                          name(use_binary_mode, Flag, "true or false") name(                       \
+                              lines, Flag_or_object, "true, false or a range of lines")            \
+                              name(relative_length, Number, "a number from 0 to 1") name(          \
+                                  minimum_joint_angle, Number, "a number of degrees")              \
+                                  name(maximum_distance, Number, "a length, a number") name(       \
+                                      targets, Object,                                             \
+                                      "a vertex of t.mesh(), a Surface_point, or a range of them") \
+                                      name(shortest, Flag, "true or false")                        \
+                                          name(time_factor, Number, "a number")                    \
+                                              name(number_of_threads, Number, "a number")
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {
@@ -42,12 +68,32 @@ namespace internal {
 
 /// \cond
 namespace tags {
-#define CGAL_INTRINSIC_TRIANGULATIONS_TAG(name)                                                    \
+#define CGAL_INTRINSIC_TRIANGULATIONS_TAG(name, kind, words)                                       \
   struct name {};
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_TAG)
 #undef CGAL_INTRINSIC_TRIANGULATIONS_TAG
 } // namespace tags
 /// \endcond
+
+// Kinds of values. What a function makes of one is known where it reads it: see `value_or()`.
+template <class T>
+concept Number = !std::is_enum_v<T> && !std::is_same_v<T, bool> && requires(const T& x) {
+  static_cast<double>(x);
+};
+template <class T>
+concept Number_or_none = Number<T> || std::convertible_to<T, std::optional<std::uint64_t>>;
+template <class T> // a text would be true
+concept Flag = std::is_integral_v<T> ||(std::is_class_v<T>&& std::convertible_to<T, bool>);
+template <class T>
+concept Enumerator = std::is_enum_v<T>;
+template <class T> // also a pointer, as descriptors may be
+concept Object = std::is_class_v<T> || std::is_pointer_v<T>;
+template <class T>
+concept Flag_or_object = Flag<T> || Object<T>;
+template <class T>
+concept Property_map = requires {
+  typename boost::property_traits<T>::key_type;
+};
 
 template <class Tag, class T>
 struct Parameter {
@@ -81,9 +127,10 @@ public:
   constexpr explicit Parameters(const P&... p) : P(p)... {}
 
   /// \cond
-#define CGAL_INTRINSIC_TRIANGULATIONS_MEMBER(name)                                                 \
+#define CGAL_INTRINSIC_TRIANGULATIONS_MEMBER(name, kind, words)                                    \
   template <class T>                                                                               \
   constexpr auto name(const T& value) const {                                                      \
+    static_assert(internal::kind<T>, #name "() takes " words);                                     \
     return with<internal::tags::name>(value);                                                      \
   }
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_MEMBER)
@@ -103,7 +150,7 @@ private:
 inline Parameters<> default_values() { return Parameters<>(); }
 
 /// \cond
-#define CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION(name)                                               \
+#define CGAL_INTRINSIC_TRIANGULATIONS_FUNCTION(name, kind, words)                                  \
   template <class T>                                                                               \
   constexpr auto name(const T& value) {                                                            \
     return Parameters<>().name(value);                                                             \
@@ -170,6 +217,10 @@ auto constrained_map(const NamedParameters& np) {
 // The value of a name, or the default, in the type of the default.
 template <class Tag, class NamedParameters, class Default>
 Default value_or(const NamedParameters& np, const Default& otherwise) {
+  using Given = decltype(object_or<Tag>(np, otherwise));
+  static_assert(std::is_same_v<Given, Default> || !std::is_enum_v<Default>,
+                "this function takes a value of another enumeration for one of its named "
+                "parameters; see its page");
   return static_cast<Default>(object_or<Tag>(np, otherwise));
 }
 

@@ -155,9 +155,13 @@ void check_hyperbolic_angles(const Prescribed_angles& angles,
     message
         << "the component of vertex " << sums[c].first
         << " has no hyperbolic metric with these angles: by the theorem of Gauss and Bonnet its "
-           "area would be "
-        << -excess.radians << " (" << -excess.radians / std::numbers::pi
-        << " pi); the surface needs genus 2 or more, or cones with smaller angles";
+           "area would be ";
+    if (excess.sign == 0)
+      message << "0, as it is flat; take the target plane, or torus,";
+    else
+      message << -excess.radians << " (" << -excess.radians / std::numbers::pi
+              << " pi); take the target sphere, if there are no cones,";
+    message << " or give cones with smaller angles";
     throw Invalid_input(Element_kind::vertex, sums[c].first, message.str());
   }
 }

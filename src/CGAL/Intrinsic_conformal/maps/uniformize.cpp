@@ -42,7 +42,8 @@ namespace {
 Invalid_input no_disks(const std::string& what) {
   return {Element_kind::none, 0,
           "a conformal map with scale 1 on the border is one of disks, but the surface " + what +
-              "; uniformize it, with cones where that asks for them"};
+              "; uniformize it, with cones where that asks for them, or map it by another method, "
+              "which cuts it open"};
 }
 
 // The triangles of the front, or of all of a surface that is no double. \return whether none of
@@ -177,9 +178,12 @@ void expect_disks(const Input& surface) {
   const std::size_t components = connected_components(front).count,
                     borders = boundary_loops(front).size();
   if (genus(front).value_or(1) != 0) throw internal::no_disks("has handles");
+  if (borders == 0) throw internal::no_disks("is closed");
   if (borders != components)
-    throw internal::no_disks("has " + std::to_string(borders) + " borders of " +
-                             std::to_string(components) + " components");
+    throw internal::no_disks(components == 1
+                                 ? "has " + std::to_string(borders) + " borders"
+                                 : "has " + std::to_string(components) + " components and " +
+                                       std::to_string(borders) + " borders, not one for each");
 }
 
 } // namespace CGAL::Intrinsic_triangulations

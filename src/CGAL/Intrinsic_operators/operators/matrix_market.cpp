@@ -105,13 +105,7 @@ void write_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& m
 
 void write_matrix_market(const std::string& path, const Eigen::SparseMatrix<double>& m,
                          const std::string& comment) {
-  Replacing_file file(path);
-  try {
-    write_matrix_market(file.stream(), m, comment);
-  } catch (const std::runtime_error&) {
-    throw std::runtime_error(path + " cannot be written completely; is the disk full?");
-  }
-  file.commit();
+  write_file(path, [&](std::ostream& out) { write_matrix_market(out, m, comment); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -5,6 +5,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/Vertex_frames.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/tangent_field.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
+#include <CGAL/Intrinsic_triangulations/input/scaling.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 
 #include <Eigen/Core>
@@ -49,8 +50,12 @@ double face_area(const Input& input, const Points& points, std::uint32_t h) {
 
 } // namespace
 
-Tangent_field curvature_directions(const Input& input, const Points& points) {
+Tangent_field curvature_directions(const Input& input, const Points& of_user) {
   const Vertex_frames frames = input_frames(input);
+  const Power_of_two to_scale(input.scale_exponent()); // products of four lengths neither overflow
+  Points points = of_user;                             // nor vanish
+  for (std::array<double, 3>& p : points)
+    for (double& x : p) x = to_scale(x);
   std::vector<double> areas(input.number_of_vertices(), 0);
   Tangent_field squares(input.number_of_vertices(), 0);
   for (std::uint32_t h = 0; h < input.number_of_halfedges(); ++h) {
@@ -61,8 +66,9 @@ Tangent_field curvature_directions(const Input& input, const Points& points) {
     squares[v] -= bending(input, points, h) / 4 * std::polar(1., 2 * frames.polar_angle(h));
   }
   for (std::size_t i = 0; i < squares.size(); ++i)
-    squares[i] =
-        areas[i] > 0 ? std::polar(std::abs(squares[i]) / areas[i], std::arg(squares[i]) / 2) : 0;
+    squares[i] = areas[i] > 0 ? std::polar(to_scale(std::abs(squares[i]) / areas[i]),
+                                           std::arg(squares[i]) / 2)
+                              : 0;
   return squares;
 }
 

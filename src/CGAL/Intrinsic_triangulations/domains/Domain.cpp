@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -204,22 +205,23 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
 }
 
 // The square of the length of each edge, in which its sides must agree.
-std::vector<double> squared_lengths_of_edges(const Sides_by_edge& edges,
-                                             const std::vector<std::array<double, 3>>& lengths) {
-  const auto length = [&](const Edge_side& s) { return lengths[s.halfedge / 3][s.halfedge % 3]; };
-  std::vector<double> result;
-  result.reserve(edges.number_of_edges());
-  for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e) {
-    const double known = length(edges[e][0]); // up to the rounding of ten digits in a file
-    for (const Edge_side& s : edges[e])
-      if (const double l = length(s); std::abs(l - known) > 1e-9 * std::max(l, known))
-        throw Invalid_input(Element_kind::face, s.halfedge / 3,
-                            "lengths[" + std::to_string(s.halfedge / 3) + ", " +
-                                std::to_string(s.halfedge % 3) + "] is " + shortest_text(l) +
-                                ", but the other side of that edge has the length " +
-                                shortest_text(known) + "; give both sides of an edge one length");
-    result.push_back(known * known);
+// \param edge the edge of each side, three for each triangle \param edges how many there are
+static std::vector<double>
+squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
+                         const std::vector<std::array<double, 3>>& lengths) {
+  std::vector<double> result(edges, -1); // lengths at first
+  for (std::size_t side = 0; side < edge.size(); ++side) {
+    const double l = lengths[side / 3][side % 3];
+    double& known = result[edge[side]]; // up to the rounding of ten digits in a file
+    if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
+      throw Invalid_input(Element_kind::face, side / 3,
+                          "lengths[" + std::to_string(side / 3) + ", " + std::to_string(side % 3) +
+                              "] is " + shortest_text(l) +
+                              ", but the other side of that edge has the length " +
+                              shortest_text(known) + "; give both sides of an edge one length");
+    if (known < 0) known = l;
   }
+  for (double& l : result) l *= l;
   return result;
 }
 
@@ -284,15 +286,26 @@ Domain make_domain(std::uint32_t number_of_vertices,
   Gluing faces = internal::unglued_triangles(number_of_vertices, triangles);
   const internal::Sides_by_edge edges = internal::sides_by_edge(faces);
   Intrinsic_input input;
-  input.squared_lengths = internal::squared_lengths_of_edges(edges, lengths);
   input.mollification = mollification;
   std::vector<std::uint32_t> edge(faces.origin.size());
   for (std::uint32_t e = 0; e < edges.number_of_edges(); ++e)
     for (const internal::Edge_side& s : edges[e]) edge[s.halfedge] = e;
+  input.squared_lengths =
+      internal::squared_lengths_of_edges(edge, edges.number_of_edges(), lengths);
   return internal::domain_of_faces(
       std::move(input), std::move(faces), edges, std::move(edge), kind,
       [&](std::uint32_t e) { internal::fail_nonmanifold(faces, edges[e], {}); },
       [&](std::uint32_t e) { return internal::edge_with_faces(faces, edges[e], {}); });
+}
+
+Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,
+                   Domain_kind kind, Mollification mollification) {
+  std::vector<std::uint32_t> edge;
+  for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
+    for (const auto side : mesh.sides(Gluing_map::Face{f})) edge.push_back(side.index / 2);
+  std::vector<double> squares =
+      internal::squared_lengths_of_edges(edge, mesh.number_of_edges(), lengths);
+  return make_domain(Intrinsic_input(std::move(mesh), std::move(squares), mollification), kind);
 }
 
 Domain make_domain(const Signed_incidence& s, std::vector<double> squared_lengths, Domain_kind kind,

@@ -59,7 +59,7 @@ If anything fails, the file is unchanged: see `Replacing_file`.
 \param path the file
 \param polylines the polylines
 \param label the name of the labels in files
-\throws std::runtime_error naming the file if it cannot be written
+\throws File_error naming the file if it cannot be written
 */
 void write_polylines(const std::string& path, std::span<const Polyline> polylines,
                      const std::string& label = "curve");

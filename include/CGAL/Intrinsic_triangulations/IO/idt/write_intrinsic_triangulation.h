@@ -141,7 +141,7 @@ If anything fails, the file is unchanged: see `Replacing_file`. Otherwise see th
 stream.
 \param path the file
 \param t the triangulation
-\throws std::runtime_error naming the file if it cannot be written
+\throws File_error naming the file if it cannot be written
 */
 template <IntrinsicTriangulation Triangulation>
 void write_intrinsic_triangulation(const std::filesystem::path& path, const Triangulation& t) {

@@ -98,7 +98,7 @@ If anything fails, the file is unchanged: see `Replacing_file`. Other parameters
 those of the overload with a stream.
 \param path the file
 \throws Invalid_input see above
-\throws std::runtime_error naming the file if it cannot be written
+\throws File_error naming the file if it cannot be written
 */
 template <NamedParameters NP = parameters::Parameters<>>
 void write_common_subdivision(const std::string& path, const Common_subdivision& s,

@@ -16,6 +16,24 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
+/// Says that a file cannot be written, why, and what to do.
+class File_error : public std::runtime_error {
+public:
+  /// \param path the file \param what what is wrong with it \param code what the system says, if
+  /// anything
+  File_error(const std::filesystem::path& path, const std::string& what, std::error_code code)
+      : std::runtime_error(path.string() + ": the file " + what), path_(path), code_(code) {}
+
+  /// returns the name of the file.
+  const std::filesystem::path& path() const { return path_; }
+  /// returns what the system says.
+  std::error_code code() const { return code_; }
+
+private:
+  std::filesystem::path path_;
+  std::error_code code_;
+};
+
 /*!
 \brief writes a file completely, or leaves it unchanged if anything fails.
 
@@ -30,7 +48,7 @@ public:
   /*!
   \brief opens a temporary file for writing.
   \param path the file to be replaced or created
-  \throws std::runtime_error naming the file if that is not possible
+  \throws File_error naming the file if that is not possible
   */
   explicit Replacing_file(const std::filesystem::path& path);
   Replacing_file(const Replacing_file&) = delete;
@@ -47,12 +65,12 @@ public:
 
   /*!
   \brief completes the file.
-  \throws std::runtime_error naming the file if it could not be written completely
+  \throws File_error naming the file if it could not be written completely
   */
   void commit();
 
 private:
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const std::string& what, std::error_code code) const;
   void expect_writable(std::filesystem::perms permissions) const;
   bool open_unnamed();
   std::error_code give_name();
@@ -69,7 +87,7 @@ private:
 \param path the file
 \param write a functor that writes to a stream
 \throws Invalid_input naming the file if `write` throws it
-\throws std::runtime_error naming the file if it cannot be written
+\throws File_error naming the file if it cannot be written
 */
 template <std::invocable<std::ostream&> Write>
 void write_file(const std::filesystem::path& path, const Write& write) {
@@ -79,8 +97,8 @@ void write_file(const std::filesystem::path& path, const Write& write) {
   } catch (const Invalid_input& e) {
     throw Invalid_input(e.kind(), e.index(), path.string() + ": " + e.what());
   } catch (const std::runtime_error&) {
-    throw std::runtime_error(path.string() +
-                             ": the file cannot be written completely; is the disk full?");
+    throw File_error(path, "cannot be written completely; is the disk full?",
+                     std::make_error_code(std::errc::no_space_on_device));
   }
   file.commit();
 }

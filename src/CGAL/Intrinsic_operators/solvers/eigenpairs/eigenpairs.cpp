@@ -286,19 +286,12 @@ static Shifted_inverse shifted_inverse(const Eigen::SparseMatrix<double>& a,
 static Eigenpairs factored_eigenpairs(const Eigen::SparseMatrix<double>& a,
                                       const Eigen::SparseMatrix<double>& m, Eigen::Index count,
                                       Solution_counter& solutions) {
-  // eigenvalues of about one: Spectra has thresholds without units
-  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
-  if (!(root * root > 0x1p-1000 && root * root < 0x1p1000))
-    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
-  const Eigen::SparseMatrix<double> scaled = root * root * m;
   double shift = 0;
-  const Spectra::SparseSymMatProd<double> mass(scaled);
-  Shifted_inverse inverse = shifted_inverse(a, scaled, count, shift, solutions);
+  const Spectra::SparseSymMatProd<double> mass(m);
+  Shifted_inverse inverse = shifted_inverse(a, m, count, shift, solutions);
   Eigenpairs pairs = lanczos_eigenpairs(inverse, mass, count, shift);
   find_missed_pairs(pairs, inverse, mass, shift);
-  expect_eigenpairs(a, scaled, pairs);
-  pairs.values *= root * root;
-  pairs.vectors *= root;
+  expect_eigenpairs(a, m, pairs);
   return pairs;
 }
 
@@ -336,9 +329,16 @@ Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& a,
     return smallest_of(is_laplacian(a) ? dense_laplacian_eigenpairs(a, m, count)
                                        : dense_eigenpairs(Eigen::MatrixXd(a), m),
                        count);
+  // eigenvalues of about one: methods have thresholds without units
+  const double root = std::exp2(std::round(std::log2(mean_eigenvalue(a, m)) / 2));
+  if (!(root * root > 0x1p-1020 && root * root < 0x1p1020))
+    throw std::invalid_argument("the matrices are of too different sizes; scale one of them");
   Solution_counter solutions(progress);
   try {
-    return sparse_eigenpairs(a, m, count, solver, solutions);
+    Eigenpairs pairs = sparse_eigenpairs(a, root * root * m, count, solver, solutions);
+    pairs.values *= root * root;
+    pairs.vectors *= root;
+    return pairs;
   } catch (const Cancelled_eigenpairs&) {
     return {{}, Eigen::MatrixXd(size, 0), Status::cancelled};
   }

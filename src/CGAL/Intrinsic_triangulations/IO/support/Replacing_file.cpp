@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -17,6 +16,9 @@
 #endif
 
 namespace CGAL::Intrinsic_triangulations {
+
+// What the system said last; streams say nothing else.
+static std::error_code last_error() { return {errno, std::generic_category()}; }
 
 Replacing_file::Replacing_file(const std::filesystem::path& path) : given_(path), path_(path) {
   std::error_code ignored;
@@ -35,7 +37,8 @@ Replacing_file::Replacing_file(const std::filesystem::path& path) : given_(path)
     stream_.open(temporary_, std::ios::binary);
     has_name_ = stream_.is_open();
   }
-  if (!stream_) fail("cannot be opened for writing; check the directory and its permissions");
+  if (!stream_)
+    fail("cannot be opened for writing; check the directory and its permissions", last_error());
   if (replaces_) std::filesystem::permissions(written(), status.permissions(), ignored);
 }
 
@@ -49,16 +52,17 @@ Replacing_file::~Replacing_file() {
 }
 
 void Replacing_file::commit() {
+  errno = 0;
   stream_.close();
-  if (!stream_) fail("cannot be written completely; is the disk full?");
+  if (!stream_) fail("cannot be written completely; is the disk full?", last_error());
   std::error_code error = give_name();
   if (has_name_) std::filesystem::rename(temporary_, path_, error);
-  if (error) fail("cannot be replaced: " + error.message());
+  if (error) fail("cannot be replaced: " + error.message(), error);
   has_name_ = false;
 }
 
-void Replacing_file::fail(const std::string& what) const {
-  throw std::runtime_error(given_.string() + ": the file " + what);
+void Replacing_file::fail(const std::string& what, std::error_code code) const {
+  throw File_error(given_, what, code);
 }
 
 // Files without write permission are refused even if the user may write all files.
@@ -66,7 +70,8 @@ void Replacing_file::expect_writable(std::filesystem::perms permissions) const {
   using std::filesystem::perms;
   constexpr perms write = perms::owner_write | perms::group_write | perms::others_write;
   if ((permissions & write) == perms::none || !std::ofstream(path_, std::ios::app))
-    fail("is read-only; remove it, or write to another");
+    fail("is read-only; remove it, or write to another",
+         std::make_error_code(std::errc::permission_denied));
 }
 
 bool Replacing_file::open_unnamed() {
@@ -87,7 +92,7 @@ std::error_code Replacing_file::give_name() {
 #ifdef O_TMPFILE
   // a name must be free to be given, so it cannot be that of the file to be replaced
   if (::linkat(AT_FDCWD, written().c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
-    return {errno, std::generic_category()};
+    return last_error();
 #endif
   has_name_ = true;
   return {};
