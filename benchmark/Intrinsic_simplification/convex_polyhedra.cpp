@@ -6,11 +6,9 @@
 // and polygons whose border is glued to itself.
 // Usage: convex_polyhedra [METRICS_PER_FAMILY [FAMILY]]
 
-#include <CGAL/Intrinsic_simplification.h>
+#include "hull_mesh.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
+#include <CGAL/Intrinsic_simplification.h>
 
 #include <algorithm>
 #include <array>
@@ -31,8 +29,9 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using hull_mesh::hull_of;
+using hull_mesh::Kernel;
+using hull_mesh::Mesh;
 
 enum class Kind { hull, box, bumps, polygon };
 
@@ -55,12 +54,6 @@ const std::vector<Family> families{
     {"box with faces bent by 1e-3", {0, 0, 0}, 20, 2000, Kind::bumps, 1e-3},
     {"box with faces bent by 1e-5", {0, 0, 0}, 20, 2000, Kind::bumps, 1e-5},
     {"convex polygon, its border zipped", {1, .6, 0}, 20, 2000, Kind::polygon}};
-
-Mesh hull_of(const std::vector<Kernel::Point_3>& points) {
-  Mesh mesh;
-  CGAL::convex_hull_3(points.begin(), points.end(), mesh);
-  return mesh;
-}
 
 Mesh hull(const Family& f, std::size_t n, std::mt19937& random) {
   std::normal_distribution<double> normal;

@@ -11,10 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/connectivity/graph_traits_Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
-
+#include "hull_mesh.h"
 #include "polyhedra.h"
 
 #include <gtest/gtest.h>
@@ -33,17 +30,15 @@
 namespace convex_polyhedra {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using hull_mesh::Kernel;
+using hull_mesh::Mesh;
 using polyhedra::distance;
 using polyhedra::Point;
 
 inline Mesh hull_of(const std::vector<Point>& points) {
   std::vector<Kernel::Point_3> all;
   for (const Point& p : points) all.emplace_back(p[0], p[1], p[2]);
-  Mesh mesh;
-  CGAL::convex_hull_3(all.begin(), all.end(), mesh);
-  return mesh;
+  return hull_mesh::hull_of(all);
 }
 
 // Whether the lengths of a face, rounded to doubles, may violate the triangle inequality.

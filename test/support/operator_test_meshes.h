@@ -7,6 +7,7 @@
 #include "dense_eigenvalues.h"
 #include "gallery.h"
 #include "mesh_types.h"
+#include "torus_gluing.h"
 
 #include <CGAL/Intrinsic_triangulation.h>
 
@@ -144,22 +145,7 @@ Vertex (x, y) has number n y + x.
 */
 inline IT::Intrinsic_input torus(std::uint32_t n, std::uint32_t m, const std::complex<double>& u,
                                  const std::complex<double>& v) {
-  IT::Gluing g;
-  g.number_of_vertices = n * m;
-  const auto vertex = [n, m](std::uint32_t x, std::uint32_t y) { return n * (y % m) + x % n; };
-  const auto cell = [&](std::uint32_t x, std::uint32_t y) { return 6 * vertex(x, y); };
-  for (std::uint32_t y = 0; y < m; ++y)
-    for (std::uint32_t x = 0; x < n; ++x) {
-      const std::uint32_t c = cell(x, y);
-      for (const auto& [i, j] :
-           {std::pair{0U, 0U}, {1U, 0U}, {1U, 1U}, {0U, 0U}, {1U, 1U}, {0U, 1U}})
-        g.origin.push_back(vertex(x + i, y + j));
-      // sides: 0 bottom, 1 right, 2 diagonal back; 3 diagonal, 4 top, 5 left
-      for (const std::uint32_t other : {cell(x, y + m - 1) + 4, cell(x + 1, y) + 5, c + 3, c + 2,
-                                        cell(x, y + 1), cell(x + n - 1, y) + 1})
-        g.glue.push_back(other);
-    }
-  IT::Gluing_map map(g);
+  IT::Gluing_map map(torus_gluing(n, m));
   std::vector<double> squared(map.number_of_edges());
   const double length[3] = {std::norm(u), std::norm(v), std::norm(u + v)};
   for (std::uint32_t f = 0; f < map.number_of_faces(); ++f) {

@@ -86,6 +86,18 @@ TEST(EmbedConvex, returnsHullsOfRandomPoints) {
     }
 }
 
+// Whatever the addresses are: all other tests are the same in each run then.
+TEST(EmbedConvex, isTestedOnHullsThatKeepTheOrderOfPoints) {
+  const std::vector<Point> points = random_points(300, {1, .6, .3}, 3);
+  const Mesh mesh = hull_of(points);
+  ASSERT_EQ(mesh.number_of_vertices(), points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    const auto& p = mesh.point(Mesh::Vertex_index(static_cast<Mesh::size_type>(v)));
+    EXPECT_EQ((Point{p.x(), p.y(), p.z()}), points[v]);
+  }
+  EXPECT_TRUE(mesh.is_valid(false));
+}
+
 TEST(EmbedConvex, isConvexFromOutside) {
   const Mesh mesh = hull_of(random_points(60, {1, .6, .3}, 3));
   const IT::Convex_polyhedron p = IT::embed_convex(lengths_only(mesh, 5));

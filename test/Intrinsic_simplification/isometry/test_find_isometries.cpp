@@ -4,13 +4,13 @@
 #include <CGAL/Corresponding_triangulation.h>
 #include <CGAL/Intrinsic_simplification/isometry/Canonical_form.h>
 #include <CGAL/Intrinsic_simplification/isometry/find_isometries.h>
-#include <CGAL/Intrinsic_triangulations/connectivity/Gluing.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 #include <CGAL/Intrinsic_triangulations/input/Intrinsic_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
 
 #include "gallery.h"
+#include "operator_test_meshes.h"
 #include "triangle_lists.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -178,29 +179,12 @@ TEST(FindIsometries, doesNotConfuseSurfacesWithTheSameLengths) {
 
 // ---- flat surfaces ------------------------------------------------------------------------------
 
-// n times m parallelograms of the lattice of a and b, glued to a torus
+// n times n parallelograms of the lattice of a and b, glued to a torus
 Triangulation torus(std::array<int, 2> a, std::array<int, 2> b, std::uint32_t n) {
-  IT::Gluing g;
-  g.number_of_vertices = n * n;
-  std::vector<double> sides;
-  const auto squared = [](int x, int y) { return static_cast<double>(x * x + y * y); };
-  const double l[3] = {squared(a[0], a[1]), squared(b[0], b[1]), squared(a[0] + b[0], a[1] + b[1])};
-  const auto face = [n](std::uint32_t i, std::uint32_t j) { return 2 * (j % n * n + i % n); };
-  for (std::uint32_t j = 0; j < n; ++j)
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const auto v = [&](std::uint32_t x, std::uint32_t y) {
-        return (j + y) % n * n + (i + x) % n;
-      };
-      for (const std::uint32_t w : {v(0, 0), v(1, 0), v(1, 1), v(0, 0), v(1, 1), v(0, 1)})
-        g.origin.push_back(w);
-      for (const double x : {l[0], l[1], l[2], l[2], l[0], l[1]}) sides.push_back(x);
-      for (const std::uint32_t x :
-           {3 * (face(i, j + n - 1) + 1) + 1, 3 * (face(i + 1, j) + 1) + 2, 3 * (face(i, j) + 1),
-            3 * face(i, j) + 2, 3 * face(i, j + 1), 3 * face(i + n - 1, j) + 1})
-        g.glue.push_back(x);
-    }
-  gallery::Surface s{"torus", g, {}, sides};
-  return Triangulation(gallery::input(s));
+  const auto side = [](std::array<int, 2> p) {
+    return std::complex<double>(static_cast<double>(p[0]), static_cast<double>(p[1]));
+  };
+  return Triangulation(operator_test::torus(n, n, side(a), side(b)));
 }
 
 TEST(FindIsometries, comparesFlatToriByTheirLattices) {

@@ -111,13 +111,11 @@ void Candidates::find_vectors(const Coarse_mesh& mesh, const Vertex_star& star) 
 
 void Candidates::describe(const Coarse_mesh& mesh, Vertex_star& star, std::uint32_t v) {
   const Vertex_star::Angles& angles = star.angles(mesh);
-  const double curvature = star.flat_angle() - angles.sum;
-  const std::uint32_t number = mesh.number(v);
-  candidate_ = {.vertex = fine_.row[number],
-                .number = number,
-                .curvature = curvature,
-                .stretch = expected_stretch(star, curvature, angles.slope)};
+  candidate_.curvature = star.flat_angle() - angles.sum;
+  candidate_.stretch = expected_stretch(star, candidate_.curvature, angles.slope);
   if (cost_.is_stretch()) return; // asks for nothing else
+  candidate_.number = mesh.number(v);
+  candidate_.vertex = fine_.row[candidate_.number];
   candidate_.area = std::ldexp(area_of(star), -2 * fine_.scale_exponent);
   candidate_.mean_length = std::ldexp(mean_length_of(star), -fine_.scale_exponent);
   find_shares(star);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_simplification/simplification/Coarse_mesh.h>
 #include <CGAL/Intrinsic_simplification/simplification/Removal_queue.h>
+#include <CGAL/Intrinsic_simplification/simplification/Vertex_star.h>
 
 #include <array>
 #include <cstddef>
@@ -14,22 +15,33 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 /*
-Brings faces into the cache that are read next. Cheap vertices are anywhere on the surface, and each
-face of a star says where the next one is: meshes larger than the cache (armadillo, bunny00) wait
-for them. While a vertex is removed, the stars of those that are first in the queue are followed,
-one face in each direction at a time. With faces stored near their neighbours that saves 1 to 7
-percent, and changes no result.
+Brings what is read next into the cache. Cheap vertices are anywhere on the surface, and each face
+of a star says where the next one is: meshes larger than the cache (armadillo, bunny00) wait for
+them. While a vertex is removed, the stars of those that are first in the queue are followed, one
+face in each direction at a time. No result changes.
+
+GCC takes a function that only fetches for one without effect, and leaves out calls of it: fetches
+are written into functions that do more.
 */
 class Coming_stars {
 public:
-  // Begins with one face of each star.
-  void begin(const Coarse_mesh& mesh, const Removal_queue& queue) {
+  // Begins with one face of each star. \param star what is removed now, for which forms, points and
+  // the faces around are read, too
+  void begin(const Coarse_mesh& mesh, const Removal_queue& queue, const Vertex_star& star) {
+    for (const std::uint32_t h : star.sides()) {
+      __builtin_prefetch(&mesh.forms(h / 3).above[0]);
+      __builtin_prefetch(&mesh.forms(h / 3).below[2]);
+      if (const std::uint32_t p = mesh.face(h / 3).first_point; p != Gluing::none)
+        __builtin_prefetch(&mesh.point(p));
+      if (const std::uint32_t g = mesh.glued(Coarse_mesh::next(h)); g != Gluing::none)
+        __builtin_prefetch(&mesh.face(g / 3));
+    }
     size_ = 0;
     for (const Removal_entry& e : queue.first(most_stars)) {
       const std::uint32_t h = mesh.outgoing(e.vertex);
       if (h == Gluing::none) continue;
       ends_[size_++] = {h, h};
-      fetch(mesh, h);
+      __builtin_prefetch(&mesh.face(h / 3));
     }
   }
   // Goes on to the next faces. Those before are there by now.
@@ -39,8 +51,8 @@ public:
       if (left != Gluing::none) left = mesh.glued(Coarse_mesh::previous(left));
       if (right != Gluing::none) right = mesh.glued(right);
       if (right != Gluing::none) right = Coarse_mesh::next(right);
-      fetch(mesh, left);
-      fetch(mesh, right);
+      if (left != Gluing::none) __builtin_prefetch(&mesh.face(left / 3));
+      if (right != Gluing::none) __builtin_prefetch(&mesh.face(right / 3));
     }
   }
 
@@ -51,10 +63,6 @@ private:
   struct Ends {
     std::uint32_t left, right;
   };
-
-  static void fetch(const Coarse_mesh& mesh, std::uint32_t h) {
-    if (h != Gluing::none) __builtin_prefetch(&mesh.face(h / 3));
-  }
 
   std::array<Ends, most_stars> ends_{};
   std::size_t size_ = 0;

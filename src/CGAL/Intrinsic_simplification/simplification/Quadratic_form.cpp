@@ -12,9 +12,24 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// The first margin of a proof, relative, and how many times it is multiplied by 4.
-constexpr double first_margin = 0x1p-50;
-constexpr int margins = 24;
+// Relative margins of proofs. The first one that is tried suffices nearly always, and a fourth of
+// it nearly never.
+constexpr double least_margin = 0x1p-50, first_margin = 0x1p-46, greatest_margin = 0x1p-4;
+
+// The proof with the least margin that has one: a larger margin is not harder.
+// \param prove returns a proof with a margin, or nothing
+template <class Prove>
+auto proof_with_least_margin(const Prove& prove) {
+  double margin = first_margin;
+  auto proof = prove(margin);
+  for (; proof && margin > least_margin; margin /= 4) {
+    auto better = prove(margin / 4);
+    if (!better) return proof;
+    proof = better;
+  }
+  for (; !proof && margin < greatest_margin; margin *= 4) proof = prove(4 * margin);
+  return proof;
+}
 
 double value(const Form& m, double x, double y) {
   return m.xx * x * x + 2 * (m.xy * x * y) + m.yy * y * y;
@@ -180,25 +195,24 @@ bool is_proven_below(const Side_values& lower, const std::array<Interval, 3>& up
 std::optional<Proven_form> proven_above(const Form& near, const Measured_triangle& t,
                                         std::span<const Enclosed_form* const> forms) {
   const Side_values q = side_values(near, t.points);
-  double margin = first_margin;
-  for (int i = 0; i < margins; ++i, margin *= 4) {
+  return proof_with_least_margin([&](double margin) -> std::optional<Proven_form> {
     const Side_values larger = times(1 + margin, q);
     const Enclosed_form matrix = t.matrix(larger);
-    if (is_above_all(matrix, forms)) return Proven_form{larger, matrix};
-  }
-  return std::nullopt;
+    if (!is_above_all(matrix, forms)) return std::nullopt;
+    return Proven_form{larger, matrix};
+  });
 }
 
 Proven_form proven_below(const Form& near, const Measured_triangle& t,
                          std::span<const Enclosed_form* const> forms) {
   const Side_values q = side_values(near, t.points);
-  double margin = first_margin;
-  for (int i = 0; i < margins; ++i, margin *= 4) {
+  const auto proof = proof_with_least_margin([&](double margin) -> std::optional<Proven_form> {
     const Side_values smaller = times(1 / (1 + margin), q);
     const Enclosed_form matrix = t.matrix(smaller);
-    if (is_below_all(matrix, forms)) return {smaller, matrix};
-  }
-  return {{0, 0, 0}, {0, 0, 0}};
+    if (!is_below_all(matrix, forms)) return std::nullopt;
+    return Proven_form{smaller, matrix};
+  });
+  return proof.value_or(Proven_form{{0, 0, 0}, {0, 0, 0}});
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

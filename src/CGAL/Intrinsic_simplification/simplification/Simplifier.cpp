@@ -207,7 +207,7 @@ Simplifier::Fate Simplifier::remove_copies(std::uint32_t v) {
 // \return `open`: it would stretch the surface much more than expected, and others less
 Simplifier::Fate Simplifier::remove(std::uint32_t v, double expected) {
   mesh_.begin();
-  coming_.begin(mesh_, queue_);
+  coming_.begin(mesh_, queue_, star_);
   step_ = {};
   if (candidates_.remember())
     candidates_.describe_all(mesh_, copies(v), [&](std::uint32_t copy) -> Vertex_star& {

@@ -35,6 +35,10 @@ faces about it are Delaunay, so are ears cut off in this order (Devillers, On de
 triangulations, 1999). Where edges from the vertex to itself block all ears, a flip that takes no
 end away changes the faces.
 
+`Vertex_remover` takes ears in the same order from an `Intrinsic_triangulation`, but by other moves:
+observers see each of them, all are taken back if one is refused, and with doubles the star is laid
+out once for all.
+
 A star has a type `Halfedge` and these members:
 - `find_edges()` returns a vector of the halfedges from the vertex, as they are now;
 - `are_here(h)`: whether the target is the vertex, and the corners on the left and on the right;
@@ -52,17 +56,17 @@ public:
 
   // \return whether the vertex is gone; otherwise others have to be removed first
   bool run() {
-    const std::vector<Halfedge>* edges = &star_.find_edges();
     // flips that take no end away could go round in a circle
-    const std::size_t most_flips = 8 * edges->size() + 32;
-    for (std::size_t flips = 0; flips < most_flips; ++flips, edges = &star_.find_edges()) {
-      const auto ends_of_loops = std::count_if(edges->begin(), edges->end(),
+    const std::size_t most_flips = 8 * star_.find_edges().size() + 32;
+    for (std::size_t flips = 0; flips < most_flips; ++flips) {
+      const std::vector<Halfedge>& edges = star_.find_edges();
+      const auto ends_of_loops = std::count_if(edges.begin(), edges.end(),
                                                [this](Halfedge h) { return star_.are_here(h)[0]; });
-      if (edges->size() == 3 && ends_of_loops == 0) {
+      if (edges.size() == 3 && ends_of_loops == 0) {
         star_.take_out();
         return true;
       }
-      if (!flip_an_edge(*edges, ends_of_loops)) return false;
+      if (!flip_an_edge(edges, ends_of_loops)) return false;
     }
     return false;
   }
