@@ -69,15 +69,17 @@ void measure_distances(const Exact& d, Times& times) {
   times("again: distance", [&] { return shortest.from(at(n / 3), exact); });
 }
 
-// Paths change the triangulation: the first one needs a copy, as in Python.
-void measure_curves(const Exact& d, Times& times) {
+// Paths change the triangulation: the first one needs a copy, as in Python. Shortest paths are
+// found on the Delaunay triangulation, those by flips begin along edges of the mesh.
+void measure_curves(const Exact& t, const Exact& d, Times& times) {
   const auto n = static_cast<std::uint32_t>(d.number_of_vertices());
   for (const bool is_shortest : {true, false}) {
+    const Exact& given = is_shortest ? d : t;
     const std::string name = is_shortest ? "path" : "path by flips";
     std::optional<Exact> copy;
     std::optional<IT::Geodesic_finder<Exact>> find;
     const auto path = [&](std::uint32_t from) {
-      if (!find) find.emplace(copy.emplace(d));
+      if (!find) find.emplace(copy.emplace(given));
       return (*find)(copy->numbers().vertex_at(from), copy->numbers().vertex_at(n / 2),
                      IT::parameters::shortest(is_shortest));
     };
@@ -132,7 +134,7 @@ void measure(const Mesh& mesh, Times& times) {
     return IT::measure(measured, IT::Marked_edges<Exact, std::uint32_t>(measured), mesh.points);
   });
   measure_distances(d, times);
-  measure_curves(d, times);
+  measure_curves(t, d, times);
   measure_vectors(d, mesh, times);
 }
 

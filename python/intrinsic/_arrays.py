@@ -45,6 +45,8 @@ def number(x, name, wanted="a finite positive number", holds=lambda x: 0 < x < n
 
     `holds` tells whether it may be given, and `wanted` says to users which may.
     """
+    if isinstance(x, float) and holds(x):  # the usual case: all checks take longer than a trace
+        return float(x)
     try:
         if is_single(x) and not isinstance(x, (str, bytes, bool, np.bool_)) and holds(float(x)):
             return float(x)
@@ -187,6 +189,7 @@ def sparse(parts, symmetric=False):
     from scipy.sparse import csc_matrix, csr_matrix
 
     data, columns, begins, shape, has_rows = parts
-    if has_rows or symmetric:
-        return csr_matrix((data, columns, begins), shape=shape)
-    return csc_matrix((data, columns, begins), shape=shape).tocsr()
+    by_rows = has_rows or symmetric
+    m = (csr_matrix if by_rows else csc_matrix)(shape)
+    m.data, m.indices, m.indptr = data, columns, begins  # scipy would look at all of them again
+    return m if by_rows else m.tocsr()

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -34,6 +35,10 @@ def _direction(direction):
             raise ValueError(f"direction is {_arrays.shortened(direction)}; give a vector, or a "
                              "finite complex number")
         return z
+    if type(direction) is np.ndarray and direction.shape == (3,) and direction.dtype == np.float64:
+        d = direction.tolist()
+        if all(map(math.isfinite, d)):  # the usual case, as in `_arrays.number()`
+            return d
     d = _arrays.numbers(direction, "direction")
     if d.shape == (2,):
         return complex(d[0], d[1])
@@ -100,13 +105,18 @@ class _Curves:
 
     def _alone(self, curve, waypoints, method, progress):
         """Returns a path or a loop, along which nothing is cut unless it is inserted again."""
-        return Curve(self._found([curve], waypoints, method, False, False, progress)["curves"][0],
-                     self)
+        found = self._found([curve], waypoints, method, False, False, progress)
+        return Curve(found["curves"][0], self)
 
     def _found(self, curves, waypoints, method, certify, keeps_edges, progress):
-        options = (_is_shortest(method), _arrays.flag(waypoints, "waypoints"),
+        is_shortest = _is_shortest(method)
+        options = (is_shortest, _arrays.flag(waypoints, "waypoints"),
                    _arrays.flag(certify, "certify"), keeps_edges)
-        return _core.curves(self._core, curves, *options, progress)
+        # The shortest path of two points is the same on each triangulation, and found sooner on the
+        # Delaunay one.
+        are_shortest = is_shortest and not keeps_edges and all(
+            not is_loop and len(places[0]) == 2 for places, is_loop in curves)
+        return _core.curves(self._flipped(are_shortest), curves, *options, progress)
 
     def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.

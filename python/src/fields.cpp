@@ -74,9 +74,10 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
 template <class T>
 std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vectors,
                             const std::vector<std::uint32_t>& of_row, std::size_t neighbors) {
-  std::vector<Point> result(of_row.size(), {unknown, unknown, unknown});
   if (s.points.empty()) refuse("this surface has lengths alone, so that it is not in space");
+  std::vector<Point> result;
   if (vectors_on(s, t).is_cloud()) {
+    result.assign(of_row.size(), {unknown, unknown, unknown});
     const IT::Point_cloud_vectors& cloud = vectors_on(s, t).cloud(neighbors);
     for (std::size_t i = 0; i < cloud.size(); ++i) result[i] = cloud.in_space(i, vectors[i]);
     return result;
@@ -84,9 +85,11 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
   const auto& sectors =
       s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t, s.points); });
   const std::vector<Point> found = sectors.in_space(vectors);
-  for (std::size_t r = 0; r < of_row.size(); ++r)
-    if (of_row[r] != IT::Gluing::none && !std::isnan(vectors[of_row[r]].real()))
-      result[r] = found[of_row[r]];
+  result.reserve(of_row.size());
+  for (const std::uint32_t i : of_row)
+    result.push_back(i != IT::Gluing::none && !std::isnan(vectors[i].real())
+                         ? found[i]
+                         : Point{unknown, unknown, unknown});
   return result;
 }
 

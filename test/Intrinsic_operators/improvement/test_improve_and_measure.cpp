@@ -8,10 +8,16 @@
 #include "operator_test_meshes.h"
 
 #include <CGAL/Intrinsic_triangulations/IO/soup/build_surface.h>
+#include <CGAL/Intrinsic_triangulations/correspondence/places/points_of_rows.h>
 #include <CGAL/Intrinsic_triangulations/input/Input_edges.h>
+#include <CGAL/Intrinsic_triangulations/input/mollification.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/has_accurate_values.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -55,6 +61,95 @@ TEST(improve_and_measure, finds_what_flips_and_measure_find) {
     EXPECT_STREQ(result.certificate(), "exact");
     EXPECT_EQ(result.shortcoming(), "");
   }
+}
+
+TEST(improve_and_measure, needs_points_of_inserted_vertices_or_none) {
+  auto b = built(rough(3));
+  Triangulation& t = b.triangulation;
+  IT::Improve_options options;
+  options.refine.emplace().minimum_angle = 25;
+  const IT::Improved_surface result = improved(b, options);
+  ASSERT_GT(t.number_of_vertices(), b.points.size());
+  EXPECT_FALSE(result.measured.dirichlet.has_value());
+  const auto all = IT::points_of_rows(t, b.points);
+  const IT::Marked_edges<Triangulation, std::uint32_t> none(t);
+  try {
+    IT::measure(t, none, b.points);
+    FAIL() << "points of inserted vertices were read, which there are not";
+  } catch (const IT::Invalid_input& e) {
+    EXPECT_EQ(e.index(), b.points.size());
+    EXPECT_NE(std::string(e.what()).find("points_of_rows()"), std::string::npos);
+  }
+  EXPECT_TRUE(IT::measure(t, none, all).dirichlet.has_value());
+}
+
+// Values that users get, and enclosures: bit for bit.
+std::vector<double> stored_values(const Triangulation& t) {
+  std::vector<double> result;
+  for (const auto e : edges(t.mesh())) {
+    const auto& x = t.metric().squared_length(t.index(e));
+    for (const double v : {x.inf(), x.sup(), t.metric().approximate_squared_length(t.index(e))})
+      result.push_back(v);
+  }
+  for (const auto f : faces(t.mesh())) {
+    const auto& x = t.metric().quadruple_area(t.index(f));
+    for (const double v : {x.inf(), x.sup(), t.metric().approximate_quadruple_area(t.index(f))})
+      result.push_back(v);
+  }
+  return result;
+}
+
+// Whether values are accurate after flips, and whether measuring changes what is stored.
+std::array<bool, 2> accurate_and_changed(const IT::Intrinsic_input& input) {
+  Triangulation t(input);
+  IT::flip_to_delaunay(t);
+  const std::vector<double> before = stored_values(t);
+  const bool is_accurate = IT::has_accurate_values(t);
+  EXPECT_EQ(stored_values(t), before);
+  IT::measure(t, IT::Marked_edges<Triangulation, std::uint32_t>(t));
+  return {is_accurate, stored_values(t) != before};
+}
+
+TEST(has_accurate_values, tells_that_measuring_will_not_change_what_is_stored) {
+  for (const double stretch : {1., 1e-3, 1e-6}) // some vertices are in a grid of their own
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      Shape s = rough_grid(4 + seed % 3, .45, seed % 2 == 0 ? 0 : .8 * stretch, seed);
+      for (std::array<double, 3>& p : s.points)
+        p[0] = stretch * (seed % 3 == 0 ? std::floor(8 * p[0]) : p[0]);
+      const auto [is_accurate, is_changed] =
+          accurate_and_changed(s.input(IT::Mollification::automatic));
+      EXPECT_TRUE(is_accurate) << "stretch " << stretch << ", seed " << seed;
+      EXPECT_FALSE(is_changed) << "stretch " << stretch << ", seed " << seed;
+    }
+  // intervals grow by each flip: with the first shears they are narrow
+  for (const double shear : {.3, 1.7, 50.7, 200.3}) {
+    const auto [is_accurate, is_changed] = accurate_and_changed(torus(3, shear));
+    EXPECT_EQ(is_accurate, shear < 2) << shear;
+    EXPECT_EQ(is_changed, shear > 2) << shear;
+  }
+  int changed = 0; // since weights are as small as rounding
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const auto [is_accurate, is_changed] =
+        accurate_and_changed(rough_grid(6, 0x1p-50, 0, seed).input());
+    EXPECT_NE(is_accurate, is_changed) << seed;
+    changed += is_changed ? 1 : 0;
+  }
+  EXPECT_GT(changed, 0);
+}
+
+TEST(improve_and_measure, is_measured_before_refinement_unless_that_is_not_asked_for) {
+  IT::Improve_options options;
+  options.refine.emplace().minimum_angle = 25;
+  auto b = built(rough(6)), c = built(rough(6));
+  const IT::Improved_surface measured = improved(b, options);
+  options.measures_before = false;
+  const IT::Improved_surface other = improved(c, options);
+  Triangulation t(rough(6).input());
+  IT::flip_to_delaunay(t);
+  EXPECT_EQ(measured.done.refined.value().quality_before.value().minimum_angle,
+            IT::measure(t).quality.minimum_angle);
+  EXPECT_FALSE(other.done.refined.value().quality_before.has_value());
+  EXPECT_EQ(stored_values(b.triangulation), stored_values(c.triangulation));
 }
 
 TEST(improve_and_measure, keeps_edges_of_the_input) {

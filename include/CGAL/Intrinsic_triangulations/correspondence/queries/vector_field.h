@@ -55,15 +55,17 @@ face_axes_in_space(const Input& input, std::uint32_t h, const Source& source) {
     ef += e[n] * f[n];
     ff += f[n] * f[n];
   }
+  const double foot = ef / ee;
   for (std::size_t n = 0; n < 3; ++n) {
-    f[n] -= ef / ee * e[n];
+    f[n] -= foot * e[n];
     left += f[n] * f[n];
   }
   // a height below 2^-48 of the side, which is 32 roundings of it, has no direction
   if (!(left > 0x1p-96 * ff)) return std::nullopt;
+  const double along_side = std::sqrt(ee), above_side = std::sqrt(left);
   for (std::size_t n = 0; n < 3; ++n) {
-    e[n] /= std::sqrt(ee);
-    f[n] /= std::sqrt(left);
+    e[n] /= along_side;
+    f[n] /= above_side;
   }
   return std::array{e, f};
 }

@@ -46,13 +46,46 @@ inline std::array<double, 3> cotangents_of(const Face_values<double>& face, doub
 }
 
 /*
-Cotangent weights of all edges as sums over faces, and bounds on their errors from one for all
-stored intervals. So nearly all edges need no operation on intervals;
-`Enclosed_values::stored_weight()` is left for ties, slivers, and meshes with wide intervals.
+The cotangent weight of an edge as a sum over its corners, and a bound on its error.
 
 The half cotangent of a corner is w = q / (2 A), where q = b + c - a, of squared lengths a, b, c and
 the quadruple area A. Where no interval is wider than r times its values, the error of w is at most
 r (a + b + c) / (2 A) + r |w| <= r (a + b + c) / A up to terms in r^2.
+*/
+struct Weight_bound {
+  double weight = 0;
+  double size = 0; // (a + b + c) / A of all faces
+
+  // Products of smaller values, or their quotients, may lose digits below the range of doubles.
+  static constexpr double least = 0x1p-500;
+
+  // r, and what rounding adds: 2^-52 for rounding of q and w, 2^-52 for sums and, if r < 2^-29,
+  // for terms in r^2. \param width see `relative_width()`
+  static double of(double width) { return width + 0x1p-51; }
+
+  // (a + b + c) / A of a face. \param inverse of the quadruple area
+  static double size_of(const Face_values<double>& face, double inverse) {
+    const auto [a, b, c] = face.squared_lengths;
+    return (a + b + c) * inverse;
+  }
+  // adds a corner. \param cotangent see `cotangents_of()` \param size_of_face see `size_of()`
+  void add(double cotangent, double size_of_face) {
+    weight += cotangent / 2;
+    size += size_of_face;
+  }
+
+  // Whether the error is at most `tolerance` times the weight: then its sign is right, too.
+  // \param width see `of()` \param tolerance at most 2^-29
+  bool is_certain(double width, double tolerance) const {
+    const double w = std::abs(weight);
+    return width * size < tolerance * w && w > least && size < 1 / least;
+  }
+};
+
+/*
+Cotangent weights of all edges as sums over faces, and bounds on their errors from one for all
+stored intervals. So nearly all edges need no operation on intervals;
+`Enclosed_values::stored_weight()` is left for ties, slivers, and meshes with wide intervals.
 */
 template <class Triangulation>
 class Summed_weights {
@@ -62,9 +95,7 @@ public:
 
   // \param width of stored intervals, see `relative_width()`
   // \pre rounding is to nearest, also in `add()`
-  Summed_weights(const Triangulation& t, double width) {
-    // 2^-52 for rounding of q and w, 2^-52 for sums and, if r < 2^-29, for terms in r^2
-    width_ = width + 0x1p-51;
+  Summed_weights(const Triangulation& t, double width) : width_(Weight_bound::of(width)) {
     if constexpr (exist) sums_.resize(t.numbers().edge_capacity(t.mesh()));
   }
 
@@ -72,13 +103,8 @@ public:
   void add(const Indexed_face& face, const Face_values<double>& values, double inverse,
            const std::array<double, 3>& cotangents) {
     if constexpr (exist) {
-      const auto [a, b, c] = values.squared_lengths;
-      const double size = (a + b + c) * inverse;
-      for (std::size_t k = 0; k < 3; ++k) {
-        Sum& sum = sums_[face.edges[k]];
-        sum.weight += cotangents[k] / 2;
-        sum.size += size;
-      }
+      const double size = Weight_bound::size_of(values, inverse);
+      for (std::size_t k = 0; k < 3; ++k) sums_[face.edges[k]].add(cotangents[k], size);
     }
   }
 
@@ -86,24 +112,14 @@ public:
   // then its sign is right, too.
   // \param tolerance at most 2^-29
   std::optional<double> certain(std::uint32_t e, double tolerance) const {
-    if constexpr (exist) {
-      const auto [weight, size] = sums_[e];
-      const double w = std::abs(weight);
-      if (width_ * size < tolerance * w && w > least && size < 1 / least) return weight;
-    }
+    if constexpr (exist)
+      if (sums_[e].is_certain(width_, tolerance)) return sums_[e].weight;
     return std::nullopt;
   }
 
 private:
-  struct Sum {
-    double weight = 0, size = 0; // and (a + b + c) / A
-  };
-
-  // Products of smaller values, or their quotients, may lose digits below the range of doubles.
-  static constexpr double least = 0x1p-500;
-
-  double width_ = 0; // r, and what rounding adds
-  std::vector<Sum> sums_;
+  double width_; // see `Weight_bound::of()`
+  std::vector<Weight_bound> sums_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/Summed_weights.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
+#include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/cmath.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
@@ -23,6 +24,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -201,7 +203,13 @@ public:
   // \param points see `measure()`
   Edge_integrals(const Triangulation& t, const std::vector<std::array<double, 3>>& points)
       : t_(t), points_(points), sheets_(t.input().names().sheets),
-        scaled_(t.metric().scale_exponent()) {}
+        scaled_(t.metric().scale_exponent()) {
+    if (!points.empty() && points.size() < t.number_of_vertices())
+      throw Invalid_input(Element_kind::vertex, points.size(),
+                          "vertex " + std::to_string(points.size()) + " has no point, among " +
+                              std::to_string(t.number_of_vertices()) +
+                              " with those inserted; give what points_of_rows() returns, or none");
+  }
 
   // adds an edge. \param h one of its halfedges
   void add(typename Triangulation::halfedge_descriptor h, double weight_on_sheets) {
@@ -327,6 +335,7 @@ With exact traits, stored values become as accurate as `statistics_tolerance`.
 \param constrained a readable property map from edges to whether they are kept
 \param points where each row is in space, in the units of the input, or none: then the energy of
 coordinates is not known. See `points_of_rows()`
+\throws Invalid_input if there are points, but not for each row, inserted vertices included
 \complexity linear, and that of `check_delaunay()`
 */
 template <IntrinsicTriangulation Triangulation, internal::Marks_edges_of<Triangulation> Constrained>
