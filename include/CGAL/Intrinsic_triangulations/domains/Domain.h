@@ -131,7 +131,8 @@ See above. Sides may be glued whose ends are others, or the sides of one triangl
 \param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input naming a face with a side that differs in length from the other side of its
-  edge, or the edge if `kind` is `manifold` and the surface has only one side
+  edge, or the edge if `kind` is `manifold` and the surface has only one side; and if there is not
+  one triple of lengths for each triangle
 \complexity linear
 */
 Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,

@@ -29,37 +29,38 @@ all names, also those of CGAL, are here.
 
 /// \cond
 // Each name with the kind of its value, a concept of `internal`, and with what messages call that.
+// clang-format off
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(name)                                             \
-  name(edge_is_constrained_map, Property_map, "a property map from edges to bool") name(           \
-      visitor, Object, "an object, or std::ref() of one, with the members that the page lists")    \
-      name(maximum_number, Number, "a number") name(                                               \
-          minimum_angle, Number,                                                                   \
-          "a number of degrees") name(maximum_circumradius, Number,                                \
-                                      "a length, a number") name(maximum_edge_length, Number,      \
-                                                                 "a length, a number")             \
-          name(maximum_insertions, Number_or_none, "a number, or std::nullopt for no cap") name(   \
-              order, Enumerator,                                                                   \
-              "a Refinement_order") name(conforming, Flag,                                         \
-                                         "true or false") name(number_of_iterations, Number,       \
-                                                               "a number") name(convergence,       \
-                                                                                Number,            \
-                                                                                "a number")        \
-              name(tolerance, Number, "a number") name(bulk, Number, "a number from 0 to 1") name( \
-                  maximum_vertices, Number, "a number") name(maximum_rounds, Number, "a number")   \
-                  name(triangle_inequality, Enumerator, "a Triangle_inequality") name(             \
-                      margin, Number, "a number") name(maximum_faces, Number, "a number")          \
-                      name(snaps_to_vertices, Flag, "true or false") name(                         \
-                          border_condition, Enumerator, "a Border_condition, or a Heat_border")    \
-                          name(use_binary_mode, Flag, "true or false") name(                       \
-                              lines, Flag_or_object, "true, false or a range of lines")            \
-                              name(relative_length, Number, "a number from 0 to 1") name(          \
-                                  minimum_joint_angle, Number, "a number of degrees")              \
-                                  name(maximum_distance, Number, "a length, a number") name(       \
-                                      targets, Object,                                             \
-                                      "a vertex of t.mesh(), a Surface_point, or a range of them") \
-                                      name(shortest, Flag, "true or false")                        \
-                                          name(time_factor, Number, "a number")                    \
-                                              name(number_of_threads, Number, "a number")
+  name(edge_is_constrained_map, Property_map, "a property map from edges to bool")                 \
+  name(visitor, Object, "an object, or std::ref() of one, with the members that the page lists")   \
+  name(maximum_number, Number, "a number")                                                         \
+  name(minimum_angle, Number, "a number of degrees")                                               \
+  name(maximum_circumradius, Number, "a length, a number")                                         \
+  name(maximum_edge_length, Number, "a length, a number")                                          \
+  name(maximum_insertions, Number_or_none, "a number, or std::nullopt for no cap")                 \
+  name(order, Enumerator, "a Refinement_order")                                                    \
+  name(conforming, Flag, "true or false")                                                          \
+  name(number_of_iterations, Number, "a number")                                                   \
+  name(convergence, Number, "a number")                                                            \
+  name(tolerance, Number, "a number")                                                              \
+  name(bulk, Number, "a number from 0 to 1")                                                       \
+  name(maximum_vertices, Number, "a number")                                                       \
+  name(maximum_rounds, Number, "a number")                                                         \
+  name(triangle_inequality, Enumerator, "a Triangle_inequality")                                   \
+  name(margin, Number, "a number")                                                                 \
+  name(maximum_faces, Number, "a number")                                                          \
+  name(snaps_to_vertices, Flag, "true or false")                                                   \
+  name(border_condition, Enumerator, "a Border_condition, or a Heat_border")                       \
+  name(use_binary_mode, Flag, "true or false")                                                     \
+  name(lines, Flag_or_object, "true, false or a range of lines")                                   \
+  name(relative_length, Number, "a number from 0 to 1")                                            \
+  name(minimum_joint_angle, Number, "a number of degrees")                                         \
+  name(maximum_distance, Number, "a length, a number")                                             \
+  name(targets, Object, "a vertex of t.mesh(), a Surface_point, or a range of them")               \
+  name(shortest, Flag, "true or false")                                                            \
+  name(time_factor, Number, "a number")                                                            \
+  name(number_of_threads, Number, "a number")
+// clang-format on
 /// \endcond
 
 namespace CGAL::Intrinsic_triangulations {

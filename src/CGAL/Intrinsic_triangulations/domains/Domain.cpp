@@ -204,6 +204,14 @@ Domain domain_of_faces(Intrinsic_input&& input, Gluing&& faces, const Sides_by_e
       .finish(std::move(cover), Domain_kind::tufted_cover, report.reason);
 }
 
+static void expect_lengths_of_all(std::size_t triangles, std::size_t lengths) {
+  if (lengths != triangles)
+    throw Invalid_input(Element_kind::none, 0,
+                        "there are " + std::to_string(lengths) +
+                            " triples of lengths; give one for each of the " +
+                            std::to_string(triangles) + " triangles");
+}
+
 // The square of the length of each edge, in which its sides must agree.
 // \param edge the edge of each side, three for each triangle \param edges how many there are
 static std::vector<double>
@@ -278,11 +286,7 @@ Domain make_domain(std::uint32_t number_of_vertices,
                    const std::vector<std::array<double, 3>>& lengths, Domain_kind kind,
                    Mollification mollification) {
   internal::check_size_of_cover(triangles.size());
-  if (lengths.size() != triangles.size())
-    throw Invalid_input(Element_kind::none, 0,
-                        "there are " + std::to_string(lengths.size()) +
-                            " triples of lengths; give one for each of the " +
-                            std::to_string(triangles.size()) + " triangles");
+  internal::expect_lengths_of_all(triangles.size(), lengths.size());
   Gluing faces = internal::unglued_triangles(number_of_vertices, triangles);
   const internal::Sides_by_edge edges = internal::sides_by_edge(faces);
   Intrinsic_input input;
@@ -300,6 +304,7 @@ Domain make_domain(std::uint32_t number_of_vertices,
 
 Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,
                    Domain_kind kind, Mollification mollification) {
+  internal::expect_lengths_of_all(mesh.number_of_faces(), lengths.size());
   std::vector<std::uint32_t> edge;
   for (std::uint32_t f = 0; f < mesh.number_of_faces(); ++f)
     for (const auto side : mesh.sides(Gluing_map::Face{f})) edge.push_back(side.index / 2);
