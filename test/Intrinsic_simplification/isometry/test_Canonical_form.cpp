@@ -244,9 +244,9 @@ TEST(CanonicalForm, keepsVerticesWhereFansMeet) {
   EXPECT_EQ(found.count(), 6 * 6 * 2);
 }
 
-// Two tetrahedra without symmetry that share two vertices, in one of two ways.
+// Two tetrahedra that share two vertices, in one of two ways.
 TEST(CanonicalForm, seesWhichVerticesFansShare) {
-  const std::array<double, 6> squared{16, 17, 18, 19, 20, 21}; // of 01, 02, 03, 12, 13, 23
+  std::array<double, 6> squared{16, 17, 18, 19, 20, 21}; // of 01, 02, 03, 12, 13, 23: no symmetry
   const auto two = [&](std::uint32_t of_first, std::uint32_t of_second) {
     const std::array<std::uint32_t, 8> number{0, 1, 2, 3, of_first, of_second, 4, 5};
     IT::Gluing g;
@@ -268,6 +268,19 @@ TEST(CanonicalForm, seesWhichVerticesFansShare) {
   const IT::Isometries same = IT::find_isometries(a, two(0, 1));
   EXPECT_EQ(same.answer(), IT::Isometry_answer::isometric);
   EXPECT_EQ(same.count(), 2);
+  // of the regular one, 4 symmetries keep two vertices together, 2 of them both vertices
+  squared.fill(16);
+  const Triangulation c = two(0, 1);
+  const IT::Isometries regular = IT::find_isometries(c, c);
+  EXPECT_EQ(regular.count(), 2 * (2 * 2 + 2 * 2));
+  std::set<std::vector<std::uint32_t>> maps;
+  for (std::size_t i = 0; i < regular.size(); ++i) {
+    const IT::Isometry map = regular[i];
+    std::vector<std::uint32_t> images;
+    for (std::uint32_t v = 0; v < 6; ++v) images.push_back(map.image_of_vertex(v));
+    maps.insert(images);
+  }
+  EXPECT_EQ(maps.size(), regular.size());
 }
 
 // ---- all gluings of few triangles ---------------------------------------------------------------

@@ -31,7 +31,7 @@ namespace {
 // doubles, and of coordinates in single precision.
 constexpr std::array<double, 2> rounding_errors = {1e-9, 1e-5};
 
-// How many isometries of fans of faces are tried, to find one that keeps them together.
+// How many isometries of fans of faces are tried, to find those that keep them together.
 constexpr double most_maps = 1000;
 
 constexpr const char* too_wide = "lengths are enclosed too widely to be compared";
@@ -97,7 +97,8 @@ void Isometry_search::match(const Length_classes& classes) {
   matching_.emplace(first_->darts, classes.of_dart.front(), is_one ? nullptr : &second_->darts,
                     is_one ? nullptr : &classes.of_dart.back());
   number_of_walks_ += matching_->number_of_walks();
-  first_map_ = 0;
+  maps_.clear();
+  are_all_found_ = true;
 }
 
 void Isometry_search::decide_exactly(Isometry_run& run) {
@@ -116,12 +117,12 @@ void Isometry_search::decide_exactly(Isometry_run& run) {
   if (matching_->is_given_up()) {
     note_ = both(note_, "too many darts look alike");
   } else if (matching_->are_isomorphic()) {
-    const bool is_map = find_first_map(), are_all_tried = count() <= most_maps;
+    const bool is_map = find_maps();
     if (!classes.are_proven) note_ = both(note_, "lengths could not be proven to be equal");
-    if (!is_map && !are_all_tried)
+    if (!is_map && !are_all_found_)
       note_ = both(note_, "fans of faces that meet at a vertex are matched apart");
     if (classes.are_proven && is_map) answer_ = Isometry_answer::isometric;
-    if (classes.are_proven && !is_map && are_all_tried) answer_ = Isometry_answer::not_isometric;
+    if (classes.are_proven && !is_map && are_all_found_) answer_ = Isometry_answer::not_isometric;
   } else if (!classes.are_separated) {
     note_ = both(note_, too_wide);
   } else if (!classes.are_proven) {
@@ -148,7 +149,7 @@ bool Isometry_search::decide_within(double error, Isometry_run& run) {
   const Singular_surface* const surfaces[] = {a_.get(), b_.get()};
   const Dart_complex* const complexes[] = {&first_->darts, &second_->darts};
   match(rounded_length_classes(surfaces, error, complexes));
-  if (!matching_->is_given_up() && matching_->are_isomorphic() && find_first_map()) {
+  if (!matching_->is_given_up() && matching_->are_isomorphic() && find_maps()) {
     // a class may be a long chain of lengths, each near to the next one
     const double difference = difference_of(own(0));
     if (difference <= 2 * error) {
@@ -161,16 +162,18 @@ bool Isometry_search::decide_within(double error, Isometry_run& run) {
   return false;
 }
 
-bool Isometry_search::find_first_map() {
-  const auto number = static_cast<std::size_t>(std::min(count(), most_maps));
-  for (std::size_t n = 0; n < number; ++n) {
+bool Isometry_search::find_maps() {
+  if (!first_->darts.has_pinched_vertex()) return true;
+  const double all = number_of_maps_of_fans();
+  are_all_found_ = all <= most_maps;
+  const auto number = static_cast<std::size_t>(std::min(all, most_maps));
+  std::vector<std::size_t> found;
+  for (std::size_t n = 0; n < number && (are_all_found_ || found.empty()); ++n) {
     expect_to_go_on();
-    if (respects_vertices(own(n))) {
-      first_map_ = n;
-      return true;
-    }
+    if (respects_vertices(own(n))) found.push_back(n);
   }
-  return false;
+  maps_ = std::move(found);
+  return !maps_.empty();
 }
 
 Isometry Isometry_search::own(std::size_t n) const {
@@ -210,6 +213,11 @@ double Isometry_search::difference_of(const Isometry& map) const {
 
 double Isometry_search::count() const {
   if (!matching_) return 0;
+  if (are_all_found_ && !maps_.empty()) return static_cast<double>(maps_.size());
+  return number_of_maps_of_fans();
+}
+
+double Isometry_search::number_of_maps_of_fans() const {
   double count = 1;
   for (const Dart_matching::Group& g : matching_->groups())
     for (std::size_t k = 1; k <= g.firsts.size(); ++k)
@@ -228,7 +236,10 @@ Directed_dart Isometry_search::composed(const Dart_matching::Group& g, const Dir
 }
 
 void Isometry_search::compute(std::size_t n, Isometry& result) const {
-  if (n == 0 || n == first_map_) n = first_map_ - n; // they change places
+  if (!maps_.empty() && are_all_found_)
+    n = maps_[n];
+  else if (!maps_.empty() && (n == 0 || n == maps_[0]))
+    n = maps_[0] - n; // they change places
   const std::uint32_t shift = a_ == b_ ? 0 : first_->darts.size();
   std::vector<std::uint32_t> image(matching_->number_of_darts(), Dart_complex::none),
       scratch = image, visited;

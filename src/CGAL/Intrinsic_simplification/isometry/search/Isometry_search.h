@@ -60,8 +60,10 @@ private:
   Isometry own(std::size_t n) const; // does not keep this object
   // whether fans of faces that meet at a vertex go to fans that meet at one
   bool respects_vertices(const Isometry& map) const;
-  // makes a map that respects vertices the first one. \return whether one is found
-  bool find_first_map();
+  // Finds maps that respect vertices: all of them, if few are to be tried. \return whether one is
+  // found
+  bool find_maps();
+  double number_of_maps_of_fans() const;
   double difference_of(const Isometry& map) const;
   // The image of the dart `first.dart` of a component of a group: back to the
   // first dart of the group, by the symmetry, and on to the component of
@@ -77,7 +79,10 @@ private:
   std::optional<Tessellation> first_,
       second_; // the second one only if surfaces differ
   std::optional<Dart_matching> matching_;
-  std::size_t first_map_ = 0; // this isometry, in the order of digits, is number 0
+  // Isometries that respect vertices, in the order of digits: all, if `are_all_found_`, or the
+  // first one, which is number 0. Empty: all do.
+  std::vector<std::size_t> maps_;
+  bool are_all_found_ = true;
   Isometry_answer answer_ = Isometry_answer::undecided;
   std::string note_;
   double largest_difference_ = std::numeric_limits<double>::infinity();

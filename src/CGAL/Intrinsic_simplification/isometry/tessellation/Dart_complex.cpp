@@ -4,6 +4,7 @@
 #include <CGAL/Intrinsic_simplification/isometry/tessellation/Dart_complex.h>
 #include <CGAL/Intrinsic_triangulations/connectivity/Gluing_map.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,11 @@ Dart_complex::Dart_complex(const Gluing_map& mesh, const std::vector<char>& is_l
   find_components();
 }
 
+bool Dart_complex::has_pinched_vertex() const {
+  return std::any_of(degree.begin(), degree.end(),
+                     [](std::uint32_t d) { return (d & of_pinched_vertex) != 0; });
+}
+
 void Dart_complex::count_sides() {
   sides.assign(size(), 0);
   for (std::uint32_t d = 0; d < size(); ++d) {
@@ -52,7 +58,6 @@ void Dart_complex::count_sides() {
 
 // Turns about the source of each dart, from the border on if there is one.
 void Dart_complex::count_degrees(const Gluing_map& mesh) {
-  constexpr std::uint32_t of_pinched_vertex = 0x80000000U;
   degree.assign(size(), 0);
   std::vector<std::uint32_t> fan, number_of_fans(mesh.number_of_vertices(), 0);
   const auto source = [&](std::uint32_t d) {

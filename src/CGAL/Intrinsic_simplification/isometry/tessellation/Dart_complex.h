@@ -16,12 +16,15 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // edges are left out.
 struct Dart_complex {
   static constexpr std::uint32_t none = Gluing::none;
+  static constexpr std::uint32_t of_pinched_vertex = 0x80000000U; // a bit of a degree
 
   // \param is_left_out for each edge, whether the faces beside it belong to one
   // polygon
   Dart_complex(const Gluing_map& mesh, const std::vector<char>& is_left_out);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(next.size()); }
+  // whether fans meet at a vertex and nowhere else
+  bool has_pinched_vertex() const;
 
   std::vector<std::uint32_t> next, previous,
       opposite;                         // opposite: none on the border
