@@ -66,6 +66,7 @@ exactly one of their sources includes this file.
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/overlay_subdivisions.cpp>
 #include <CGAL/Intrinsic_triangulations/correspondence/subdivision/subdivision_edges.cpp>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.cpp>
+#include <CGAL/Intrinsic_triangulations/deciding/Followed_values.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Delaunay_star.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Domain.cpp>
 #include <CGAL/Intrinsic_triangulations/domains/Point_cloud.cpp>

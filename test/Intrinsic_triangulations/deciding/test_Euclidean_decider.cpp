@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/flip_to_delaunay.h>
 #include <CGAL/Intrinsic_triangulations/retriangulation/delaunay/measure_quality.h>
+#include <CGAL/Intrinsic_triangulations/retriangulation/refinement/delaunay_refine.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Mover.h>
 
 #include "gallery.h"
@@ -113,6 +114,50 @@ TEST(Euclidean_decider, take_no_more_than_106_bits_for_weights_in_statistics) {
   for (const auto e : edges(t.mesh()))
     EXPECT_NEAR(rough[i++] / session.cotangent_weight(e), 1, IT::statistics_tolerance);
   EXPECT_GT(long_sharpenings(t.metric().statistics()), 0U);
+}
+
+// Two long sides of a beam, each a fan of needles from one end of the edge between them.
+meshes::Mesh beam(std::uint32_t n) {
+  meshes::Mesh m;
+  for (std::uint32_t i = 0; i <= n; ++i) m.points.push_back({.1 * i, .5, 0});
+  for (std::uint32_t i = 0; i <= n; ++i) m.points.push_back({.1 * i, -.3, .4});
+  const std::uint32_t first = 2 * n + 2, last = first + 1;
+  m.points.insert(m.points.end(), {{0, 0, 0}, {.1 * n, 0, 0}});
+  m.triangles = {{first, last, 0}, {first, n + 1, last}};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    m.triangles.push_back({last, i + 1, i});
+    m.triangles.push_back({last, n + 1 + i, n + 2 + i});
+  }
+  return m;
+}
+
+// Faces cross hundreds of needles, and a third of them have wide intervals after refinement. Against
+// values from the input alone, in 512 bits.
+TEST(Euclidean_decider, unfold_few_faces_over_needles_for_statistics_after_refinement) {
+  Counted t(beam(200).input());
+  IT::flip_to_delaunay(t);
+  IT::delaunay_refine(t, IT::parameters::minimum_angle(25));
+  auto& sharpenings = t.metric().statistics().sharpenings;
+  const auto before = sharpenings[53], known = sharpenings[106];
+  IT::measure_quality(t);
+  EXPECT_LT(sharpenings[53] - before, 50U);
+  EXPECT_GT(sharpenings[106] - known, 200U);
+
+  const Counted::Metric::Scope scope;
+  const IT::Intrinsic_view<Counted> view(t);
+  IT::Diamond_unfolder unfolder;
+  IT::Exact_ladder ladder;
+  for (const auto f : faces(t.mesh())) {
+    const std::uint32_t h = halfedge(f, t.mesh()).index, n = view.next(h);
+    const IT::Indexed_face face{t.index(f), {h / 2, n / 2, view.next(n) / 2}};
+    const IT::Unfolded_faces one{{unfolder.face(view, t.correspondence(), h)}};
+    const auto exact = ladder.enclosures(t.input().metric(), one, 512).front(),
+               stored = t.metric().enclosure(face);
+    EXPECT_TRUE(t.metric().is_narrow(face, IT::statistics_tolerance));
+    EXPECT_TRUE(stored.quadruple_area.do_overlap(exact.quadruple_area));
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_TRUE(stored.squared_lengths[k].do_overlap(exact.squared_lengths[k]));
+  }
 }
 
 // flips edges that can be, at random

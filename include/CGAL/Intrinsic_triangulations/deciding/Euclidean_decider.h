@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Vertex_places.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Exact_memory.h>
 #include <CGAL/Intrinsic_triangulations/deciding/Figure_finder.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Followed_values.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Predicate_statistics.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
@@ -123,7 +124,23 @@ public:
     if (places_.flips() == nullptr) return;
     const std::vector<Indexed_face> all = this->all_faces();
     memory_.values.keep(this->replayed_values(all), true);
-    refine_by_replayed(all);
+    memory_.values.refine(metric(), all);
+  }
+
+  // Lets values in 106 bits follow an insertion that was announced, around needles: see
+  // `Followed_values`.
+  void follow_insertion() const {
+    Followed_values& values = memory_.values;
+    if (!values.follows_insertions() && places_.flips() != nullptr && this->has_long_turns())
+      values.follow_insertions(this->replayed_values(this->all_faces()));
+    if (values.follows_insertions())
+      values.announce(*places_.coordinates(t_), t_.numbers().edge_capacity(t_.mesh()) + 3,
+                      t_.numbers().face_capacity(t_.mesh()) + 2);
+  }
+  // Gives the metric the values that follow insertions, of faces whose stored ones are too wide.
+  void take_followed(double width) const {
+    if (memory_.values.follows_insertions())
+      metric().statistics().sharpenings[106] += memory_.values.refine(metric(), wide_faces(width));
   }
 
 private:
@@ -180,17 +197,11 @@ private:
       metric().statistics().sharpenings[bits] += wide.size();
     };
     if (are_narrow()) return;
-    bool are_known = std::all_of(wide.begin(), wide.end(), [this](const Indexed_face& f) {
-      return memory_.values.of(f) != nullptr;
-    });
-    if (!are_known && repeats_flips(wide)) {
-      memory_.values.keep(this->replayed_values(wide), false);
-      are_known = true;
-    }
-    if (are_known) {
-      count(106);
-      refine_by_replayed(wide);
-    }
+    Followed_values& values = memory_.values;
+    if (!values.is_following() && !values.are_known(wide) && repeats_flips(wide))
+      values.keep(this->replayed_values(wide), false);
+    if (!values.follows_insertions() && values.are_known(wide))
+      metric().statistics().sharpenings[106] += values.refine(metric(), wide);
     narrow_enclosures(53, most_bits, [&](unsigned bits) {
       if (are_narrow()) return true;
       const bool is_unfolded = this->can_unfold(wide, triangles_per_long_flip);
@@ -202,15 +213,6 @@ private:
         repeat_flips(wide, bits, refine);
       return false;
     });
-  }
-
-  // by the values in 106 bits; all must be there
-  void refine_by_replayed(const std::vector<Indexed_face>& faces) const {
-    for (const Indexed_face& f : faces) {
-      const Replayed_values<Short_ball>& values = *memory_.values.of(f);
-      for (const std::uint32_t e : f.edges) metric().refine_length(e, values.length(e).interval());
-      metric().refine_area(f.face, values.area(f.face).interval());
-    }
   }
 
   // whether to compute values of faces from flips that are repeated, all at once
@@ -236,10 +238,10 @@ private:
     memory_.are_sharp = true;
     count_pass();
   }
-  std::vector<Indexed_face> wide_faces() const {
+  std::vector<Indexed_face> wide_faces(double width = Enclosed_values::narrow) const {
     std::vector<Indexed_face> result;
     for (const auto f : faces(t_.mesh()))
-      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face))
+      if (const Indexed_face face = indexed_face(t_, f); !metric().is_narrow(face, width))
         result.push_back(face);
     return result;
   }
@@ -249,14 +251,12 @@ private:
   // intervals, which are usually asked for next, but leaves the stored ones: weights must not
   // depend on the order in which they are asked for.
   void find_values() const {
-    if (memory_.values.is_following()) { // a query must not end that
-      memory_.are_found = true;
-      return;
-    }
+    memory_.are_found = true;
+    if (memory_.values.follows_flips()) return; // a query must not end that
     const std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();
-    memory_.are_found = true;
     count_pass();
+    if (memory_.values.is_following()) return;
     std::vector<Indexed_face> faces;
     faces.reserve(2 * diamonds.size());
     for (const Diamond& d : diamonds)

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Diamond_unfolder.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/No_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/deciding/Followed_values.h>
 #include <CGAL/Intrinsic_triangulations/exact/Exact_ladder.h>
 #include <CGAL/Intrinsic_triangulations/exact/Input_face_intervals.h>
 #include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
@@ -22,12 +23,14 @@
 #include <CGAL/Intrinsic_triangulations/exact/unfolding/figures.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Diamond.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Face_values.h>
+#include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -156,64 +159,6 @@ private:
   std::size_t steps_ = 0;
 };
 
-// Values in 106 bits, found by repeating flips. Queries make them until the next move, see
-// `Euclidean_decider`. Once edges were flipped more than once on average, they follow: else further
-// flips would make the stored intervals wider and wider. The 240,000 edges of a sheared torus flip
-// eight times each: flips took 365 ms instead of 151, but the Laplacian, areas and lengths after
-// them 26 instead of 600.
-class Followed_values {
-public:
-  // The values; null if there are none, or not of the faces.
-  const Replayed_values<Short_ball>* of(const Diamond& d) const {
-    return values_ && values_->knows(d.f) && values_->knows(d.g) ? &*values_ : nullptr;
-  }
-  const Replayed_values<Short_ball>* of(const Indexed_face& f) const {
-    return values_ && values_->knows(f.face) ? &*values_ : nullptr;
-  }
-
-  void keep(Replayed_values<Short_ball> values, bool follow) {
-    values_ = std::move(values);
-    is_following_ = follow;
-  }
-  bool is_following() const { return is_following_; }
-
-  // Tells whether to follow flips from now on: the next time after twice as many, since flips that
-  // are taken back end it.
-  bool is_time_to_follow(std::size_t edges) {
-    if (flips_ < enough_flips_) return false;
-    enough_flips_ = std::max(2 * flips_, edges);
-    return flips_ >= edges && !is_following_;
-  }
-
-  // follows a flip, and gives the metric the new values
-  template <class Metric>
-  void flip(const Metric& metric, const Flip& move) noexcept {
-    if (!move.is_taken_back()) {
-      ++flips_;
-    } else {
-      flips_ -= std::min<std::size_t>(flips_, 1);
-      is_following_ = false;
-    }
-    if (!is_following_) return values_.reset();
-    const Diamond& d = move.diamond;
-    values_->store(d, flipped(values_->values(d), 4 * Double_double::rounding()));
-    metric.refine_length(d.ij, values_->length(d.ij).interval());
-    metric.refine_area(d.f, values_->area(d.f).interval());
-    metric.refine_area(d.g, values_->area(d.g).interval());
-  }
-  // any other move
-  void forget() noexcept {
-    is_following_ = false;
-    values_.reset();
-  }
-
-private:
-  std::optional<Replayed_values<Short_ball>> values_;
-  bool is_following_ = false;
-  std::size_t flips_ = 0; // less those taken back
-  std::size_t enough_flips_ = 0;
-};
-
 // The memory of a decider, flat parts included; a copy starts anew where possible.
 struct Exact_memory : No_correspondence {
   Exact_ladder ladder;
@@ -241,6 +186,14 @@ struct Exact_memory : No_correspondence {
     if constexpr (requires { t.decider().follow_flips(); })
       if (values.is_time_to_follow(num_edges(t.mesh()))) t.decider().follow_flips();
   }
+  template <class Triangulation>
+  void make_room(const Triangulation& t, const Insertion_in_face&) {
+    if constexpr (requires { t.decider().follow_flips(); }) t.decider().follow_insertion();
+  }
+  template <class Triangulation>
+  void make_room(const Triangulation& t, const Insertion_on_border&) {
+    if constexpr (requires { t.decider().follow_flips(); }) t.decider().follow_insertion();
+  }
   template <class Triangulation, class Move>
   void make_room(const Triangulation&, const Move&) {}
   template <class Triangulation>
@@ -250,18 +203,33 @@ struct Exact_memory : No_correspondence {
     if (flat_parts) flat_parts->flip(move.diamond.f, move.diamond.g);
   }
   template <class Triangulation>
-  void after(const Triangulation&, const Star_of_vertex& move) noexcept {
+  void after(const Triangulation&, const Insertion_in_face& move) noexcept {
     forget();
-    values.forget();
-    if (flat_parts)
-      for (const std::uint32_t f : move.faces) flat_parts->change(f);
+    values.insert(move.edges_and_faces());
+    forget_flat(move.faces);
   }
   template <class Triangulation>
-  void after(const Triangulation&, const Star_on_border& move) noexcept {
+  void after(const Triangulation&, const Removal_from_face& move) noexcept {
     forget();
-    values.forget();
+    values.remove(move.edges_and_faces());
+    forget_flat(move.faces);
+  }
+  template <class Triangulation>
+  void after(const Triangulation&, const Insertion_on_border& move) noexcept {
+    forget();
+    values.insert(move.edges_and_faces());
+    forget_flat(std::array{move.f, move.g});
+  }
+  template <class Triangulation>
+  void after(const Triangulation&, const Removal_from_border& move) noexcept {
+    forget();
+    values.remove(move.edges_and_faces());
+    forget_flat(std::array{move.f, move.g});
+  }
+  template <class Faces>
+  void forget_flat(const Faces& faces) noexcept {
     if (flat_parts)
-      for (const std::uint32_t f : {move.f, move.g}) flat_parts->change(f);
+      for (const std::uint32_t f : faces) flat_parts->change(f);
   }
   void forget() {
     are_sharp = are_found = false;

@@ -24,6 +24,7 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -138,13 +139,22 @@ protected:
     return result;
   }
 
-  // Intervals that contain the values of a face, in 53 or 106 bits, by turns about input vertices:
-  // after insertions, where it crosses so many triangles that turns are usually long.
-  std::optional<Face_values<FT>> turned_values(const Indexed_face& f, unsigned bits) const {
+  // whether a face crosses so many triangles that turns are usually long
+  bool is_crossed_often(const Indexed_face& f) const {
     constexpr std::size_t many = 256;
-    if (bits > 106 || places_.flips() != nullptr ||
-        number_of_crossings(*places_.coordinates(t_), f) < many)
-      return std::nullopt;
+    return number_of_crossings(*places_.coordinates(t_), f) >= many;
+  }
+
+  bool has_long_turns() const {
+    const std::vector<Indexed_face> all = all_faces();
+    return std::any_of(all.begin(), all.end(),
+                       [this](const Indexed_face& f) { return is_crossed_often(f); });
+  }
+
+  // Intervals that contain the values of a face, in 53 or 106 bits, by turns about input vertices:
+  // after insertions, where turns are long.
+  std::optional<Face_values<FT>> turned_values(const Indexed_face& f, unsigned bits) const {
+    if (bits > 106 || places_.flips() != nullptr || !is_crossed_often(f)) return std::nullopt;
     const Integer_coordinates& c = coordinates();
     const Face_values<FT> result =
         memory_.turned_faces.values(view_, c, view_.halfedge(f.face, f.edges[0], f.edges[1]), bits);

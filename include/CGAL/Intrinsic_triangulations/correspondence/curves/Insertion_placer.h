@@ -132,6 +132,9 @@ public:
   /// exact.
   const Vertex_move_values<FT>& values() const { return values_; }
 
+  /// returns these values in 106 bits. \pre the face has not changed
+  Vertex_move_values<Short_ball> short_values(const Input& input);
+
   /// returns the corner of the face with the most accurate direction from the last place, for such
   /// a metric; nothing if intervals are too wide to give a direction.
   /// \pre rounding is upwards, and the face has not changed
@@ -217,6 +220,7 @@ private:
                   bool along_side) {
     const Protect_FPU_rounding<true> upwards(CGAL_FE_UPWARD);
     place_ = place;
+    is_along_side_ = along_side;
     values_ = face_.values(place);
     if (along_side) values_.quadruple_areas[0] = FT(0);
     narrow_enclosures(106, 1024, [&](unsigned bits) {
@@ -270,6 +274,7 @@ private:
   std::map<unsigned, Numbers<Mpfr_number>> long_; // by precision
   Vertex_move_values<FT> values_;
   Place_in_face place_; // that they belong to
+  bool is_along_side_ = false;
 };
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/exact/numbers/Ball.h>
 #include <CGAL/Intrinsic_triangulations/formulas/Vertex_star.h>
 #include <CGAL/Intrinsic_triangulations/input/Input.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Moves.h>
@@ -202,6 +203,11 @@ public:
   /// returns the values at the vertex whose insertion was announced last, in a face or on the
   /// border: see `Unfolded_face::values()`. \pre the metric is defined by places
   const Vertex_move_values<Interval_nt<false>>& inserted_values() const { return placer_.values(); }
+
+  /// returns these values in 106 bits. \pre the insertion was not made yet
+  Vertex_move_values<Short_ball> inserted_short_values() const {
+    return placer_.short_values(*input_);
+  }
 
   /// returns the place of that vertex.
   const Surface_point& inserted_place() const { return insertion_.location; }

@@ -16,6 +16,7 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -61,6 +62,30 @@ public:
     lengths_.resize(mesh.number_of_edges());
     areas_.resize(mesh.number_of_faces());
   }
+
+  /// makes room for values of so many edges and faces. \pre they lie in their order
+  void make_room(std::uint32_t edges, std::uint32_t faces) {
+    if (edges > length_place_.size()) { // grows last, if memory is not exhausted
+      lengths_.resize(edges);
+      length_place_.resize(edges, 0);
+    }
+    if (faces > area_place_.size()) {
+      areas_.resize(faces);
+      area_place_.resize(faces, 0);
+    }
+  }
+  /// tells whether all values are accurate, see `Ball::is_narrow()`. \pre it knows all faces, and
+  /// they lie in their order
+  bool are_narrow(double error) const requires requires(const FT& x) { x.is_narrow(error); }
+  {
+    const auto is_narrow = [error](const FT& x) { return x.is_narrow(error); };
+    return std::all_of(lengths_.begin(), lengths_.end(), is_narrow) &&
+           std::all_of(areas_.begin(), areas_.end(), is_narrow);
+  }
+  /// stores the squared length of an edge. \pre values lie in their order, and there is room
+  void set_length(std::uint32_t e, const FT& value) { add(e, length_place_, lengths_, value); }
+  /// stores the quadruple area of a face, whose lengths it knows. \pre see above
+  void set_area(std::uint32_t f, const FT& value) { add(f, area_place_, areas_, value); }
 
   /// tells whether it knows a face.
   bool knows(std::uint32_t f) const { return area_place_[f] != 0; }

@@ -124,6 +124,8 @@ template <class Triangulation>
 double sharpen_for_statistics(const Triangulation& t) {
   const double width = relative_width(t);
   if (width <= statistics_tolerance) return width;
+  if constexpr (requires { t.decider().take_followed(statistics_tolerance); })
+    t.decider().take_followed(statistics_tolerance);
   for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
     accurate_values(t, f, statistics_tolerance);
   return relative_width(t);

@@ -63,6 +63,15 @@ Unfolded_face<Insertion_placer::FT>::Values Insertion_placer::values_of(const In
   return internal::values_from(input, intervals_.of(input.metric()));
 }
 
+Vertex_move_values<Short_ball> Insertion_placer::short_values(const Input& input) {
+  Vertex_move_values<Short_ball> result = internal::to_nearest([&] {
+    unfold(short_, input);
+    return short_.face.values(place_);
+  });
+  if (is_along_side_) result.quadruple_areas[0] = 0.;
+  return result;
+}
+
 template <class Center>
 void Insertion_placer::unfold(Numbers<Center>& numbers, const Input& input) {
   if (numbers.is_unfolded) return;
