@@ -24,20 +24,21 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-using FT = Interval_nt<false>;
-
 // whether an interval is wider than users allow
-bool is_wide(const FT& x) { return !(x.sup() - x.inf() <= Enclosed_values::narrow * x.sup()); }
+bool is_too_wide(const Interval_nt<false>& x) {
+  return !(x.sup() - x.inf() <= Enclosed_values::narrow * x.sup());
+}
 
-Short_ball ball_around(const FT& x) {
+// \pre rounding is upwards
+Short_ball ball_around(const Interval_nt<false>& x) {
   const double center = x.inf() / 2 + x.sup() / 2;
   return Short_ball::around(center, std::max(x.sup() - center, center - x.inf()));
 }
 
-Vertex_move_values<Short_ball> inserted_values(const Integer_coordinates& c) {
+Vertex_move_values<Short_ball> short_values_at_vertex(const Integer_coordinates& c) {
   const auto& [lengths, areas] = c.inserted_values();
-  if (std::any_of(lengths.begin(), lengths.end(), is_wide) ||
-      std::any_of(areas.begin(), areas.end(), is_wide))
+  if (std::any_of(lengths.begin(), lengths.end(), is_too_wide) ||
+      std::any_of(areas.begin(), areas.end(), is_too_wide))
     return c.inserted_short_values();
   Vertex_move_values<Short_ball> result;
   std::transform(lengths.begin(), lengths.end(), result.squared_lengths.begin(), ball_around);
@@ -73,7 +74,7 @@ void Followed_values::follow_insertions(Replayed_values<Short_ball> values) {
 void Followed_values::announce(const Integer_coordinates& coordinates, std::uint32_t edges,
                                std::uint32_t faces) {
   values_->make_room(edges, faces);
-  inserted_ = inserted_values(coordinates);
+  inserted_ = short_values_at_vertex(coordinates);
 }
 
 // Errors of `flipped()` are those of any rounding: a change of rounding takes longer.

@@ -65,11 +65,11 @@ public:
 
   /// makes room for values of so many edges and faces. \pre they lie in their order
   void make_room(std::uint32_t edges, std::uint32_t faces) {
-    if (edges > lengths_.size()) {
+    if (edges > length_place_.size()) { // grows last, if memory is not exhausted
       lengths_.resize(edges);
       length_place_.resize(edges, 0);
     }
-    if (faces > areas_.size()) {
+    if (faces > area_place_.size()) {
       areas_.resize(faces);
       area_place_.resize(faces, 0);
     }
