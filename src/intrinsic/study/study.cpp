@@ -11,8 +11,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iostream>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace program {
 
@@ -47,6 +50,19 @@ std::vector<Study_job> missing_jobs(const Study_options& study, const std::vecto
   return jobs;
 }
 
+// Says how all runs of the file have ended, the last one of each mesh and arithmetic.
+void print_answer(const std::vector<Json>& lines, std::size_t added, const std::string& path) {
+  std::map<Key, std::string> last;
+  for (const Json& line : lines) last[key_of(line)] = line["status"].get<std::string>();
+  std::map<std::string, std::size_t> count;
+  for (const auto& [key, status] : last) ++count[status];
+  std::cout << "results         " << last.size() << ", " << added << " of them new";
+  for (const auto& [status, n] : count)
+    std::cout << (status == count.begin()->first ? ": " : ", ") << n << ' ' << status;
+  std::cout << "\nwritten         " << path
+            << ": a line for each mesh and arithmetic; workflow/study/report.py makes a page\n";
+}
+
 } // namespace
 
 void run_study(const Study_options& study) {
@@ -55,14 +71,18 @@ void run_study(const Study_options& study) {
   if (std::filesystem::exists(study.output)) lines = read_study_lines(study.output, complete);
   const std::vector<Study_job> jobs = missing_jobs(study, lines);
   Study_file file(study.output, complete);
-  Progress progress(false, false);
-  std::size_t done = 0;
-  run_study_jobs(jobs, study.jobs, study.limits, [&](const Json& findings) {
-    file.append(study_line(findings));
-    progress.show("studying", std::to_string(++done) + " of " + std::to_string(jobs.size()) + ", " +
-                                  findings["mesh"].get<std::string>() + ' ' +
-                                  findings["arithmetic"].get<std::string>());
-  });
+  {
+    Progress progress(false, false);
+    std::size_t done = 0;
+    run_study_jobs(jobs, study.jobs, study.limits, [&](const Json& findings) {
+      file.append(study_line(findings));
+      lines.push_back(findings);
+      progress.show("studying", std::to_string(++done) + " of " + std::to_string(jobs.size()) +
+                                    ", " + findings["mesh"].get<std::string>() + ' ' +
+                                    findings["arithmetic"].get<std::string>());
+    });
+  }
+  print_answer(lines, jobs.size(), study.output);
 }
 
 } // namespace program
