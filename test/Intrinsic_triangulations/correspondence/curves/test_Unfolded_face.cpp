@@ -420,7 +420,8 @@ TEST(Development, strips_are_what_single_steps_add) {
     const Exact<IT::Integer_coordinates> t(subdivision_oracle::input(m));
     const IT::Input& input = t.input();
     for (int round = 0; round < 300; ++round) {
-      std::uint32_t h = input.halfedge_of_face(random() % input.number_of_faces());
+      std::uint32_t h =
+          input.halfedge_of_face(static_cast<std::uint32_t>(random() % input.number_of_faces()));
       IT::Development<> steps, strip;
       for (auto* d : {&steps, &strip}) d->start(h);
       std::vector<std::uint32_t> entered;
