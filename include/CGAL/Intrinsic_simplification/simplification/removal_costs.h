@@ -28,11 +28,13 @@
 Which vertices `simplify()` removes first: those whose removal costs least.
 */
 
-/// refuses what is no cost, or has another result.
+/// \cond
+// refuses what is no cost, or has another result
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_COST(function)                                        \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
       "the cost of " #function "() is a functor that takes a Removal_candidate and returns a "     \
       "number, such as [](const Removal_candidate& c) { return c.area; }")
+/// \endcond
 
 namespace CGAL::Intrinsic_triangulations {
 
