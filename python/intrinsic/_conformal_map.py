@@ -97,6 +97,8 @@ class ConformalMap(_Shown):
 
     if not TYPE_CHECKING:  # for which unknown names are errors
         def __getattr__(self, name):
+            if name in dir(type(self)):  # a property of a subclass has raised: raise its error
+                return object.__getattribute__(self, name)
             if name.startswith("_"):  # which pickle and copy look for before there is anything
                 raise AttributeError(name)
             if name == "uv":

@@ -114,12 +114,28 @@ class Curves(_Shown, list[Curve]):
         return self._like(found) if isinstance(i, slice) else found
 
     def __add__(self, other):
-        return self._like([*self, *other])
+        return self._joined(other, lambda: [*self, *other])
 
-    def _like(self, curves):
-        """Returns some curves as `Curves` of the same surface."""
+    def __radd__(self, other):
+        return self._joined(other, lambda: [*other, *self])
+
+    def _joined(self, other, join):
+        """Returns the curves of two lists, as `Curves` unless their surfaces differ."""
+        if not isinstance(other, list) or not all(isinstance(c, Curve) for c in other):
+            return NotImplemented
+        curves = join()
+        surfaces = {id(x): x for x in (self._surface, getattr(other, "_surface", None),
+                                       *(c._surface for c in curves)) if x is not None}
+        return curves if len(surfaces) > 1 else self._like(curves, *surfaces.values())
+
+    def copy(self) -> Curves:
+        """Returns another list of the same curves."""
+        return self._like(self)
+
+    def _like(self, curves, surface=None):
+        """Returns some curves as `Curves` of the same surface, or of another one."""
         result = Curves(curves)
-        result._of = self._surface
+        result._of = surface or self._surface
         return result
 
     def _add_to_page(self, contents):

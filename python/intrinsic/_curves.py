@@ -112,11 +112,11 @@ class _Curves:
         is_shortest = _is_shortest(method)
         options = (is_shortest, _arrays.flag(waypoints, "waypoints"),
                    _arrays.flag(certify, "certify"), keeps_edges)
-        # The shortest path of two points is the same on each triangulation, and found sooner on the
+        # The shortest path of two points is as short on each triangulation, and found sooner on the
         # Delaunay one.
         are_shortest = is_shortest and not keeps_edges and all(
             not is_loop and len(places[0]) == 2 for places, is_loop in curves)
-        return _core.curves(self._flipped(are_shortest), curves, *options, progress)
+        return _core.curves(self._flipped(are_shortest, progress), curves, *options, progress)
 
     def trace(self, p: Place, direction: complex | ArrayLike, length: float) -> Curve:
         """Returns the geodesic from a point in a direction as a `Curve`: the exponential map.

@@ -72,15 +72,15 @@ class Operators(NamedTuple):
         """Reads what `save()` has written."""
         from scipy.sparse import csc_matrix
 
-        with _loaded(path) as file:
-            matrices = {
-                name: csc_matrix(tuple(file[f"{key}_{part}"]
-                                       for part in ("data", "indices", "indptr")),
-                                 shape=file[f"{key}_shape"]).tocsr()
-                for key, name in _MATRICES.items()}
-            return cls(points=file["verts"], faces=file["faces"], mass=file["mass"],
-                       eigenvalues=file["evals"], eigenfunctions=file["evecs"],
-                       frames=file["frames"], **matrices)
+        arrays = _loaded(path)
+        matrices = {
+            name: csc_matrix(tuple(arrays[f"{key}_{part}"]
+                                   for part in ("data", "indices", "indptr")),
+                             shape=arrays[f"{key}_shape"]).tocsr()
+            for key, name in _MATRICES.items()}
+        return cls(points=arrays["verts"], faces=arrays["faces"], mass=arrays["mass"],
+                   eigenvalues=arrays["evals"], eigenfunctions=arrays["evecs"],
+                   frames=arrays["frames"], **matrices)
 
     def __repr__(self) -> str:
         return f"<intrinsic.Operators: {len(self.mass)} vertices, " \
@@ -89,16 +89,24 @@ class Operators(NamedTuple):
 
 def _loaded(path):
     """Returns the arrays of a file, which has those of operators."""
+    import zlib
+    from tokenize import TokenError  # of headers of arrays
+    from zipfile import BadZipFile
+
     name = os.fsdecode(_arrays.file_name(path))
+    damaged = "the file is damaged; delete it, and save the operators again"
+    wrong = "the file has no operators; name one that Operators.save() has written"
     try:
-        file = np.load(path)
-        if "L_data" in file and "evals" in file:
-            return file
-        file.close()
-    except (ValueError, TypeError, AttributeError):  # no file of arrays, or a single one
+        with open(name, "rb") as stream:
+            file = np.load(stream)
+            if isinstance(file, np.lib.npyio.NpzFile) and "L_data" in file and "evals" in file:
+                wrong = damaged  # if they cannot be read
+                return {key: file[key] for key in file}
+    except (BadZipFile, EOFError, RuntimeError, TokenError, zlib.error):
+        wrong = damaged
+    except ValueError:  # no file of arrays, or damaged
         pass
-    raise ValueError(f"{name}: the file has no operators; name one that Operators.save() has "
-                     "written")
+    raise ValueError(f"{name}: {wrong}")
 
 
 def _frames(core, neighbors):

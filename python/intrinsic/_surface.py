@@ -106,6 +106,8 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
 
     if not TYPE_CHECKING:  # for which unknown names are errors
         def __getattr__(self, name):
+            if name in dir(type(self)):  # a property of a subclass has raised: raise its error
+                return object.__getattribute__(self, name)
             if name.startswith("_"):  # which copy and notebooks look for
                 raise AttributeError(name)
             names = [n for n in (*dir(type(self)), *vars(self)) if not n.startswith("_")]
@@ -119,7 +121,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         surface._set(core)
         return surface
 
-    def _flipped(self, flip=True):
+    def _flipped(self, flip=True, progress=None):
         """Returns the object of _core that is Delaunay: this one, or one that it keeps; without
         `flip` this one as it is."""
         if not _arrays.flag(flip, "flip") or self._core.is_flipped:
@@ -127,7 +129,7 @@ class Surface(_Distances, _Curves, _Fields, _Maps, _Transfers, _Learning, _Simpl
         self._core.expect_free()  # else another thread may hold the lock, and wait for this one
         with self._lock:
             if self._delaunay is None:
-                self._delaunay = _core.delaunay(self._core, None, None, None)
+                self._delaunay = _core.delaunay(self._core, None, None, progress)
             return self._delaunay
 
     # ---- Better triangulations ------------------------------------------------------------------

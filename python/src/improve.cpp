@@ -93,23 +93,11 @@ auto naming_spoilt(const Surface& s, const Function& function) {
   }
 }
 
-// Whether no edge was flipped, and no vertex inserted.
-template <class T>
-bool has_faces_of_input(const T& t) {
-  const IT::Gluing_map &mesh = t.mesh(), &before = t.input().mesh();
-  const std::uint32_t n = mesh.number_of_halfedges();
-  if (n != before.number_of_halfedges()) return false;
-  for (IT::Gluing_map::Halfedge h{0}; h.index < n; ++h.index)
-    if (mesh.next(h) != before.next(h) || mesh.target(h) != before.target(h)) return false;
-  return true;
-}
-
 template <class T>
 const Improved& improve(Surface& s, T& t, const IT::Improve_options& options,
                         const std::vector<char>& marks, Watch& watch) {
   return s.cached<Improved>("improvement", [&] {
     IT::Improve_options watched = options;
-    watched.measures_before = !has_faces_of_input(t); // else when statistics are asked for
     watched.progress = [&watch](IT::Improve_step step, std::uint64_t count) {
       static constexpr std::array stages{"flipping to Delaunay", "refining", "moving vertices",
                                          "refining adaptively"};
@@ -127,19 +115,6 @@ const Improved& improve(Surface& s, T& t, const IT::Improve_options& options,
   });
 }
 
-// The quality of the Delaunay triangulation from which refinement began: of the faces of the input.
-template <class T>
-IT::Quality quality_before(const T& t, const std::vector<char>& marks, Watch& watch) {
-  const IT::Input& input = t.input();
-  T before(IT::Gluing_map(input.mesh()), typename T::Metric(input.mesh(), input.metric()),
-           t.shared_input());
-  const auto kept = IT::labelled_input_edges(before, marks);
-  IT::Improve_options flips;
-  flips.progress = [&watch](IT::Improve_step, std::uint64_t) { return watch("verifying"); };
-  IT::improve(before, flips, kept);
-  return IT::measure(before, kept, {}).quality;
-}
-
 // What the program reports of a triangulation, which was improved or is as it was read. The lock is
 // held.
 template <class T>
@@ -148,10 +123,8 @@ const IT::Report& statistics(Surface& s, T& t, Watch& watch) {
     IT::Improve_options as_it_is;
     as_it_is.flips = false;
     const Improved& done = improve(s, t, as_it_is, {}, watch);
-    watch("verifying");
+    watch.begin("verifying");
     IT::Improved_surface found = done.surface;
-    if (auto& refined = found.done.refined; refined && !refined->quality_before)
-      refined->quality_before = quality_before(t, done.marks, watch);
     naming_spoilt(s, [&] {
       IT::measure_improved(t, points_in_space(s), IT::labelled_input_edges(t, done.marks), false,
                            found);

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -30,7 +31,10 @@ std::size_t number_of_vertices(Surface& s) {
 }
 
 std::size_t number_of_faces(Surface& s) {
-  return with_triangulation(s, [](auto& t) -> std::size_t { return num_faces(t.mesh()); });
+  return with_triangulation(s, [](auto& t) -> std::size_t {
+    const auto all = faces(t.mesh()); // `num_faces()` is of numbers, also of faces that are gone
+    return static_cast<std::size_t>(std::distance(all.begin(), all.end()));
+  });
 }
 
 std::size_t number_of_input_vertices(Surface& s) {

@@ -36,6 +36,10 @@ def read(x, path):
     return it.read(path)
 
 
+def lengths_of_copy(x):
+    return [x.s.isolines(m.function(x), [0.1, 0.35]).copy().length / x.scale]
+
+
 def length_of_network(x):
     found = x.s.network([m.spots(x, 0, 1, 2)])
     return [found.length / x.scale, found.lengths / x.scale]
@@ -141,6 +145,7 @@ TABLE = {
     "Curves": [intrinsic(m.isolines)],
     "Curves.length": [intrinsic(m.lengths_of_lines)],
     "Curves.lengths": [intrinsic(m.lengths_of_lines)],
+    "Curves.copy": [intrinsic(lengths_of_copy)],
     "Surface.isolines": [intrinsic(m.isolines)],
     "Surface.cut": [intrinsic(m.cut_along_lines, on=ORIENTED),
                     intrinsic(m.cut_along_path, on=ORIENTED),

@@ -296,6 +296,26 @@ class Isolines(Shapes):
             self.assertAlmostEqual(line.length, 1, 14)
             self.check(s, V, line)
 
+    def test_sums_and_copies_of_lines_are_lines_of_the_same_surface(self):
+        V, F = unit_grid(4)
+        s, other = it.Surface(V, F), it.Surface(2 * V, F)
+        lines, foreign = s.isolines(V[:, 0], [0.3, 0.6]), other.isolines(V[:, 0], [0.3])
+        none = s.isolines(V[:, 0], [2])
+        for found, expected in (([] + lines, list(lines)), (lines.copy(), list(lines)),
+                                (none.copy(), []), (it.Curves() + none, []),
+                                ([lines[1]] + lines, [lines[1], *lines]),
+                                (lines + [s.path(0, 5)][:0], list(lines)),
+                                (sum([lines, lines], []), [*lines, *lines])):
+            self.assertIsInstance(found, it.Curves)
+            self.assertEqual(list(found), expected)
+            self.assertIn("<html", found.html())
+        self.assertIsNot(lines.copy(), lines)
+        for mixed in lines + foreign, list(foreign) + lines, lines + [foreign[0]], none + foreign:
+            self.assertIs(type(mixed), list)
+        for x in (1,), ["x"], "", 3, None, iter(lines):
+            with self.assertRaisesRegex(TypeError, "unsupported operand"):
+                lines + x
+
     def test_levels_lie_evenly_between_finite_values(self):
         V, F = unit_grid(4)
         u = V[:, 1].copy()

@@ -4,6 +4,7 @@
 
 import os
 import unittest
+import warnings
 from unittest import mock
 
 import numpy as np
@@ -100,6 +101,32 @@ class Set_of_operators(With_folder):
                 it.Operators.load(path)
         with self.assertRaisesRegex(ValueError, r"Operators.load\(\)"):
             it.read(self.folder / "other.npz")
+
+    def test_single_arrays_are_refused_without_a_warning(self):
+        np.save(self.folder / "one.npy", np.zeros(3))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with self.assertRaisesRegex(ValueError, r"one\.npy: the file has no operators"):
+                it.Operators.load(self.folder / "one.npy")
+
+    def test_damaged_files_are_named(self):
+        path = self.folder / "damaged.npz"
+        operators = it.Surface(*bumpy()).operators(k=3)
+        operators.save(path)
+        whole = path.read_bytes()
+        it.Operators.load(path)
+
+        def changed_at(i):
+            return whole[:i] + bytes([whole[i] ^ 1]) + whole[i + 1:]
+
+        numbers, header = whole.index(operators.mass.tobytes()), whole.index(b"NUMPY")
+        for damaged in whole[:len(whole) // 2], changed_at(numbers), changed_at(header):
+            path.write_bytes(damaged)
+            with self.assertRaisesRegex(ValueError, r"damaged\.npz: the file is damaged; delete"):
+                it.Operators.load(path)
+        path.write_bytes(b"")  # of which NumPy says different things
+        with self.assertRaisesRegex(ValueError, r"damaged\.npz: the file"):
+            it.Operators.load(path)
 
     def test_what_has_no_gradients_is_refused(self):
         V, F = unit_grid(2)

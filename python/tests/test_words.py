@@ -57,6 +57,23 @@ class Names(unittest.TestCase):
         with self.assertRaisesRegex(AttributeError, "CoarseSurface has no keptt; .*kept"):
             it.Surface(*bumpy(6)).simplify(9).keptt
 
+    def test_errors_in_properties_of_a_subclass_are_not_masked(self):
+        class Named(it.Surface):
+            @property
+            def label(self):
+                return self.points.no_such_name
+
+            @property
+            def _hidden(self):
+                return self.points.no_such_name
+
+        s = Named(*TETRAHEDRON)
+        for name in "label", "_hidden":
+            with self.assertRaisesRegex(AttributeError, "ndarray.*no_such_name"):
+                getattr(s, name)
+        with self.assertRaisesRegex(AttributeError, "a Named has no lable; did you mean label"):
+            s.lable
+
     def test_what_is_no_list_of_points_or_faces_has_a_remedy(self):
         V, F = grid(3)
         s = it.Surface(V, F)

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <new>
 #include <string>
 #include <vector>
@@ -61,25 +63,68 @@ std::string without_dashes(const std::string& name) {
   return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-// What was meant by the name of an option: the nearest one, or one whose help has the word.
+// The option or argument here for which other programs have a certain name; empty if there is none.
+std::string own_name_of(const std::string& word) {
+  static const std::map<std::string, std::string> own_names = {
+      {"output", "-o"}, {"out", "-o"},       {"write", "-o"}, {"save", "-o"},
+      {"file", "-o"},   {"json", "--stats"}, {"mesh", "IN"}};
+  const auto own = own_names.find(word);
+  return own == own_names.end() ? "" : own->second;
+}
+
+// The option of a name; null if there is none.
+const program::Described_option*
+option_of_name(const std::string& name, const std::vector<program::Described_option>& options) {
+  for (const program::Described_option& option : options)
+    if (std::ranges::count(option.names, name) > 0) return &option;
+  return nullptr;
+}
+
+// Whether a text has a word that is not part of a longer one, or of the name of an option.
+bool has_whole_word(const std::string& text, const std::string& word) {
+  const auto is_within = [&](std::size_t i) {
+    return i < text.size() &&
+           (text[i] == '-' || std::isalnum(static_cast<unsigned char>(text[i])) != 0);
+  };
+  for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1))
+    if ((i == 0 || !is_within(i - 1)) && !is_within(i + word.size())) return true;
+  return false;
+}
+
+// The only option whose help has a word; null if there are none or several.
+const program::Described_option*
+option_with_help(const std::string& word, const std::vector<program::Described_option>& options) {
+  constexpr std::size_t longer_than_articles = 4;
+  if (word.size() < longer_than_articles) return nullptr;
+  const program::Described_option* found = nullptr;
+  for (const program::Described_option& option : options) {
+    if (option.is_positional || !has_whole_word(CLI::detail::to_lower(option.help), word)) continue;
+    if (found != nullptr) return nullptr;
+    found = &option;
+  }
+  return found;
+}
+
+// What was meant by the name of an option: what other programs mean by it, or the nearest one, or
+// the only one whose help has the word.
 std::string meant_by(const std::string& name,
                      const std::vector<program::Described_option>& options) {
-  std::vector<std::string> names, words;
-  for (const program::Described_option& option : options)
-    for (const std::string& n : option.names) {
-      names.push_back(n);
-      words.push_back(without_dashes(n));
-    }
-  const std::string word = without_dashes(name);
-  const std::string nearest = program::nearest_word(word, words);
-  if (!nearest.empty())
-    return names[static_cast<std::size_t>(std::ranges::find(words, nearest) - words.begin())];
-  constexpr std::size_t longer_than_articles = 4;
-  for (const program::Described_option& option : options)
-    if (word.size() >= longer_than_articles &&
-        CLI::detail::to_lower(option.help).find(CLI::detail::to_lower(word)) != std::string::npos)
-      return option.names.front() + ": " + option.help;
-  return {};
+  const std::string word = CLI::detail::to_lower(without_dashes(name));
+  const std::string own_name = own_name_of(word);
+  if (own_name.empty()) {
+    std::vector<std::string> names, words;
+    for (const program::Described_option& option : options)
+      for (const std::string& n : option.names) {
+        names.push_back(n);
+        words.push_back(without_dashes(n));
+      }
+    const std::string nearest = program::nearest_word(word, words);
+    if (!nearest.empty())
+      return names[static_cast<std::size_t>(std::ranges::find(words, nearest) - words.begin())];
+  }
+  const program::Described_option* const meant =
+      own_name.empty() ? option_with_help(word, options) : option_of_name(own_name, options);
+  return meant == nullptr ? "" : meant->names.front() + ": " + meant->help;
 }
 
 // What to say of the first option that a command does not have; empty if it has all.
@@ -141,12 +186,15 @@ int run_for_one(const std::vector<std::string>& arguments) {
   return run_with_errors_reported(arguments, true);
 }
 
-// `help` and `help COMMAND`, as other programs have them, are `--help`.
+// `help` and `help COMMAND`, as other programs have them, are `--help`. An unknown command is left
+// alone, so that it is reported.
 std::vector<std::string> with_help(std::vector<std::string> arguments) {
-  if (!arguments.empty() && arguments.size() <= 2 && arguments.front() == "help") {
-    arguments.erase(arguments.begin());
+  if (arguments.empty() || arguments.size() > 2 || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  std::vector<std::string> known = names_of_commands();
+  known.emplace_back("help");
+  if (arguments.empty() || std::ranges::count(known, arguments.front()) > 0)
     arguments.emplace_back("--help");
-  }
   return arguments;
 }
 

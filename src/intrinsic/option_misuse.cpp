@@ -91,10 +91,15 @@ bool has_idle_waypoints(const Geodesic_options& g) {
 const char idle_waypoints[] = "--waypoints is of curves through several points; give it with "
                               "--path, --loop or --network";
 
-// Plain files are asked for, and none is written that has anything to be left out.
-bool is_plain_in_vain(const Options& o) {
-  const bool has_curves = o.command == "geodesic" && !o.geodesic.writes_subdivision;
-  return o.is_plain && (has_curves || !is_mesh_output(o));
+// What is wrong if plain files are asked for, and none has anything to be left out.
+std::string plain_misuse(const Options& o) {
+  if (!o.is_plain) return {};
+  const bool has_surface = o.command != "geodesic" || o.geodesic.writes_subdivision;
+  if (has_surface && is_mesh_output(o)) return {};
+  if (!has_surface && !is_file_of(Contents::triangulation, o.output))
+    return "curves have no labels; leave --plain out, or give --subdivision";
+  return "--plain leaves labels, edges and colours of a surface out; give it with -o and " +
+         extensions_of(Contents::subdivision);
 }
 
 // What is wrong with the file of curves.
@@ -239,9 +244,7 @@ std::string misuse(const Options& options) {
   if (lacks_correspondence(options))
     return "the common subdivision, lengths in a file and --adaptive need a correspondence; use "
            "--correspondence integer, or write the intrinsic triangulation to .idt";
-  if (is_plain_in_vain(options))
-    return "--plain leaves labels, edges and colours of a surface out; give it with -o and " +
-           extensions_of(Contents::subdivision);
+  if (const std::string plain = plain_misuse(options); !plain.empty()) return plain;
   if (has_other_correspondence(options))
     return "--adaptive keeps integer coordinates; use --correspondence integer";
   return {};

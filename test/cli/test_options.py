@@ -45,7 +45,7 @@ class Options(Cli_test):
 
     def test_help_and_version(self):
         for arguments in (["--help"], ["--version"], ["delaunay", "--help"], ["help"],
-                          ["help", "delaunay"]):
+                          ["help", "delaunay"], ["help", "help"], ["help", "--version"]):
             run = self.run_program(*arguments)
             self.assertEqual(run.code, 0)
             self.assertNotEqual(run.out, "")
@@ -76,7 +76,10 @@ class Options(Cli_test):
         self.assert_misused("laplacian", self.mesh, "--mass-kind", "galerkin", word="--mass")
         self.assert_misused("distance", self.mesh, "--source", "0", "-o", "d.txt", "--plain",
                             word="--plain leaves labels")
-        self.assert_misused("geodesic", self.mesh, "--path", "0,5", "-o", "g.obj", "--plain",
+        for output in ("-o", "g.obj"), ("-o", "g.ply"), ("-o", "g.off"), ():
+            self.assert_misused("geodesic", self.mesh, "--path", "0,5", *output, "--plain",
+                                word="curves have no labels; leave --plain out, or give --subdiv")
+        self.assert_misused("geodesic", self.mesh, "--path", "0,5", "-o", "g.idt", "--plain",
                             word="--plain leaves labels")
         self.assert_misused("geodesic", self.mesh, "--source", "0", "--waypoints",
                             word="--waypoints is of curves")
@@ -104,6 +107,24 @@ class Options(Cli_test):
                                 (("mass", self.mesh), "--mass is an option of refine, laplacian"),
                                 (("delaunay", self.mesh, "--constrain", "e.txt"), "no option --constrain")):
             self.assert_misused(*arguments, word=word)
+
+    def test_names_that_other_programs_have_for_options_lead_to_these(self):
+        for name in "--output", "--out", "--write", "--save", "--file", "--Output=a.ply":
+            self.assert_misused("delaunay", self.mesh, name, "x.ply",
+                                word="; did you mean -o: write the common subdivision")
+            self.assert_misused("info", self.mesh, name, "x.ply", word="--help lists all")
+        for command in "delaunay", "parametrize":  # where help has the word, too
+            self.assert_misused(command, "--mesh", self.mesh, word="; did you mean IN: mesh (.off,")
+
+    def test_words_of_help_lead_to_an_option_if_it_is_the_only_one(self):
+        self.assert_misused("delaunay", self.mesh, "--megabytes", "1",
+                            word="did you mean --view-limit: most megabytes")
+        for word in "--megabyte", "--faces":  # a part of a word; in the help of several options
+            self.assert_misused("delaunay", self.mesh, word, "1", word="--help lists all")
+
+    def test_help_on_an_unknown_command_is_an_error(self):
+        self.assert_misused("help", "foo", word='there is no command "foo"; use delaunay,')
+        self.assert_misused("help", "delanay", word="did you mean delaunay?")
 
     def test_points_of_one_option_are_separated_by_commas(self):
         for option in ("--source", "--targets"):

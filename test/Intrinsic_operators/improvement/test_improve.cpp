@@ -206,7 +206,7 @@ TEST(improve, refines_to_angles_and_lengths) {
     if (done.refined->unsatisfied_faces() == 0) {
       EXPECT_GE(done.refined->minimum_angle, 25 - 1e-9);
     }
-    EXPECT_LT(done.refined->quality_before.value().minimum_angle, 25);
+    EXPECT_LT(done.refined->quality_before.minimum_angle, 25);
     EXPECT_NEAR(IT::measure(t, Labels(t)).area, area_in_space(s), 1e-9 * area_in_space(s));
     for (const auto e : edges(t.mesh())) EXPECT_LE(t.length(e), .5 * (1 + 1e-9));
   }

@@ -137,21 +137,6 @@ TEST(has_accurate_values, tells_that_measuring_will_not_change_what_is_stored) {
   EXPECT_GT(changed, 0);
 }
 
-TEST(improve_and_measure, is_measured_before_refinement_unless_that_is_not_asked_for) {
-  IT::Improve_options options;
-  options.refine.emplace().minimum_angle = 25;
-  auto b = built(rough(6)), c = built(rough(6));
-  const IT::Improved_surface measured = improved(b, options);
-  options.measures_before = false;
-  const IT::Improved_surface other = improved(c, options);
-  Triangulation t(rough(6).input());
-  IT::flip_to_delaunay(t);
-  EXPECT_EQ(measured.done.refined.value().quality_before.value().minimum_angle,
-            IT::measure(t).quality.minimum_angle);
-  EXPECT_FALSE(other.done.refined.value().quality_before.has_value());
-  EXPECT_EQ(stored_values(b.triangulation), stored_values(c.triangulation));
-}
-
 TEST(improve_and_measure, keeps_edges_of_the_input) {
   const Shape s = rough(3);
   auto b = built(s);

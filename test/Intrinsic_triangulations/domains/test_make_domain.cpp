@@ -284,6 +284,19 @@ TEST(Make_domain, takes_lengths_of_sides_on_which_both_sides_of_an_edge_agree) {
   }
 }
 
+TEST(Make_domain, refuses_lengths_below_zero_and_no_numbers) {
+  for (const double x : {-3., std::numeric_limits<double>::quiet_NaN()})
+    for (const std::size_t face : {std::size_t(0), std::size_t(1)}) {
+      std::vector<std::array<double, 3>> lengths{{3, 4, 5}, {5, 4, 3}};
+      lengths[face][face == 0 ? 0 : 2] = x;
+      const std::string message = refusal([&] {
+        IT::make_domain(3, {{0, 1, 2}, {0, 2, 1}}, lengths);
+      });
+      EXPECT_NE(message.find("lengths[" + std::to_string(face)), std::string::npos) << message;
+      EXPECT_NE(message.find("not negative"), std::string::npos) << message;
+    }
+}
+
 TEST(Make_domain, covers_meshes_of_cgal) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   CGAL::Surface_mesh<Kernel::Point_3> mesh;

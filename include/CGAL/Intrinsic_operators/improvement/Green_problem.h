@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iomanip>
 #include <numbers>
@@ -34,8 +35,12 @@ double total_area(const Triangulation& t) {
 template <class Triangulation>
 double mean_edge_length(const Triangulation& t) {
   double sum = 0;
-  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) sum += t.length(e);
-  return sum / static_cast<double>(num_edges(t.mesh()));
+  std::size_t count = 0; // `num_edges()` is of numbers, also of those that no edge has any more
+  for (const typename Triangulation::edge_descriptor e : edges(t.mesh())) {
+    sum += t.length(e);
+    ++count;
+  }
+  return sum / static_cast<double>(count);
 }
 
 } // namespace internal

@@ -68,10 +68,7 @@ enum class Improve_step : std::uint8_t {
 struct Improve_options {
   bool flips = true;                       ///< to Delaunay, before all else
   std::optional<Refine_criteria> refine{}; ///< if faces are refined
-  /// Whether faces are measured before refinement, see `Refined_faces::quality_before`. They are in
-  /// any case where that makes stored values more accurate: results do not depend on it.
-  bool measures_before = true;
-  std::optional<Adapt_criteria> adapt{}; ///< in place of that
+  std::optional<Adapt_criteria> adapt{};   ///< in place of that
   /// Is called with a step and its count, and returns whether to go on.
   std::function<bool(Improve_step, std::uint64_t)> progress{};
 };

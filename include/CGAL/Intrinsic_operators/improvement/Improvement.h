@@ -29,17 +29,16 @@ struct Refined_faces {
   Status status = Status::done; ///< see `Refinement_result`
   Refinement_counts counts{};   ///< see there
   std::size_t points = 0;       ///< vertices that are not the user's, with those inserted before
-  /// Of the Delaunay triangulation, if it was measured.
-  std::optional<Quality> quality_before{};
-  double minimum_angle = 0;           ///< of all faces, in degrees
+  Quality quality_before{};     ///< of the Delaunay triangulation
+  double minimum_angle = 0;     ///< of all faces, in degrees
   double satisfied_minimum_angle = 0; ///< of the faces that meet the criteria
   /// Numbers of faces that do not, by the `Unsatisfied_reason`.
   std::array<std::size_t, 4> unsatisfied{};
   /// Greatest ratio of the length of an edge to that wanted there, if lengths were given.
   std::optional<double> longest_side{};
-  std::optional<Odt_result> odt{}; ///< if vertices were moved
-  double seconds = 0;              ///< that it took
-  double seconds_of_odt = 0;       ///< that moves took
+  std::optional<Odt_result> odt{};        ///< if vertices were moved
+  double seconds = 0;                     ///< that it took
+  double seconds_of_odt = 0;              ///< that moves took
 
   /// returns the number of faces that do not meet the criteria.
   std::size_t unsatisfied_faces() const {

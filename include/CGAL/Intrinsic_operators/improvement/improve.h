@@ -144,11 +144,7 @@ private:
   void refine() {
     const Refine_criteria& criteria = *options_.refine;
     Refined_faces& refined = result_.refined.emplace();
-    if (options_.measures_before || !has_accurate_values(t_)) {
-      const Predicate_statistics of_flips = t_.metric().statistics();
-      refined.quality_before = measure_shapes(t_, constrained_).quality;
-      t_.metric().statistics() = of_flips; // the same whether it is measured or not
-    }
+    refined.quality_before = measure_shapes(t_, constrained_).quality;
     watch_.lap();
     Visitor visitor = visitor_of();
     visitor.lengths = Wanted_lengths(criteria.lengths);

@@ -70,7 +70,10 @@ public:
   // see `Predicate_session::cotangent_weight()`
   double cotangent_weight(const Diamond& d, double tolerance) const {
     if (const auto weight = metric().stored_weight(d, tolerance)) return *weight;
-    if (!memory_.are_found && asks_for_all()) find_values();
+    if (!memory_.are_found && asks_for_all()) {
+      find_values();
+      memory_.are_found = true;
+    }
     if (const auto weight = replayed_weight(d)) return *weight;
     if (const auto weight = metric().stored_weight(d)) return *weight;
     // Users get the nearest double, which does not depend on the way of computation. Statistics
@@ -251,7 +254,6 @@ private:
   // intervals, which are usually asked for next, but leaves the stored ones: weights must not
   // depend on the order in which they are asked for.
   void find_values() const {
-    memory_.are_found = true;
     if (memory_.values.follows_flips()) return; // a query must not end that
     const std::vector<Diamond> diamonds = inaccurate_diamonds();
     note_crossings();

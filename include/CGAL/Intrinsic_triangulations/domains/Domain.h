@@ -113,7 +113,8 @@ than two faces around an edge: the tufted cover takes that of their numbers.
 \param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input as for a soup; if there are more or fewer lengths than triangles;
-  or naming a face with a side that differs in length from another side of its edge
+  or naming a face with a side that differs in length from another side of its edge, or whose length
+  is negative or not a number
 \complexity linear
 */
 Domain make_domain(std::uint32_t number_of_vertices,
@@ -131,8 +132,8 @@ See above. Sides may be glued whose ends are others, or the sides of one triangl
 \param kind the kind of surface
 \param mollification treatment of degenerate faces
 \throws Invalid_input naming a face with a side that differs in length from the other side of its
-  edge, or the edge if `kind` is `manifold` and the surface has only one side; and if there is not
-  one triple of lengths for each triangle
+  edge, or whose length is negative or not a number; or the edge if `kind` is `manifold` and the
+  surface has only one side; and if there is not one triple of lengths for each triangle
 \complexity linear
 */
 Domain make_domain(Gluing_map mesh, const std::vector<std::array<double, 3>>& lengths,

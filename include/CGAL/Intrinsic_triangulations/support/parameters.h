@@ -78,7 +78,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(CGAL_INTRINSIC_TRIANGULATIONS_TAG)
 
 // Kinds of values. What a function makes of one is known where it reads it: see `value_or()`.
 template <class T>
-concept Number = !std::is_enum_v<T> && !std::is_same_v<T, bool> && requires(const T& x) {
+concept Number = (!std::is_enum_v<T> || std::convertible_to<T, int>)&&!std::is_same_v<T, bool> &&
+                 requires(const T& x) {
   static_cast<double>(x);
 };
 template <class T>

@@ -193,8 +193,7 @@ void report_improvement(Report& report, const Improved_surface& improved,
   if (done.adapted) seconds["refine"] = done.adapted->seconds;
   seconds["verify"] = improved.seconds_of_measuring;
   if (const auto& r = done.refined) {
-    if (r->quality_before)
-      report["quality_before"] = internal::report_of_quality(*r->quality_before);
+    report["quality_before"] = internal::report_of_quality(r->quality_before);
     report["refine"] = internal::report_of_refinement(*r, *options.refine);
     if (r->odt) report["odt"] = internal::report_of_odt(*r->odt, *options.refine);
   }

@@ -43,6 +43,15 @@ TYPED_TEST(Measure_quality, of_an_octahedron_is_that_of_equilateral_triangles) {
   EXPECT_EQ(q.weights[3], 12U);
 }
 
+TYPED_TEST(Measure_quality, does_not_count_faces_that_are_gone) {
+  const double h = std::sqrt(3.0) / 2;
+  TypeParam t(meshes::Mesh{{{{0, 0, 0}}, {{1, 0, 0}}, {{.5, h, 0}}}, {{{0, 1, 2}}}}.input());
+  const auto v = t.insert_vertex(halfedge(*faces(t.mesh()).begin(), t.mesh()), {.25, .25, .5});
+  ASSERT_EQ(v.status, IT::Move_status::done);
+  ASSERT_EQ(t.remove_vertex(v.vertex), IT::Move_status::done);
+  EXPECT_NEAR(IT::measure_quality(t).mean_aspect_ratio, 1, eps);
+}
+
 TYPED_TEST(Measure_quality, of_a_grid_is_that_of_half_squares) {
   TypeParam t(meshes::grid(3, 2).input());
   const IT::Quality q = IT::measure_quality(t);

@@ -244,9 +244,17 @@ private:
   // whether the values leave it open
   bool is_open(bool along_side) const;
 
-  // balls with centers of a type
+  // balls with centers of a type; a copy of the placer unfolds faces anew, since these refer to its
+  // own one
   template <class Center>
   struct Numbers {
+    Numbers() = default;
+    Numbers(const Numbers&) {}
+    Numbers& operator=(const Numbers&) {
+      is_unfolded = false;
+      return *this;
+    }
+
     Unfolded_face<Ball<Center>> face;
     Input_face_intervals<Ball<Center>> input;
     bool is_unfolded = false;

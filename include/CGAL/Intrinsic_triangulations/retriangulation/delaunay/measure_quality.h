@@ -124,8 +124,10 @@ template <class Triangulation>
 double sharpen_for_statistics(const Triangulation& t) {
   const double width = relative_width(t);
   if (width <= statistics_tolerance) return width;
-  if constexpr (requires { t.decider().take_followed(statistics_tolerance); })
+  if constexpr (requires { t.decider().take_followed(statistics_tolerance); }) {
+    const typename Triangulation::Metric::Scope scope; // enclosures are rounded outwards
     t.decider().take_followed(statistics_tolerance);
+  }
   for (const typename Triangulation::face_descriptor f : faces(t.mesh()))
     accurate_values(t, f, statistics_tolerance);
   return relative_width(t);
@@ -137,6 +139,7 @@ double sharpen_for_statistics(const Triangulation& t) {
 template <class Triangulation, class Visit>
 void measure_faces(const Triangulation& t, Quality& q, const Visit& visit) {
   double sum = 0;
+  std::size_t count = 0; // `num_faces()` is of numbers, also of those that no face has any more
   Angle_counts angles(q);
   for (const typename Triangulation::face_descriptor f : faces(t.mesh())) {
     const Indexed_face face = indexed_face(t, f);
@@ -154,8 +157,9 @@ void measure_faces(const Triangulation& t, Quality& q, const Visit& visit) {
     const double ratio = la * inverse * lb * (lc * inverse) * (la + lb + lc);
     q.maximum_aspect_ratio = std::max(q.maximum_aspect_ratio, ratio);
     sum += ratio;
+    ++count;
   }
-  q.mean_aspect_ratio = sum / static_cast<double>(num_faces(t.mesh()));
+  q.mean_aspect_ratio = sum / static_cast<double>(count);
 }
 
 // Counts the weight of an edge between two faces.

@@ -31,8 +31,10 @@ glued along these loops, where all vertices are flat then.
 The exchange of the copies is an isometry of the double, so it keeps its Delaunay tessellation. No
 vertex of that lies on a loop. So an edge that crosses a loop is its own image: it joins the two
 copies of a vertex, at right angles to the loop, and crosses once. All other edges stay in one
-copy. Polygons are disks, so that each loop is crossed. Hence an isometry of doubles that keeps the
-copy of each vertex keeps the loops, and is one of the surfaces; each of these extends to one.
+copy. Polygons are disks, so that each loop is crossed. A polygon that a loop meets is its own
+image, and the loop is its axis there, between the middles of two edges that cross. Hence an
+isometry of doubles that keeps the copy of each vertex keeps the loops, and is one of the surfaces;
+each of these extends to one.
 */
 class Doubled_surface {
 public:

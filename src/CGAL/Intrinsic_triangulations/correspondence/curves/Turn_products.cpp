@@ -21,10 +21,11 @@ namespace CGAL::Intrinsic_triangulations {
 namespace {
 
 template <FieldNumber FT, class Leaf>
-void build_products(std::vector<Plane_vector<FT>>& nodes, std::size_t degree, const Leaf& leaf) {
-  nodes.resize(2 * degree);
+std::vector<Plane_vector<FT>> products(std::size_t degree, const Leaf& leaf) {
+  std::vector<Plane_vector<FT>> nodes(2 * degree);
   for (std::size_t n = 0; n < degree; ++n) nodes[degree + n] = leaf(n);
   for (std::size_t n = degree; --n > 0;) nodes[n] = nodes[2 * n] * nodes[2 * n + 1];
+  return nodes;
 }
 
 // the node of a tree that is not there
@@ -84,7 +85,7 @@ Plane_vector<FT> Turn_products<FT>::operator()(const Input& input, const Vertex_
     if (tree.steps <= degree)
       return turn_over<FT>([&](std::size_t n) { return product_below<FT>(n, degree, leaf); },
                            degree, first - begin, count);
-    build_products(tree.nodes, degree, leaf);
+    tree.nodes = products<FT>(degree, leaf); // all of it, or nothing if memory ends
   }
   return turn_over<FT>([&](std::size_t n) -> const Plane_vector<FT>& { return tree.nodes[n]; },
                        degree, first - begin, count);
