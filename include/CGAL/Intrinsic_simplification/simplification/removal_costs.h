@@ -29,7 +29,7 @@ Which vertices `simplify()` removes first: those whose removal costs least.
 */
 
 /// \cond
-// refuses what is no cost, or has another result
+// It refuses what is no cost, and a cost whose result is no number.
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFUSE_COST(function)                                        \
   CGAL_INTRINSIC_TRIANGULATIONS_MISTAKE(                                                           \
       "the cost of " #function "() is a functor that takes a Removal_candidate and returns a "     \

@@ -220,17 +220,16 @@ squared_lengths_of_edges(std::span<const std::uint32_t> edge, std::size_t edges,
   std::vector<double> result(edges, -1); // lengths at first
   for (std::size_t side = 0; side < edge.size(); ++side) {
     const double l = lengths[side / 3][side % 3];
-    if (!(l >= 0))
+    const auto refuse = [&](const std::string& why) {
       throw Invalid_input(Element_kind::face, side / 3,
                           "lengths[" + std::to_string(side / 3) + ", " + std::to_string(side % 3) +
-                              "] is " + shortest_text(l) + "; give lengths that are not negative");
+                              "] is " + shortest_text(l) + why);
+    };
+    if (!(l >= 0)) refuse("; give lengths that are not negative");
     double& known = result[edge[side]]; // up to the rounding of ten digits in a file
     if (known >= 0 && std::abs(l - known) > 1e-9 * std::max(l, known))
-      throw Invalid_input(Element_kind::face, side / 3,
-                          "lengths[" + std::to_string(side / 3) + ", " + std::to_string(side % 3) +
-                              "] is " + shortest_text(l) +
-                              ", but the other side of that edge has the length " +
-                              shortest_text(known) + "; give both sides of an edge one length");
+      refuse(", but the other side of that edge has the length " + shortest_text(known) +
+             "; give both sides of an edge one length");
     if (known < 0) known = l;
   }
   for (double& l : result) l *= l;

@@ -60,7 +60,7 @@ public:
   // The number of the point where a halfedge starts, in the chart of its face.
   std::uint32_t number_of_point(std::uint32_t halfedge) const { return point_[halfedge]; }
   const Plane_number& point(std::uint32_t number) const { return points_[number]; }
-  // The grid of a chart. Null if there is no such chart, or if its points are on no grid.
+  // Returns the grid of a chart; null if there is no such chart, or its points are on no grid.
   const Chart_grid* grid(std::uint32_t chart) const {
     const auto known = charts_.find(chart);
     return known == charts_.end() || !known->second.grid.exists() ? nullptr : &known->second.grid;
