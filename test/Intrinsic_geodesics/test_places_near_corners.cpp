@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Intrinsic Triangulations authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Intrinsic_geodesics/curves/insert_point.h>
 #include <CGAL/Intrinsic_geodesics/distance/Polyhedral_distance.h>
 #include <CGAL/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/correspondence/models/Integer_coordinates.h>
@@ -64,6 +65,31 @@ TEST(PlacesNearCorners, distances_are_continuous) {
     }
   }
   EXPECT_LE(most, 1e-12); // diameters are about 4
+}
+
+/// A point at a side, after one close to the corner that both have: it is inserted where it is, not
+/// where weights end up whose sum was made 1 again without regard to the shape of the thin face.
+TEST(PlacesNearCorners, points_at_sides_stay_along_them) {
+  std::mt19937 random(54);
+  double most = 0;
+  for (unsigned i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    const meshes::Mesh m = meshes::potato(1, i);
+    Triangulation t = numbered_as<Triangulation>(m);
+    const auto h = static_cast<std::uint32_t>(random() % (2 * num_edges(t.mesh())));
+    const double a = std::pow(10, -9 - double(i % 3)), b = double(1 + random() % 9) / 10;
+    const Surface_point close{h, {1 - a, a, 0}},
+        far{t.input().next(t.input().next(h)), {b, 1 - b, 0}};
+    ASSERT_EQ(IT::insert_point(t, close).status, IT::Move_status::done);
+    const auto inserted = IT::insert_point(t, far);
+    ASSERT_EQ(inserted.status, IT::Move_status::done);
+    ASSERT_TRUE(inserted.is_new);
+    const Surface_point place = t.places()->location(t.index(inserted.vertex));
+    ASSERT_EQ(place.halfedge / 2, far.halfedge / 2);
+    const double x = place.halfedge == far.halfedge ? place.weights[1] : place.weights[0];
+    most = std::max(most, std::abs(x - (1 - b)));
+  }
+  EXPECT_LE(most, 1e-12); // faces as thin as 1e-11 were 1e-6 to 1e-4 off
 }
 
 } // namespace

@@ -12,11 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/queries/locate.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 #include <CGAL/Intrinsic_triangulations/support/Status.h>
-#include <CGAL/Intrinsic_triangulations/tracing/geodesic_face.h>
+#include <CGAL/Intrinsic_triangulations/tracing/within_rounding.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/triangulation/concepts.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -40,32 +39,14 @@ struct Vertex_at_point {
 
 namespace internal {
 
-// A located point belongs to a vertex or edge within this distance (rounding): as a part of the
-// height above the edge, or of the longest side.
-template <class Complex>
-std::array<double, 3> without_rounding(const Complex& complex, const Surface_point& p) {
-  const Geodesic_face face(complex, p.halfedge);
-  const double longest = *std::max_element(face.length.begin(), face.length.end());
-  std::array<double, 3> weights = p.weights;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double base = 2 * face.length[(k + 1) % 3]; // times the height it is the quadruple area
-    const double distance = weights[k] * complex.quadruple_area(complex.face(p.halfedge));
-    // 2^-44 is 512 roundings of coordinates as large as the longest side
-    if (weights[k] < 0x1p-38 || distance < 0x1p-44 * longest * base) weights[k] = 0;
-    sum += weights[k];
-  }
-  for (double& w : weights) w = w == sum ? 1 : w / sum;
-  return weights;
-}
-
 // Finds the vertex at a point of the input, or inserts one by a function of a halfedge and weights.
 template <RefinableTriangulation Triangulation, class Insert>
 Vertex_at_point<Triangulation> insert_point_by(Triangulation& t, const Surface_point& p,
                                                const Insert& insert) {
   const std::optional<Surface_point> q = locate_on_intrinsic(t, p);
   if (!q) return {Move_status::not_traceable};
-  const std::array<double, 3> weights = without_rounding(Intrinsic_view<Triangulation>(t), *q);
+  const std::array<double, 3> weights =
+      within_rounding(Intrinsic_view<Triangulation>(t), *q).weights;
   typename Triangulation::halfedge_descriptor h = t.numbers().halfedge_at(q->halfedge);
   for (std::size_t k = 0; k < 3; ++k, h = next(h, t.mesh()))
     if (weights[k] == 1) return {Move_status::done, source(h, t.mesh()), false};
