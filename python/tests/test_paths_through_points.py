@@ -70,6 +70,24 @@ class Through(unittest.TestCase):
             self.assertAlmostEqual(curve.initial_length, distances.sum(), 9)
         return curve.status == "done"
 
+    def points_on_surface(self, seed, number):
+        """The points that `test_waypoints()` draws in so many steps, on the moved surface."""
+        chance = np.random.default_rng(seed)
+        V, F = [torus, torus, sphere, plane][seed % 4](chance)
+        for _ in range(number):
+            points = [self.random_point(chance, V, F) for _ in range(chance.integers(2, 5))]
+            moved = self.moved(chance, V, F, points)
+        return moved
+
+    def test_curve_that_crosses_itself(self):
+        """Sides of a curve meet at a vertex, and one of them cannot be inserted where they cross."""
+        V, F, points = self.points_on_surface(45, 2)
+        s = it.Surface(V, F).delaunay()
+        curve = s.path(points[0], points[-1], through=points[1:-1], waypoints=True)
+        self.assertIn(curve.status, ("done", "inaccurate"))
+        shortest = s.pair_distances(points[:-1], points[1:]).sum()
+        self.assertTrue(shortest - 1e-9 < curve.length < np.inf)
+
     def test_waypoints(self):
         certain = []
         for seed in range(60):

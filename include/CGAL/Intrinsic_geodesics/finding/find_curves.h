@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_geodesics/curves/add_marked_edges.h>
 #include <CGAL/Intrinsic_geodesics/finding/Curve_tools.h>
 #include <CGAL/Intrinsic_geodesics/finding/Found_curves.h>
+#include <CGAL/Intrinsic_geodesics/queries/Curve_inserter.h>
 #include <CGAL/Intrinsic_geodesics/queries/Paths_on_faces.h>
 #include <CGAL/Intrinsic_geodesics/queries/add_geodesics.h>
 #include <CGAL/Intrinsic_geodesics/queries/insert_places.h>
@@ -116,7 +117,7 @@ private:
     if (mark) naming_crossing([&] { add_marked_edges(network_, mark(t_)); });
     if (is_alone && add_geodesics()) return;
     for (std::size_t i = 0; i < curves_.size() && !is_cancelled_; ++i)
-      naming(wanted[number_[i]], [&] { add(wanted[number_[i]], curves_[i]); });
+      naming(wanted[number_[i]], [&] { add(wanted[number_[i]], curves_[i], is_alone); });
     for (std::uint32_t c = 0; c < network_.number_of_curves(); ++c) {
       Found_curve& curve = found_.curves.emplace_back();
       curve.initial_length = network_.length(c);
@@ -159,11 +160,15 @@ private:
     return true;
   }
 
-  void add(const Wanted_curve& wanted, const Curve& curve) {
+  // \param may_cross whether the curve may cross others and itself, as geodesics that are found alone
+  void add(const Wanted_curve& wanted, const Curve& curve, bool may_cross) {
     if (wanted.kind == Curve_kind::tree) return add_tree(curve.vertices.front());
     if (wanted.kind == Curve_kind::bezier) return add_bezier_curve(curve.vertices);
     const std::vector<Halfedge> way = tools_.way_along_edges(curve);
-    naming_crossing([&] { curve.is_loop ? network_.add_loop(way) : network_.add_path(way); });
+    if (may_cross)
+      add_crossing_curve(network_, way, curve.is_loop);
+    else
+      naming_crossing([&] { curve.is_loop ? network_.add_loop(way) : network_.add_path(way); });
   }
 
   // the last two edges on the way to each vertex, so that all of its joints are there
