@@ -32,10 +32,10 @@ namespace {
 // ---- Logarithmic maps --------------------------------------------------------------------------
 
 // \param method "exact", "affine" or "polar", or none
-py::array_t<double> log_map(Surface& s, const Place_arrays& place,
+py::array_t<double> log_map(Surface& s, const Place_numbers& place,
                             const std::optional<std::string>& method, double time_factor,
                             double maximum_distance, std::size_t neighbors, Watch& watch) {
-  const Place p = places_of(s, place).at(0);
+  const Place p = place_of(s, place);
   IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   options.maximum_distance = maximum_distance;
   return array_of(with_triangulation(s, watch, [&](auto& t) {
@@ -70,6 +70,14 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
 
 // ---- Fields in space ---------------------------------------------------------------------------
 
+// Whether each row is that of the vector with its number, as on surfaces without copies.
+bool is_identity(const std::vector<std::uint32_t>& of_row, std::size_t vectors) {
+  if (of_row.size() != vectors) return false;
+  for (std::size_t r = 0; r < of_row.size(); ++r)
+    if (of_row[r] != r) return false;
+  return true;
+}
+
 // Vectors in space, by rows; not numbers where they are unknown.
 template <class T>
 std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vectors,
@@ -84,12 +92,11 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
   }
   const auto& sectors =
       s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t, s.points); });
-  const std::vector<Point> found = sectors.in_space(vectors);
+  std::vector<Point> found = sectors.in_space(vectors); // unknown ones are unknown there, too
+  if (is_identity(of_row, found.size())) return found;
   result.reserve(of_row.size());
   for (const std::uint32_t i : of_row)
-    result.push_back(i != IT::Gluing::none && !std::isnan(vectors[i].real())
-                         ? found[i]
-                         : Point{unknown, unknown, unknown});
+    result.push_back(i != IT::Gluing::none ? found[i] : Point{unknown, unknown, unknown});
   return result;
 }
 
