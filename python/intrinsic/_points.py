@@ -68,8 +68,7 @@ def joined(*parts):
 
 
 def place_numbers(p, name, vertices, faces):
-    """Returns the same of one point as numbers: arrays of one number take longer than a short trace.
-    """
+    """Returns the same of one point as numbers: arrays of one take longer than a short trace."""
     if isinstance(p, Point):
         return (_index(p.face, name + ".face", faces),
                 _weights(p.barycentric, name + ".barycentric"), -1)

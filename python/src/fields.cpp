@@ -70,14 +70,6 @@ py::array_t<double> extend(Surface& s, const Place_arrays& places, const Doubles
 
 // ---- Fields in space ---------------------------------------------------------------------------
 
-// Whether each row is that of the vector with its number, as on surfaces without copies.
-bool is_identity(const std::vector<std::uint32_t>& of_row, std::size_t vectors) {
-  if (of_row.size() != vectors) return false;
-  for (std::size_t r = 0; r < of_row.size(); ++r)
-    if (of_row[r] != r) return false;
-  return true;
-}
-
 // Vectors in space, by rows; not numbers where they are unknown.
 template <class T>
 std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vectors,
@@ -92,11 +84,18 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
   }
   const auto& sectors =
       s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t, s.points); });
-  std::vector<Point> found = sectors.in_space(vectors); // unknown ones are unknown there, too
-  if (is_identity(of_row, found.size())) return found;
+  std::vector<Point> found = sectors.in_space(vectors);
+  const auto is_known = [&](std::uint32_t i) { return !std::isnan(vectors[i].real()); };
+  bool are_rows = of_row.size() == found.size(); // as on surfaces without copies: no copy is made
+  for (std::uint32_t r = 0; r < of_row.size() && are_rows; ++r) {
+    are_rows = of_row[r] == r;
+    if (are_rows && !is_known(r)) found[r] = {unknown, unknown, unknown};
+  }
+  if (are_rows) return found;
   result.reserve(of_row.size());
   for (const std::uint32_t i : of_row)
-    result.push_back(i != IT::Gluing::none ? found[i] : Point{unknown, unknown, unknown});
+    result.push_back(i != IT::Gluing::none && is_known(i) ? found[i]
+                                                          : Point{unknown, unknown, unknown});
   return result;
 }
 

@@ -102,7 +102,9 @@ public:
     Found_vectors found{find.sheets.averaged(given.are_at_vertices()
                                                  ? method->transport(find.at_vertices(given))
                                                  : method->transport(find.in_faces(given)))};
-    found.of_row = known_of_rows(found.vectors);
+    if (rows_.empty() || !t_.input().names().row_of_vertex.empty())
+      rows_ = Vertex_copies(t_).known_of_rows(found.vectors); // else of the only copies
+    found.of_row = rows_;
     return found;
   }
 
@@ -313,13 +315,6 @@ private:
     return *cloud_;
   }
 
-  // The copy of the vertex of each row that has a vector. Unless vertices have copies, there is one.
-  std::vector<std::uint32_t> known_of_rows(const Tangent_field& vectors) {
-    if (!t_.input().names().row_of_vertex.empty()) return Vertex_copies(t_).known_of_rows(vectors);
-    if (!rows_) rows_ = Vertex_copies(t_).first_of_rows();
-    return *rows_;
-  }
-
   // The vectors of a cloud, each of its own row.
   Found_vectors of_points(Tangent_field vectors) const {
     Found_vectors found{std::move(vectors)};
@@ -345,9 +340,9 @@ private:
   const std::vector<Point>& points_;
   std::optional<Heat> heat_;
   std::optional<Point_cloud_vectors> cloud_;
-  std::optional<std::vector<std::uint32_t>> rows_; // the only copy of the vertex of each
-  std::size_t neighbors_ = 0;                      // of the cloud
-  double time_factor_ = 0;                         // of the method that is kept
+  std::vector<std::uint32_t> rows_; // the copy of the vertex of each that has a vector
+  std::size_t neighbors_ = 0;       // of the cloud
+  double time_factor_ = 0;          // of the method that is kept
 };
 
 } // namespace CGAL::Intrinsic_triangulations

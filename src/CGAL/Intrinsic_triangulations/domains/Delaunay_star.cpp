@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -92,26 +93,46 @@ private:
     const double turned = b.direction - a.direction;
     return turned < -2 ? turned + 4 : turned > 2 ? turned - 4 : turned;
   }
+  // The sum of two angles, from 0 to 2 pi: that of the product of two complex numbers.
+  class Sum_of_angles {
+  public:
+    using Sides = std::array<Space_vector<double>, 2>;
+    Sum_of_angles(const Sides& first, const Sides& second)
+        : first_(product(first)), second_(product(second)), sum_(first_ * second_) {}
+
+    double value() const {
+      if (!is_in_range(std::abs(sum_.real()) + std::abs(sum_.imag())))
+        return std::arg(first_) + std::arg(second_);
+      const double angle = std::arg(sum_);
+      return std::signbit(angle) ? angle + 2 * std::numbers::pi : angle; // -0: two angles of pi
+    }
+    // whether it is between pi and 2 pi, and the other one between 0 and pi, one of them by pi / 4
+    bool is_clearly_greater(const Sum_of_angles& other) const {
+      return sum_.imag() < 0 && other.sum_.imag() > 0 &&
+             (sum_.real() > sum_.imag() || other.sum_.real() > -other.sum_.imag());
+    }
+
+  private:
+    // a number with the angle between two sides
+    static std::complex<double> product(const Sides& s) {
+      return {inner_product(s[0], s[1]), length(cross_product(s[0], s[1]))};
+    }
+
+    std::complex<double> first_, second_, sum_;
+  };
   // By how much the angles of the quadrilateral at the ends of its diagonal from the origin to `b`
-  // exceed those at `a` and `c`.
+  // exceed those at `a` and `c`; 1 if clearly: what is positive is not compared.
   static double excess_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
     const Space_vector<double> to_a = difference(a.in_space, b.in_space),
                                to_c = difference(c.in_space, b.in_space);
-    return sum_of_angles({a.in_space, c.in_space}, {to_a, to_c}) -
-           sum_of_angles({a.in_space, to_a}, {c.in_space, to_c});
+    const Sum_of_angles at_ends({a.in_space, c.in_space}, {to_a, to_c}),
+        beside({a.in_space, to_a}, {c.in_space, to_c});
+    return at_ends.is_clearly_greater(beside) ? 1 : at_ends.value() - beside.value();
   }
-  // The sum of two angles, from 0 to 2 pi: by one arc tangent of the product of complex numbers
-  // with these angles.
-  static double sum_of_angles(const std::array<Space_vector<double>, 2>& first,
-                              const std::array<Space_vector<double>, 2>& second) {
-    const double c = inner_product(first[0], first[1]), d = inner_product(second[0], second[1]),
-                 s = length(cross_product(first[0], first[1])),
-                 t = length(cross_product(second[0], second[1]));
-    const double sum = std::atan2(s * d + c * t, c * d - s * t);
-    return std::signbit(sum) ? sum + 2 * std::numbers::pi : sum; // also of -0: two angles of pi
+  static double length(const Space_vector<double>& v) {
+    const double square = inner_product(v, v);
+    return is_in_range(square) ? std::sqrt(square) : norm(v);
   }
-  // Fourth powers of coordinates are in the range of doubles where exact numbers do not decide.
-  static double length(const Space_vector<double>& v) { return std::sqrt(inner_product(v, v)); }
   // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. The
   // test is coarse: the difference grows with the square of the distance from the circle, so that
   // points up to 2^-15 off pass. Then angles decide.
