@@ -130,12 +130,11 @@ class _Curves:
         >>> s.trace(0, [1, 0.5, 0], 0.5).points[-1]
         array([0.4472136, 0.2236068, 0.       ])
         """
-        expect_one(p, "p")
         far = _arrays.not_negative(length, "length", "; a curve ends at a border by itself, and "
                                    "nowhere without one")
         direction = _direction(direction)
         core = self._flipped() if isinstance(direction, complex) else self._core
-        return Curve(_core.trace(core, self._places(p, "p"), direction, far), self)
+        return Curve(_core.trace(core, self._place(p, "p"), direction, far), self)
 
     def isolines(self, u: ArrayLike, levels: int | ArrayLike = 10, *,
                  progress: Progress = None) -> Curves:

@@ -13,7 +13,7 @@ from . import _arrays, _core, _options
 from ._curve import Curve, Curves
 from ._files import save_curves
 from ._pages import _Shown
-from ._points import is_point, place_arrays
+from ._points import expect_one, is_point, place_arrays, place_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -117,6 +117,11 @@ class _Distances:
     def _places(self, points, name):
         core = self._core
         return place_arrays(points, name, core.number_of_vertices, core.number_of_input_faces)
+
+    def _place(self, p, name):
+        expect_one(p, name)
+        core = self._core
+        return place_numbers(p, name, core.number_of_vertices, core.number_of_input_faces)
 
     @overload
     def distance(self, sources: Places, *, method: DistanceMethod = ..., targets: None = ...,

@@ -12,7 +12,7 @@ import numpy as np
 from . import _arrays, _core, _options
 from ._curve import Curve, Network
 from ._pages import _Shown
-from ._points import Point, expect_one, is_point
+from ._points import Point, is_point
 from ._singularities import Singularities
 
 if TYPE_CHECKING:
@@ -242,10 +242,9 @@ class _Fields:
         heat: fast for many points; `time_factor` is its time in squares of the mean edge). Clouds
         of points have the method "affine".
         """
-        expect_one(p, "p")
         if method is not None:
             _arrays.expect_word(method, "method", ("exact", "affine", "polar"))
-        return _core.log_map(self._flipped(flip), self._places(p, "p"), method,
+        return _core.log_map(self._flipped(flip), self._place(p, "p"), method,
                              _options.number(time_factor, "time_factor"),
                              _options.number(max_distance, "max_distance"),
                              self._cloud_neighbors(), progress)

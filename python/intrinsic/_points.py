@@ -67,25 +67,24 @@ def joined(*parts):
     return tuple(np.concatenate(arrays) for arrays in zip(*parts))
 
 
+def place_numbers(p, name, vertices, faces):
+    """Returns the same of one point as numbers: arrays of one take longer than a short trace."""
+    if isinstance(p, Point):
+        return (_index(p.face, name + ".face", faces),
+                _weights(p.barycentric, name + ".barycentric"), -1)
+    return -1, (0., 0., 0.), _index(p, name, vertices)
+
+
 def _mixed_places(points, vertices, faces):
     """Returns the arrays of points and their names."""
-    face, weights, vertex = [], [], []  # arrays of a few numbers take longer than a short trace
-    for here, p in points:
-        if isinstance(p, Point):
-            face.append(_index(p.face, here + ".face", faces))
-            weights.append(_weights(p.barycentric, here + ".barycentric"))
-            vertex.append(-1)
-        else:
-            face.append(-1)
-            weights.append((0., 0., 0.))
-            vertex.append(_index(p, here, vertices))
-    return np.array(face), np.array(weights), np.array(vertex)
+    return tuple(map(np.array, zip(*(place_numbers(p, here, vertices, faces)
+                                     for here, p in points))))
 
 
 def _index(x, name, count):
     if type(x) is int and 0 <= x < count:  # needs no array, which takes longer than a short trace
         return x
-    return _arrays.indices(x, name, (), count=count)
+    return int(_arrays.indices(x, name, (), count=count))
 
 
 def _weights(x, name):

@@ -57,6 +57,11 @@ py::dict point_arrays(const IT::Input& input, const Points& coordinates,
   Points in_space_all, barycentric;
   std::vector<std::array<std::int64_t, 3>> corners;
   std::vector<std::int64_t> polygons, vertices;
+  in_space_all.reserve(coordinates.empty() ? 0 : points.size());
+  barycentric.reserve(points.size());
+  corners.reserve(points.size());
+  polygons.reserve(points.size());
+  vertices.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t face = faces.empty() ? input.face(points[i].halfedge) : faces[i];
     const IT::Surface_point p = IT::seen_in_face(input, points[i], face);

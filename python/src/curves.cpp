@@ -101,8 +101,8 @@ py::dict curves(Surface& s, const std::vector<std::pair<Place_arrays, bool>>& as
 // A vector in space, or in the tangent plane of the point.
 using Direction = std::variant<std::complex<double>, Point>;
 
-py::dict trace(Surface& s, const Place_arrays& from, const Direction& direction, double length) {
-  const Place p = places_of(s, from).at(0);
+py::dict trace(Surface& s, const Place_numbers& from, const Direction& direction, double length) {
+  const Place p = place_of(s, from);
   Watch watch;
   std::shared_ptr<const IT::Input> input;
   const IT::Traced_curve curve = with_triangulation(s, watch, [&](const auto& t) {

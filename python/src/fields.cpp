@@ -32,10 +32,10 @@ namespace {
 // ---- Logarithmic maps --------------------------------------------------------------------------
 
 // \param method "exact", "affine" or "polar", or none
-py::array_t<double> log_map(Surface& s, const Place_arrays& place,
+py::array_t<double> log_map(Surface& s, const Place_numbers& place,
                             const std::optional<std::string>& method, double time_factor,
                             double maximum_distance, std::size_t neighbors, Watch& watch) {
-  const Place p = places_of(s, place).at(0);
+  const Place p = place_of(s, place);
   IT::Vector_options options = vector_options(time_factor, neighbors, watch);
   options.maximum_distance = maximum_distance;
   return array_of(with_triangulation(s, watch, [&](auto& t) {
@@ -84,12 +84,18 @@ std::vector<Point> in_space(Surface& s, const T& t, const IT::Tangent_field& vec
   }
   const auto& sectors =
       s.cached<IT::Vertex_sectors>("sectors", [&] { return new IT::Vertex_sectors(t, s.points); });
-  const std::vector<Point> found = sectors.in_space(vectors);
+  std::vector<Point> found = sectors.in_space(vectors);
+  const auto is_known = [&](std::uint32_t i) { return !std::isnan(vectors[i].real()); };
+  bool are_rows = of_row.size() == found.size(); // as on surfaces without copies: no copy is made
+  for (std::uint32_t r = 0; r < of_row.size() && are_rows; ++r) {
+    are_rows = of_row[r] == r;
+    if (are_rows && !is_known(r)) found[r] = {unknown, unknown, unknown};
+  }
+  if (are_rows) return found;
   result.reserve(of_row.size());
   for (const std::uint32_t i : of_row)
-    result.push_back(i != IT::Gluing::none && !std::isnan(vectors[i].real())
-                         ? found[i]
-                         : Point{unknown, unknown, unknown});
+    result.push_back(i != IT::Gluing::none && is_known(i) ? found[i]
+                                                          : Point{unknown, unknown, unknown});
   return result;
 }
 

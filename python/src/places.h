@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/places/Place_finder.h>
 #include <CGAL/Intrinsic_triangulations/support/Invalid_input.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -30,6 +31,9 @@ using IT::Place_finder;
 /// for points in faces.
 using Place_arrays = std::tuple<Integers, Doubles, Integers>;
 
+/// The same of one point, as numbers.
+using Place_numbers = std::tuple<std::int64_t, std::array<double, 3>, std::int64_t>;
+
 /// returns the number of an element. \throws Invalid_input if no element has it
 inline std::uint32_t number_of(std::int64_t i, IT::Element_kind kind, const char* name) {
   if (i >= 0 && i < std::int64_t{IT::Gluing::none}) return static_cast<std::uint32_t>(i);
@@ -43,6 +47,15 @@ inline const IT::Input& input_of(const Surface& s) {
   return std::visit([](const auto& t) -> const IT::Input& { return t->input(); }, s.triangulation);
 }
 
+/// returns a point of a surface, normalized.
+inline Place place_of(const Surface& s, const Place_numbers& p) {
+  const auto& [face, weights, vertex] = p;
+  return normalized(input_of(s),
+                    vertex != -1
+                        ? Place::at_vertex(number_of(vertex, IT::Element_kind::vertex, "vertex"))
+                        : Place::in_face(number_of(face, IT::Element_kind::face, "face"), weights));
+}
+
 /// reads points of a surface, normalized.
 inline std::vector<Place> places_of(const Surface& s, const Place_arrays& arrays) {
   const auto faces = std::get<0>(arrays).unchecked<1>();
@@ -51,16 +64,10 @@ inline std::vector<Place> places_of(const Surface& s, const Place_arrays& arrays
   if (faces.shape(0) != vertices.shape(0) || weights.shape(0) != vertices.shape(0) ||
       weights.shape(1) != 3)
     throw py::value_error("points need as many faces and triples of weights as vertices");
-  const IT::Input& input = input_of(s);
   std::vector<Place> result;
-  for (py::ssize_t i = 0; i < vertices.shape(0); ++i) {
-    const bool is_vertex = vertices(i) != -1;
-    const Place p =
-        is_vertex ? Place::at_vertex(number_of(vertices(i), IT::Element_kind::vertex, "vertex"))
-                  : Place::in_face(number_of(faces(i), IT::Element_kind::face, "face"),
-                                   {weights(i, 0), weights(i, 1), weights(i, 2)});
-    result.push_back(normalized(input, p));
-  }
+  for (py::ssize_t i = 0; i < vertices.shape(0); ++i)
+    result.push_back(
+        place_of(s, {faces(i), {weights(i, 0), weights(i, 1), weights(i, 2)}, vertices(i)}));
   return result;
 }
 

@@ -77,6 +77,12 @@ class Closed_forms(unittest.TestCase):
         np.testing.assert_allclose([1, 2] @ frames.faces[3], [*([1, 2] @ self.axes), 0],
                                    atol=1e-12)
 
+    def test_vectors_in_space_are_unknown_where_the_field_is(self):
+        V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5], [2, 0, 0], [3, 0, 0], [2, 1, 0]]
+        z = it.Surface(V, [[0, 1, 2], [4, 5, 6]]).transport(0, [2, 0])  # 3 is in no face
+        self.assertTrue(np.isnan(z.vectors[3:]).all())
+        np.testing.assert_allclose(np.linalg.norm(z.vectors[:3], axis=1), 2, rtol=1e-14)
+
     def test_frames_of_cones_and_corners_are_scaled(self):
         s = it.Surface(*TETRAHEDRON)
         for n, surface in (3, s), (4, it.Surface(*grid(2))):  # a corner of the square has 180

@@ -22,7 +22,8 @@ includes this file.
 // instantiates the matrices of a triangulation.
 #define CGAL_INTRINSIC_OPERATORS_MATRICES(prefix, ...)                                             \
   prefix Eigen::SparseMatrix<double> cotangent_laplacian(const __VA_ARGS__&);                      \
-  prefix Eigen::SparseMatrix<double> lumped_mass_matrix(const __VA_ARGS__&)
+  prefix Eigen::SparseMatrix<double> lumped_mass_matrix(const __VA_ARGS__&);                       \
+  prefix Eigen::SparseMatrix<double> galerkin_mass_matrix(const __VA_ARGS__&)
 // instantiates them for the usual triangulations with a correspondence.
 #define CGAL_INTRINSIC_OPERATORS_INSTANCES(prefix)                                                 \
   CGAL_INTRINSIC_TRIANGULATIONS_FOR_INTEGERS(CGAL_INTRINSIC_OPERATORS_MATRICES, prefix)

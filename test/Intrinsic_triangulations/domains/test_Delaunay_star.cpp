@@ -170,6 +170,17 @@ TEST(Delaunay_star, keeps_and_marks_all_edges_between_points_on_a_circle) {
   }
 }
 
+TEST(Delaunay_star, angles_decide_near_a_circle_in_any_unit) {
+  for (const double unit : {1., 1e-75}) // products of two angles' numbers are below the range
+    for (const double off : {-0x1p-18, 0x1p-18}) {
+      const double x = unit * (1 + off);
+      Tied expected{{1, false}, {2, false}, {3, false}};
+      if (off > 0) expected.erase(expected.begin() + 1);
+      EXPECT_EQ(tied({{0, 0}, {unit, 0}, {x, x}, {0, unit}}, 0, 0), expected)
+          << unit << ", " << off;
+    }
+}
+
 // On the border circle of a tube the plane that fits is tilted: points of the circle are below.
 TEST(Delaunay_star, is_open_at_the_border_of_a_tube) {
   for (const double tilt : {-0.2, -0.05, 0.05, 0.2}) {

@@ -102,7 +102,9 @@ public:
     Found_vectors found{find.sheets.averaged(given.are_at_vertices()
                                                  ? method->transport(find.at_vertices(given))
                                                  : method->transport(find.in_faces(given)))};
-    found.of_row = Vertex_copies(t_).known_of_rows(found.vectors);
+    if (rows_.empty() || !t_.input().names().row_of_vertex.empty())
+      rows_ = Vertex_copies(t_).known_of_rows(found.vectors); // else of the only copies
+    found.of_row = rows_;
     return found;
   }
 
@@ -338,8 +340,9 @@ private:
   const std::vector<Point>& points_;
   std::optional<Heat> heat_;
   std::optional<Point_cloud_vectors> cloud_;
-  std::size_t neighbors_ = 0; // of the cloud
-  double time_factor_ = 0;    // of the method that is kept
+  std::vector<std::uint32_t> rows_; // the copy of the vertex of each that has a vector
+  std::size_t neighbors_ = 0;       // of the cloud
+  double time_factor_ = 0;          // of the method that is kept
 };
 
 } // namespace CGAL::Intrinsic_triangulations

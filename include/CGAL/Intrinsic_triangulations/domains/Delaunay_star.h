@@ -31,6 +31,7 @@ public:
     std::uint32_t number;
     std::array<double, 3> in_space; // from the origin
     double direction = 0; // set here: grows with the angle, from 0 to 4, half a turn is 2; rounded
+    double distance = 0;  // set here: from the origin, in the plane
     // set here: by how much the edge is Delaunay; 1 at the ends of an open star
     double strength = 1;
 

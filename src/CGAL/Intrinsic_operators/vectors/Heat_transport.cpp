@@ -116,7 +116,7 @@ Eigen::VectorXcd Heat_transport::transported(const Vector_sources& sources,
                                              const Eigen::VectorXd& lengths) const {
   Eigen::VectorXcd start = sources.vectors;
   for (Eigen::Index i = 0; i < start.size(); ++i)
-    if (!(std::abs(start[i]) > cancelled * sources.lengths[i])) start[i] = 0;
+    if (start[i] != 0. && !(std::abs(start[i]) > cancelled * sources.lengths[i])) start[i] = 0;
   const auto z = vectors()(start, reached(sources.weights));
   Eigen::VectorXcd result = z.value.unaryExpr(&unit_vector);
   for (Eigen::Index i = 0; i < result.size(); ++i)

@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -34,6 +36,9 @@ public:
     const auto [x, y] = at;
     if (y > 0 || (y == 0 && x > 0)) return x >= 0 ? y / (x + y) : 1 + x / (x - y);
     return x <= 0 ? 2 + y / (x + y) : 3 + x / (x - y);
+  }
+  static double squared_distance(const Neighbour& a) {
+    return a.at[0] * a.at[0] + a.at[1] * a.at[1];
   }
   // whether `b` is to the left of the line from the origin to `a`: positive
   static CGAL::Orientation turn(const Neighbour& a, const Neighbour& b) {
@@ -64,12 +69,11 @@ public:
   // whether the triangle of the origin is as large in the plane as a part of it in space
   static bool is_flat(const Neighbour& a, const Neighbour& b, double part) {
     return a.at[0] * b.at[1] - a.at[1] * b.at[0] >
-           part * norm(cross_product(a.in_space, b.in_space));
+           part * length(cross_product(a.in_space, b.in_space));
   }
   // of the angle between two neighbours
   static double cosine(const Neighbour& a, const Neighbour& b) {
-    return (a.at[0] * b.at[0] + a.at[1] * b.at[1]) /
-           std::sqrt(squared_distance(a) * squared_distance(b));
+    return (a.at[0] * b.at[0] + a.at[1] * b.at[1]) / (a.distance * b.distance);
   }
 
 private:
@@ -89,26 +93,50 @@ private:
     const double turned = b.direction - a.direction;
     return turned < -2 ? turned + 4 : turned > 2 ? turned - 4 : turned;
   }
+  // The sum of two angles, from 0 to 2 pi: that of the product of two complex numbers.
+  class Sum_of_angles {
+  public:
+    using Sides = std::array<Space_vector<double>, 2>;
+    Sum_of_angles(const Sides& first, const Sides& second)
+        : first_(product(first)), second_(product(second)), sum_(first_ * second_) {}
+
+    double value() const {
+      if (!is_in_range(std::abs(sum_.real()) + std::abs(sum_.imag())))
+        return std::arg(first_) + std::arg(second_);
+      const double angle = std::arg(sum_);
+      return std::signbit(angle) ? angle + 2 * std::numbers::pi : angle; // -0: two angles of pi
+    }
+    // whether it is between pi and 2 pi, and the other one between 0 and pi, one of them by pi / 4
+    bool is_clearly_greater(const Sum_of_angles& other) const {
+      return sum_.imag() < 0 && other.sum_.imag() > 0 &&
+             (sum_.real() > sum_.imag() || other.sum_.real() > -other.sum_.imag());
+    }
+
+  private:
+    // a number with the angle between two sides
+    static std::complex<double> product(const Sides& s) {
+      return {inner_product(s[0], s[1]), length(cross_product(s[0], s[1]))};
+    }
+
+    std::complex<double> first_, second_, sum_;
+  };
   // By how much the angles of the quadrilateral at the ends of its diagonal from the origin to `b`
-  // exceed those at `a` and `c`.
+  // exceed those at `a` and `c`; 1 if clearly: what is positive is not compared.
   static double excess_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
-    const auto angle = [](const Space_vector<double>& v, const Space_vector<double>& w) {
-      return std::atan2(norm(cross_product(v, w)), inner_product(v, w));
-    };
-    const auto at_end = [&](const Neighbour& x) { // between the origin and b
-      return angle(x.in_space, difference(x.in_space, b.in_space));
-    };
-    return angle(a.in_space, c.in_space) +
-           angle(difference(a.in_space, b.in_space), difference(c.in_space, b.in_space)) -
-           at_end(a) - at_end(c);
+    const Space_vector<double> to_a = difference(a.in_space, b.in_space),
+                               to_c = difference(c.in_space, b.in_space);
+    const Sum_of_angles at_ends({a.in_space, c.in_space}, {to_a, to_c}),
+        beside({a.in_space, to_a}, {c.in_space, to_c});
+    return at_ends.is_clearly_greater(beside) ? 1 : at_ends.value() - beside.value();
+  }
+  static double length(const Space_vector<double>& v) {
+    const double square = inner_product(v, v);
+    return is_in_range(square) ? std::sqrt(square) : norm(v);
   }
   // Whether four points are nearly on a circle in space, in this order, by Ptolemy's theorem. The
   // test is coarse: the difference grows with the square of the distance from the circle, so that
   // points up to 2^-15 off pass. Then angles decide.
   static bool is_on_circle_in_space(const Neighbour& a, const Neighbour& b, const Neighbour& c) {
-    const auto length = [](const Space_vector<double>& v) {
-      return std::sqrt(inner_product(v, v));
-    };
     const double diagonals = length(b.in_space) * length(difference(a.in_space, c.in_space)),
                  sides = length(a.in_space) * length(difference(b.in_space, c.in_space)) +
                          length(c.in_space) * length(difference(a.in_space, b.in_space));
@@ -122,16 +150,13 @@ private:
     for (const auto& [p, q, r] : {std::array{&a, &b, &c}, {&b, &c, &a}, {&c, &a, &b}}) {
       const double s = squared_distance(*p);
       determinant += s * (q->at[0] * r->at[1] - q->at[1] * r->at[0]);
-      size += s * std::sqrt(squared_distance(*q) * squared_distance(*r));
+      size += s * (q->distance * r->distance);
     }
     if (is_in_range(size)) return determinant / size;
     return Exactly<Exact::Side_of_oriented_circle_2, Approximate::Side_of_oriented_circle_2>()(
         point(a), point(b), point(c), Point(0, 0));
   }
   static Point point(const Neighbour& a) { return Point(a.at[0], a.at[1]); }
-  static double squared_distance(const Neighbour& a) {
-    return a.at[0] * a.at[0] + a.at[1] * a.at[1];
-  }
 };
 
 // Keeps the nearest of those in one direction, or none if two are as near: points at one place in
@@ -222,7 +247,10 @@ static bool open_at_border(std::vector<Delaunay_star::Neighbour>& neighbours) {
 Delaunay_star::Extent Delaunay_star::find(std::vector<Neighbour>& neighbours) {
   using P = Star_predicates;
   std::erase_if(neighbours, [](const Neighbour& a) { return a.at[0] == 0 && a.at[1] == 0; });
-  for (Neighbour& a : neighbours) a.direction = P::direction(a.at);
+  for (Neighbour& a : neighbours) {
+    a.direction = P::direction(a.at);
+    a.distance = std::sqrt(P::squared_distance(a));
+  }
   std::ranges::sort(neighbours, {}, &Neighbour::direction);
   drop_those_behind(neighbours);
   const std::size_t n = neighbours.size();

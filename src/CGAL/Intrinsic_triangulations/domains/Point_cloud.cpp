@@ -172,7 +172,8 @@ private:
     }
     const double width = std::hypot(at[0], at[1]);
     if (!(width > 0x1p-20 * std::abs(height))) return {0, 0}; // has no direction but by rounding
-    const double factor = std::hypot(1, height / width);      // 1 in planes, bit by bit
+    const double slope = height / width;
+    const double factor = std::sqrt(1 + slope * slope); // 1 in planes, bit by bit
     return {factor * at[0], factor * at[1]};
   }
 

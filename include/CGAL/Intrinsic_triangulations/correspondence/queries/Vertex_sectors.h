@@ -61,7 +61,8 @@ public:
   }
 
   /*!
-  \brief finds the sectors of all vertices, and keeps where they are in space.
+  \brief finds the sectors of all vertices, and keeps the axes of their faces in space, so that
+  reading them for one more field takes no point, root or division.
   \param points where the user's vertices are
   */
   template <QueriedTriangulation Triangulation>
@@ -81,7 +82,8 @@ public:
   */
   Input_vector on_input(std::size_t i, std::complex<double> z) const {
     if (fan_[i] == Gluing::none) return {Gluing::none, {0, 0}};
-    return on_input(fans_[fan_[i]], z);
+    const In_sector found = in_sector(fans_[fan_[i]], z);
+    return {sectors_[found.sector].halfedge, {found.vector.real(), found.vector.imag()}};
   }
 
   /*!
@@ -96,6 +98,8 @@ public:
   std::vector<std::array<double, 3>> in_space(const Tangent_field& field) const;
 
 private:
+  // Orthogonal unit vectors along the halfedge of a sector, and to the left of it, in space.
+  using Axes = std::array<std::array<double, 3>, 2>;
   // The sectors of a vertex, counterclockwise from its real axis.
   struct Fan {
     std::uint32_t vertex; // its number
@@ -108,20 +112,25 @@ private:
     std::uint32_t halfedge;
     double angle; // on the surface, from the real axis to the halfedge
   };
+  // A vector in a sector: along its halfedge, and to the left of it.
+  struct In_sector {
+    std::size_t sector;
+    std::complex<double> vector;
+  };
 
   // Adds a vertex at a point of the input, where its real axis has a direction.
   void add(std::uint32_t vertex, const Surface_point& p, const Plane_vector<double>& axis);
   void add_about_vertex(Fan& fan, std::uint32_t h, double angle);
   void add_beside_edge(Fan& fan, std::uint32_t h, double angle);
   void place(std::span<const std::array<double, 3>> points);
-  Input_vector on_input(const Fan& fan, std::complex<double> z) const;
+  In_sector in_sector(const Fan& fan, std::complex<double> z) const;
 
   const Input* input_;
   std::vector<std::uint32_t> fan_; // by the numbers of a field
   // In the order of the input, which keeps neighbours together: reading is half as long.
   std::vector<Fan> fans_;
   std::vector<Sector> sectors_;
-  std::vector<std::array<double, 3>> points_; // of the vertices of the input
+  std::vector<Axes> axes_; // of sectors; those beyond faces without area
 };
 
 } // namespace CGAL::Intrinsic_triangulations

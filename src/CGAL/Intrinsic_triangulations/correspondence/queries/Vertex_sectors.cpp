@@ -69,41 +69,45 @@ void Vertex_sectors::add_beside_edge(Fan& fan, std::uint32_t h, double angle) {
   sectors_.push_back({h, 2 * pi - angle});
 }
 
-Input_vector Vertex_sectors::on_input(const Fan& fan, std::complex<double> z) const {
-  double angle = std::arg(z);
-  if (angle < 0) angle += 2 * pi;
-  const Sector* sector = &sectors_[fan.begin];
-  const Sector* const last = &sectors_[fan.end - 1];
+// A vector is turned, never measured: its length takes longer than to find its sector.
+Vertex_sectors::In_sector Vertex_sectors::in_sector(const Fan& fan, std::complex<double> z) const {
+  const double polar = std::arg(z);
+  double angle = polar < 0 ? polar + 2 * pi : polar;
+  std::size_t sector = fan.begin;
+  const std::size_t last = fan.end - 1;
   if (fan.is_on_border && angle > pi) { // what is left of the circle beyond the border
     const double inside = pi * fan.factor;
     if (angle < 1.5 * pi) sector = last;
     angle = inside + (angle - pi) / pi * (2 * pi - inside);
   } else {
     angle *= fan.factor;
-    while (sector != last && sector[1].angle <= angle) ++sector;
+    while (sector != last && sectors_[sector + 1].angle <= angle) ++sector;
   }
-  const double length = std::hypot(z.real(), z.imag()), turn = angle - sector->angle;
-  return {sector->halfedge, {length * std::cos(turn), length * std::sin(turn)}};
+  const double turn = angle - sectors_[sector].angle - polar;
+  const double c = std::cos(turn), s = std::sin(turn);
+  return {sector, {z.real() * c - z.imag() * s, z.real() * s + z.imag() * c}};
 }
 
 void Vertex_sectors::place(std::span<const std::array<double, 3>> points) {
-  points_.reserve(input_->number_of_vertices());
-  for (std::uint32_t v = 0; v < input_->number_of_vertices(); ++v)
-    points_.push_back(points[input_->names().row(v)]);
+  const internal::Placed_input source{*input_, points};
+  axes_.reserve(sectors_.size());
+  for (const Sector& s : sectors_) {
+    const auto axes = internal::face_axes_in_space(*input_, s.halfedge, source);
+    // beyond a face without area: by the same turn for all vectors
+    axes_.push_back(
+        axes ? *axes
+             : Axes{internal::vector_beyond_face(*input_, {s.halfedge, {1, 0}}, source),
+                    internal::vector_beyond_face(*input_, {s.halfedge, {0, 1}}, source)});
+  }
 }
 
 std::vector<std::array<double, 3>> Vertex_sectors::in_space(const Tangent_field& field) const {
   internal::expect_size(field, size());
   std::vector<std::array<double, 3>> result(field.size(), {0, 0, 0});
-  const auto source = [this](std::uint32_t h) -> const std::array<double, 3>& {
-    return points_[input_->source(h)];
-  };
-  // in a loop of their own, short enough that the reads of several faces overlap
-  std::vector<Input_vector> vectors;
-  vectors.reserve(fans_.size());
-  for (const Fan& fan : fans_) vectors.push_back(on_input(fan, field[fan.vertex]));
-  for (std::size_t i = 0; i < fans_.size(); ++i)
-    result[fans_[i].vertex] = internal::vector_in_space(*input_, vectors[i], source);
+  for (const Fan& fan : fans_) {
+    const auto [sector, v] = in_sector(fan, field[fan.vertex]);
+    result[fan.vertex] = internal::along(axes_[sector], {v.real(), v.imag()});
+  }
   return result;
 }
 
