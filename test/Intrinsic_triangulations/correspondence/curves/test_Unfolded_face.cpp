@@ -438,8 +438,10 @@ void expect_same_triangles(const IT::Triangle_strips& strips, const IT::Developm
   for (std::uint32_t n = 0; n < steps.size(); ++n) {
     ASSERT_EQ(strips.side(n), steps[n].side);
     ASSERT_EQ(strips.points(n), steps[n].point);
-    if (n > 0) ASSERT_EQ(strips.parent(n), steps[n].parent());
-    if (n > 0) ASSERT_EQ(strips.exit_to(n), steps.exit_to(n));
+    if (n > 0) {
+      ASSERT_EQ(strips.parent(n), steps[n].parent());
+      ASSERT_EQ(strips.exit_to(n), steps.exit_to(n));
+    }
     for (unsigned k = 0; k < 3; ++k) ASSERT_EQ(strips.entered_over(n, k), steps[n].beyond[k]);
     for (unsigned k = 0; k < 2; ++k) {
       std::uint32_t end = n + 1;
