@@ -48,13 +48,6 @@ public:
   Figure_finder(const Triangulation& t, const Places& places, Exact_memory& memory)
       : t_(t), places_(places), memory_(memory), view_(t) {}
 
-  // Makes coordinates if there was no move yet. Insertions need them, and then they would be made by
-  // repeating all flips, which took 5 ms of 60 on armadillo.
-  void expect_insertions() const {
-    if (const Flip_list* flips = places_.flips(); flips != nullptr && flips->size() == 0)
-      places_.coordinates(t_);
-  }
-
   // The exact sign of an expression in the values of a diamond, or of faces. `better` are intervals
   // that contain the values, and may become narrower: proofs without numbers leave them.
   Sign exact_sign(const Diamond& d, const Recorded_diamond_expression& expression,

@@ -303,7 +303,6 @@ Refined<typename Triangulation::face_descriptor>
 refine(Triangulation& t, const Refinement_settings& asked, const std::vector<char>& is_kept,
        const Refinement_questions<Triangulation>& visitor) {
   const Surface_check<Triangulation> check(t);
-  if constexpr (requires { t.decider().expect_insertions(); }) t.decider().expect_insertions();
   Delaunay_refiner<Triangulation> refiner(t, asked, visitor);
   auto result = refiner.run(is_kept);
   check.conclude(result);
