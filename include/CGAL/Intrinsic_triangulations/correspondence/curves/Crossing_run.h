@@ -7,6 +7,8 @@
 #include <CGAL/Intrinsic_triangulations/correspondence/curves/Vertex_fans.h>
 
 #include <algorithm>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -99,7 +101,7 @@ inline void append_run(const Vertex_fans& fans, std::vector<Crossing_run>& runs,
 \param from, to numbers on the way
 \param visit the functor
 */
-template <class Visit>
+template <std::invocable<const Crossing_run&> Visit>
 void for_each_run(const Vertex_fans& fans, std::span<const Crossing_run> runs, bool is_opposite,
                   std::uint32_t from, std::uint32_t to, const Visit& visit) {
   std::uint32_t begin = 0;

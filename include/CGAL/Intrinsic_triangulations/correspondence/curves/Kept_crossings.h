@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -224,7 +225,7 @@ public:
 
   /// visits the runs of input halfedges of the faces that intrinsic halfedge `h` enters, from one
   /// position to another.
-  template <class Visit>
+  template <std::invocable<const Crossing_run&> Visit>
   void for_each_run_of(const Vertex_fans& fans, std::uint32_t h, Normal_coordinate first,
                        Normal_coordinate last, const Visit& visit) const {
     for_each_run(fans, lists_[h / 2], h % 2 != 0, static_cast<std::uint32_t>(first),

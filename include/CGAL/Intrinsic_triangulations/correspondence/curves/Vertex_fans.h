@@ -53,8 +53,10 @@ public:
   }
   /// returns the slot that is `count` places clockwise from `slot`.
   std::uint32_t retreat(std::uint32_t slot, std::uint32_t count) const {
-    const std::uint32_t size = fan_[slot].size;
-    return advance(slot, size - count % size);
+    const Fan& fan = fan_[slot];
+    std::uint32_t place = slot - fan.begin;
+    while (place < count) place += fan.size;
+    return fan.begin + (place - count);
   }
 
   /// returns the first slot of the fan of a slot.

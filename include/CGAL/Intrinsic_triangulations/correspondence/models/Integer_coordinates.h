@@ -20,6 +20,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -109,7 +110,7 @@ public:
   bool knows_crossings() const { return bool(kept_); }
   /// visits the input halfedges of the faces that intrinsic halfedge `h` enters, from one position
   /// to another, in runs. \pre see above
-  template <class Visit>
+  template <std::invocable<const Crossing_run&> Visit>
   void for_each_run_of(std::uint32_t h, Normal_coordinate first, Normal_coordinate last,
                        const Visit& visit) const {
     kept_.for_each_run_of(fans_, h, first, last, visit);
